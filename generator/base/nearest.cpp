@@ -1,0 +1,52 @@
+#include "base/nearest.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace mjcourse {
+namespace {
+
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string nearest(std::string_view name, const std::vector<std::string>& candidates) {
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const std::size_t distance = edit_distance(name, candidate);
+    // Two edits make any short word out of any other.
+    if (distance < best_distance && distance < name.size()) {
+      best = candidate;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+std::string suggest(std::string_view name, const std::vector<std::string>& candidates) {
+  const std::string near = nearest(name, candidates);
+  if (!near.empty()) return "did you mean `" + near + "`?";
+  constexpr std::size_t shown = 12;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(shown, candidates.size()); ++i) {
+    list += (i == 0 ? "" : ", ") + candidates[i];
+  }
+  if (candidates.size() > shown) list += ", …";
+  return list.empty() ? "there is none yet" : "known: " + list;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,17 @@
+// "Did you mean …?": every message about an unknown name ends with the nearest known one.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mjcourse {
+
+// The candidate that `name` most likely meant, by Levenshtein distance; empty when none is near
+// (more than two edits and more than a third of the name away).
+std::string nearest(std::string_view name, const std::vector<std::string>& candidates);
+
+// "did you mean `X`?" for the nearest candidate, else "known: a, b, c" (the first dozen).
+std::string suggest(std::string_view name, const std::vector<std::string>& candidates);
+
+}  // namespace mjcourse

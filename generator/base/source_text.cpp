@@ -1,0 +1,39 @@
+#include "base/source_text.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/utf8.h"
+
+namespace mjcourse {
+
+SourceText::SourceText(std::string path, std::string text)
+    : path_(std::move(path)), text_(std::move(text)), starts_{0} {
+  for (std::size_t i = 0; i < text_.size(); ++i) {
+    if (text_[i] == '\n') starts_.push_back(i + 1);
+  }
+}
+
+Position SourceText::position(std::size_t offset) const {
+  offset = std::min(offset, text_.size());
+  const auto after = std::upper_bound(starts_.begin(), starts_.end(), offset);
+  const auto line = static_cast<int>(after - starts_.begin());
+  const std::size_t start = starts_[static_cast<std::size_t>(line - 1)];
+  return {line, 1 + count_characters(text().substr(start, offset - start))};
+}
+
+std::string_view SourceText::line(int line) const {
+  const std::size_t begin = line_start(line);
+  std::string_view rest = text().substr(begin);
+  rest = rest.substr(0, rest.find('\n'));
+  if (rest.ends_with('\r')) rest.remove_suffix(1);
+  return rest;
+}
+
+std::size_t SourceText::line_start(int line) const {
+  if (line < 1) return 0;
+  const auto index = static_cast<std::size_t>(line - 1);
+  return index < starts_.size() ? starts_[index] : text_.size();
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,22 @@
+// A folder for one piece of work, gone with everything in it when the work is done.
+#pragma once
+
+#include <filesystem>
+
+namespace mjcourse {
+
+class TemporaryFolder {
+ public:
+  // Throws std::system_error when the system's folder for temporary files takes no more.
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace mjcourse

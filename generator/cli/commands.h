@@ -1,0 +1,18 @@
+// The commands: each takes its options and gives the exit code.
+#pragma once
+
+#include <filesystem>
+
+namespace mjcourse {
+
+struct Options {
+  std::filesystem::path course = ".";
+  std::filesystem::path out;
+};
+
+// Evaluate the course and replace the site; with errors the old site stays.
+int build(const Options& options);
+// Evaluate the course and report.
+int check(const Options& options);
+
+}  // namespace mjcourse

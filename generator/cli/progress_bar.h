@@ -1,0 +1,33 @@
+// A bar on the terminal for work that takes longer than half a second; silent elsewhere.
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "evaluate/evaluate.h"
+
+namespace mjcourse {
+
+class ProgressBar : public Progress {
+ public:
+  ProgressBar();
+  // Wipes the bar.
+  ~ProgressBar() override;
+
+  void plan(int tasks) override;
+  void begin(const std::string& what) override;
+  void done() override;
+
+ private:
+  void draw();
+
+  std::mutex mutex_;
+  std::condition_variable_any changed_;
+  int tasks_ = 0, finished_ = 0;
+  std::string current_;
+  std::jthread painter_;  // last: it uses the rest, and must end first
+};
+
+}  // namespace mjcourse

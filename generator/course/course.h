@@ -1,0 +1,37 @@
+// Course: course.yaml and the lessons it lists, with every reference between them resolved.
+//
+// Enter at read_course. The generator knows nothing of any one course: titles, levels, order,
+// models and macros all come from the course's folder.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/files.h"
+#include "lesson/lesson.h"
+#include "report/diagnostic.h"
+
+namespace mjcourse {
+
+struct Level {
+  std::string folder, title;
+  std::vector<std::size_t> lessons;  // indices into Course::lessons, in the course's order
+};
+
+struct Course {
+  std::string title, description, language = "en";
+  std::map<std::string, std::string> macros;  // TeX, shared by all lessons: "\\R" → "\\mathbb{R}"
+  std::vector<Level> levels;
+  std::vector<Lesson> lessons;  // in the course's order
+  std::vector<std::string> models;  // names: "joint_zoo" for models/joint_zoo.xml
+
+  const Lesson* find_lesson(const std::string& number) const;
+};
+
+// Read content/course.yaml and every lesson in it, and check the links between them. Mistakes go
+// to `diagnostics`; nothing is returned only when there is no readable course.yaml.
+std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics);
+
+}  // namespace mjcourse

@@ -1,0 +1,132 @@
+#include <algorithm>
+#include <utility>
+
+#include "base/nearest.h"
+#include "course/course.h"
+#include "course/link_target.h"
+#include "lesson/read_lesson.h"
+#include "lesson/reading.h"
+#include "lesson/yaml_map.h"
+
+namespace mjcourse {
+namespace {
+
+constexpr const char* kPath = "content/course.yaml";
+constexpr const char* kId = "E-course-yaml";
+
+void report_missing(const std::string& message, const std::string& cure, Diagnostics& diagnostics) {
+  diagnostics.push_back({kId, Severity::error, {kPath, 0, 0, 1, ""}, message, "", {}, cure});
+}
+
+// The lesson that course.yaml names as `entry` in `folder`, appended to the course.
+void read_listed_lesson(const Files& files, Level& level, const LocatedText& entry,
+                        Reading& reading, Course& course, Diagnostics& diagnostics) {
+  const std::string folder = "content/" + level.folder;
+  const std::string path = folder + "/" + entry.text + ".md";
+  if (!files.exists(path)) {
+    std::vector<std::string> there;
+    for (const std::string& name : files.list(folder)) {
+      if (name.ends_with(".md")) there.push_back(name.substr(0, name.size() - 3));
+    }
+    reading.error("E-lesson-missing", entry.span(), "there is no file " + path,
+                  suggest(entry.text, there));
+    return;
+  }
+  const tl::expected<std::string, std::string> bytes = files.read(path);
+  if (!bytes) {
+    reading.error("E-lesson-missing", entry.span(), "cannot read " + bytes.error());
+    return;
+  }
+  std::optional<Lesson> lesson = read_lesson(path, *bytes, diagnostics);
+  if (!lesson) return;
+  if (course.find_lesson(lesson->number) != nullptr) {
+    reading.error("E-lesson-number", entry.span(),
+                  "the number " + lesson->number + " is taken by a lesson above",
+                  "number each lesson once");
+    return;
+  }
+  level.lessons.push_back(course.lessons.size());
+  course.lessons.push_back(std::move(*lesson));
+}
+
+void read_level(const Files& files, const YAML::Node& node, const LocatedText& text,
+                Reading& reading, Course& course, Diagnostics& diagnostics) {
+  YamlMap map(node, "level", kId, text, reading);
+  Level level;
+  level.folder = map.required_string("folder").text;
+  level.title = map.required_string("title").text;
+  for (const LocatedText& entry : map.strings("lessons")) {
+    read_listed_lesson(files, level, entry, reading, course, diagnostics);
+  }
+  map.finish();
+  course.levels.push_back(std::move(level));
+}
+
+void check_references(const Course& course, Diagnostics& diagnostics) {
+  std::vector<std::string> numbers;
+  for (const Lesson& lesson : course.lessons) numbers.push_back(lesson.number);
+  for (const Lesson& lesson : course.lessons) {
+    Reading reading(*lesson.source, diagnostics);
+    for (const Link& link : lesson.links) {
+      const auto target = resolve_link(course, lesson, link.target.text);
+      if (target) continue;
+      reading.error(target.error().id, link.target.span(), target.error().message,
+                    target.error().cure);
+    }
+    for (const LocatedText& number : lesson.front.prerequisites) {
+      if (course.find_lesson(number.text) != nullptr) continue;
+      reading.error("E-link-dead", number.span(),
+                    "there is no lesson `" + number.text + "` in this course",
+                    suggest(number.text, numbers));
+    }
+  }
+}
+
+}  // namespace
+
+const Lesson* Course::find_lesson(const std::string& number) const {
+  const auto found = std::find_if(lessons.begin(), lessons.end(),
+                                  [&](const Lesson& lesson) { return lesson.number == number; });
+  return found == lessons.end() ? nullptr : &*found;
+}
+
+std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics) {
+  const tl::expected<std::string, std::string> bytes = files.read(kPath);
+  if (!bytes) {
+    report_missing("cannot read " + bytes.error(),
+                   "a course is a folder with content/course.yaml; name it with --course DIR",
+                   diagnostics);
+    return std::nullopt;
+  }
+  const SourceText source(kPath, *bytes);
+  Reading reading(source, diagnostics);
+  const LocatedText text = located(source, {0, source.text().size()});
+  const std::optional<YAML::Node> yaml = parse_yaml(text, "course file", kId, reading);
+  if (!yaml) return std::nullopt;
+
+  Course course;
+  YamlMap map(*yaml, "course file", kId, text, reading);
+  course.title = map.required_string("title").text;
+  course.description = map.string("description").text;
+  if (const LocatedText language = map.string("language"); !language.text.empty()) {
+    course.language = language.text;
+  }
+  if (const YAML::Node macros = map.node("macros"); macros.IsDefined() && macros.IsMap()) {
+    for (const auto& macro : macros) {
+      course.macros[macro.first.as<std::string>()] = macro.second.as<std::string>();
+    }
+  }
+  if (const YAML::Node levels = map.node("levels"); levels.IsDefined()) {
+    for (const YAML::Node& level : levels) {
+      read_level(files, level, text, reading, course, diagnostics);
+    }
+  }
+  map.finish();
+  for (const std::string& name : files.list("models")) {
+    if (name.ends_with(".xml")) course.models.push_back(name.substr(0, name.size() - 4));
+  }
+  check_references(course, diagnostics);
+  return course;
+}
+
+}  // namespace mjcourse

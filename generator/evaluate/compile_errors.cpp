@@ -1,0 +1,73 @@
+#include "evaluate/compile_errors.h"
+
+#include <cctype>
+#include <string_view>
+#include <utility>
+
+namespace mjcourse {
+namespace {
+
+constexpr int kMostErrors = 5;  // of one program: later ones mostly follow from the first
+
+// The length of the name that begins at `at`; at least 1.
+std::size_t name_length(std::string_view text, std::size_t at) {
+  std::size_t end = at;
+  while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 ||
+                               text[end] == '_')) {
+    ++end;
+  }
+  return end > at ? end - at : 1;
+}
+
+Place place_of_message(const CompilerMessage& message, const CompiledText& text,
+                       const Lesson& lesson) {
+  if (text.code.offsets.empty()) {  // the program stands in its own file
+    const SourceText file(text.name, text.code.text);
+    const std::size_t at = file.line_start(message.line) + static_cast<std::size_t>(message.column) - 1;
+    return place_of(file, {at, at + name_length(file.text(), at)});
+  }
+  const SourceText code("", text.code.text);
+  const std::size_t at = code.line_start(message.line - text.first_line + 1) +
+                         static_cast<std::size_t>(message.column) - 1;
+  return place_of(*lesson.source, text.code.span(at, at + name_length(code.text(), at)));
+}
+
+// The line of the program that led to messages[index], which speaks of a header: the first note
+// behind it that names the program ("in instantiation of … requested here").
+const CompilerMessage* cause_of(const Compiled& compiled, std::size_t index,
+                                const std::string& name) {
+  for (std::size_t i = index + 1; i < compiled.messages.size(); ++i) {
+    if (compiled.messages[i].severity != "note") break;
+    if (compiled.messages[i].file == name) return &compiled.messages[i];
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+void report_compile_messages(const Compiled& compiled, const CompiledText& text,
+                             const Lesson& lesson, Diagnostics& diagnostics) {
+  int errors = 0;
+  for (std::size_t i = 0; i < compiled.messages.size(); ++i) {
+    const CompilerMessage& message = compiled.messages[i];
+    if (message.severity == "note") continue;
+    const bool warning = message.severity == "warning";
+    if (!warning && ++errors > kMostErrors) break;
+    Diagnostic found;
+    found.id = warning ? "W-example-compile" : "E-example-compile";
+    found.severity = warning ? Severity::warning : Severity::error;
+    found.message = message.text;
+    const bool own = message.file == text.name;
+    const CompilerMessage* at = own ? &message : cause_of(compiled, i, text.name);
+    found.place = at != nullptr ? place_of_message(*at, text, lesson)
+                                : place_of(*lesson.source, text.fence);
+    if (!own) found.detail = "in " + message.file + ":" + std::to_string(message.line) + "\n";
+    diagnostics.push_back(std::move(found));
+  }
+  if (compiled.succeeded || errors > 0) return;
+  diagnostics.push_back({"E-example-compile", Severity::error,
+                         place_of(*lesson.source, text.fence), "the program does not link",
+                         compiled.raw.substr(0, 2000), {}, ""});
+}
+
+}  // namespace mjcourse

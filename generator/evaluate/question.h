@@ -1,0 +1,15 @@
+// Knowledge checks: each answer found again by building what the question describes.
+#pragma once
+
+#include <optional>
+
+#include "evaluate/result.h"
+#include "evaluate/workshop.h"
+
+namespace mjcourse {
+
+// Nothing when an answer is wrong or a proof fails; both are reported.
+std::optional<QuestionResult> evaluate_question(const Question& question, const Lesson& lesson,
+                                                Workshop& workshop, Diagnostics& diagnostics);
+
+}  // namespace mjcourse

@@ -1,0 +1,86 @@
+// Results: what was found out about the blocks of a lesson.
+//
+// One for each block that claims something, under the block's index. Evaluating makes them, writing
+// turns them into HTML; nothing here is HTML but a formula's own markup, which is KaTeX's.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace mjcourse {
+
+struct FormulaResult {
+  std::string markup;
+};
+
+struct ExampleResult {
+  std::string code;    // as it was compiled
+  std::string output;  // its stdout
+};
+
+struct OutputResult {
+  int lines = 0;
+};
+
+// The same picture in two formats.
+struct Poster {
+  std::string webp, png;  // bytes of a file
+  int width = 0, height = 0;
+};
+
+struct LabResult {
+  std::vector<double> readouts;             // at rest, in the lab's order
+  std::vector<std::vector<double>> traces;  // at rest, for each plot
+  std::optional<Poster> poster;
+};
+
+// One way in which an answer was found, or the reason why none was needed.
+struct ProofResult {
+  std::string built;       // "7 hinge, 2 slide and 3 free joints", "pick_place"
+  std::string expression;  // what was evaluated; empty for options
+  std::string value;       // what it gave
+};
+
+struct QuestionResult {
+  bool proved = false;
+  std::vector<ProofResult> proofs;
+  std::string because;  // why the answer is only asserted; may be empty
+};
+
+struct QuizResult {
+  std::vector<QuestionResult> questions;
+};
+
+using Result =
+    std::variant<FormulaResult, ExampleResult, OutputResult, LabResult, QuizResult>;
+
+// How much was verified; what failed is not counted.
+struct Tally {
+  int formulas = 0;
+  int programs = 0;
+  int outputs = 0;
+  int answers_proved = 0;
+  int answers_asserted = 0;
+  int labs = 0;
+  int pictures = 0;
+
+  Tally& operator+=(const Tally& other);
+};
+
+struct LessonResults {
+  std::map<std::size_t, Result> of_block;  // only of blocks that could be evaluated
+  Tally tally;
+
+  // The result of block `index` if it is there and of this type.
+  template <typename T>
+  const T* get(std::size_t index) const {
+    const auto found = of_block.find(index);
+    return found == of_block.end() ? nullptr : std::get_if<T>(&found->second);
+  }
+};
+
+}  // namespace mjcourse

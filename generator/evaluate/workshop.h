@@ -1,0 +1,55 @@
+// Workshop: the tools that evaluating shares: the course's files and models, the typesetter, the
+// renderer, the compiler. One workshop serves one thread.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "base/files.h"
+#include "course/course.h"
+#include "physics/renderer.h"
+#include "physics/simulation.h"
+#include "report/diagnostic.h"
+#include "script/typeset.h"
+
+namespace mjcourse {
+
+class Workshop {
+ public:
+  // `root` is the course's folder on the disk; `assets` holds script/*.js.
+  Workshop(const Course& course, std::filesystem::path root, const Files& assets);
+
+  const Course& course() const { return course_; }
+  const std::filesystem::path& root() const { return root_; }
+  Typesetter& typesetter() { return typesetter_; }
+  const std::string& world_bundle() const { return world_bundle_; }
+
+  // The off-screen renderer, made at first use; or why there is none.
+  tl::expected<Renderer*, std::string> renderer();
+
+  // A fresh simulation of what `model` says: a model's name, or MJCF where it starts with `<`.
+  // Nothing (reported) when there is no such model or it does not compile; a model file's own
+  // mistake is reported once, at its own line.
+  std::optional<Simulation> simulate(const LocatedText& model, const SourceText& lesson,
+                                     Diagnostics& diagnostics);
+
+ private:
+  void report_model_file(const ModelError& error, const std::string& path,
+                         const LocatedText& model, const SourceText& lesson,
+                         Diagnostics& diagnostics);
+
+  const Course& course_;
+  std::filesystem::path root_;
+  std::string world_bundle_;
+  Typesetter typesetter_;
+  std::optional<Renderer> renderer_;
+  std::set<std::string> reported_;  // model files whose mistake is known
+};
+
+// Bytes of the bundle script/NAME.js; throws std::runtime_error when the assets were not built.
+std::string script_bundle(const Files& assets, const std::string& name);
+
+}  // namespace mjcourse

@@ -1,0 +1,75 @@
+#include "lesson/callout.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "base/nearest.h"
+
+namespace mjcourse {
+namespace {
+
+// Move the inlines of `paragraph` up to its first line break into a document of their own.
+Document take_first_line(cmark_node* paragraph) {
+  Document title(cmark_node_new(CMARK_NODE_DOCUMENT));
+  cmark_node* line = cmark_node_new(CMARK_NODE_PARAGRAPH);
+  cmark_node_append_child(title.get(), line);
+  while (cmark_node* child = cmark_node_first_child(paragraph)) {
+    const cmark_node_type type = cmark_node_get_type(child);
+    if (type == CMARK_NODE_SOFTBREAK || type == CMARK_NODE_LINEBREAK) {
+      cmark_node_free(child);
+      break;
+    }
+    cmark_node_unlink(child);
+    cmark_node_append_child(line, child);
+  }
+  return cmark_node_first_child(line) != nullptr ? std::move(title) : nullptr;
+}
+
+Span kind_span(cmark_node* quote, const std::string& kind, const SourceText& source) {
+  const int line = cmark_node_get_start_line(quote);
+  const std::size_t at = source.line(line).find("[!" + kind);
+  const std::size_t begin = source.line_start(line) + (at == std::string_view::npos ? 0 : at + 2);
+  return {begin, begin + kind.size()};
+}
+
+}  // namespace
+
+const std::vector<std::string>& callout_kinds() {
+  static const std::vector<std::string> kinds{
+      "established", "derivation", "intuition", "pitfall", "open",      "exercise", "challenge",
+      "solution",    "note",       "tip",       "warning", "important", "caution"};
+  return kinds;
+}
+
+std::optional<Callout> take_callout(cmark_node* node, Reading& reading) {
+  cmark_node* paragraph = cmark_node_first_child(node);
+  if (paragraph == nullptr || cmark_node_get_type(paragraph) != CMARK_NODE_PARAGRAPH) return {};
+  cmark_node* first = cmark_node_first_child(paragraph);
+  if (first == nullptr || cmark_node_get_type(first) != CMARK_NODE_TEXT) return {};
+  std::string_view text = cmark_node_get_literal(first);
+  const std::size_t close = text.find(']');
+  if (!text.starts_with("[!") || close == text.npos) return {};
+
+  Callout callout;
+  callout.kind = text.substr(2, close - 2);
+  const std::vector<std::string>& kinds = callout_kinds();
+  if (std::find(kinds.begin(), kinds.end(), callout.kind) == kinds.end()) {
+    reading.error("E-callout-kind", kind_span(node, callout.kind, reading.source()),
+                  "there is no callout `" + callout.kind + "`", suggest(callout.kind, kinds));
+    return {};
+  }
+  text.remove_prefix(close + 1);
+  callout.folded = text.starts_with('-') || callout.kind == "solution";
+  if (text.starts_with('-')) text.remove_prefix(1);
+  text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
+  if (text.empty()) {
+    cmark_node_free(first);
+  } else {
+    cmark_node_set_literal(first, std::string(text).c_str());
+  }
+  callout.title = take_first_line(paragraph);
+  if (cmark_node_first_child(paragraph) == nullptr) cmark_node_free(paragraph);
+  return callout;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,103 @@
+#include "lesson/fence.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "base/nearest.h"
+
+namespace mjcourse {
+namespace {
+
+// What stands before the fence on its line: indentation and the marks of quotes and lists.
+std::size_t find_fence(std::string_view line, char mark) {
+  return std::min(line.find(std::string(3, mark)), line.size());
+}
+
+bool closes(std::string_view line, int length, char mark) {
+  const std::size_t last = line.find_last_not_of(" \t\r");
+  if (last == line.npos || line[last] != mark) return false;
+  std::size_t first = last;
+  while (first > 0 && line[first - 1] == mark) --first;
+  const bool only_prefix = line.substr(0, first).find_first_not_of(" \t>") == line.npos;
+  return only_prefix && static_cast<int>(last - first) + 1 >= length;
+}
+
+}  // namespace
+
+Fence::Fence(cmark_node* node, const SourceText& source) {
+  const int first = cmark_node_get_start_line(node);
+  const int last = cmark_node_get_end_line(node);
+  const std::size_t start = source.line_start(first);
+  const std::string_view line = source.line(first);
+  int length = 0, offset = 0;
+  char mark = '`';
+  indented_ = cmark_node_get_fenced(node, &length, &offset, &mark) == 0;
+  const std::size_t fence = indented_ ? 0 : find_fence(line, mark);
+  span_ = {start + fence, start + line.size()};
+  if (indented_) return;
+  closed_ = last > first && closes(source.line(last), length, mark);
+  const std::size_t info = std::min(line.find_first_not_of(mark, fence), line.size());
+  read_info(source, start + info, start + line.size());
+  read_body(node, source);
+}
+
+void Fence::read_info(const SourceText& source, std::size_t begin, std::size_t end) {
+  const std::string_view text = source.text();
+  while (begin < end) {
+    if (text[begin] == ' ' || text[begin] == '\t') {
+      ++begin;
+      continue;
+    }
+    std::size_t stop = begin;
+    std::size_t equals = 0;
+    for (bool quoted = false; stop < end && (quoted || text[stop] != ' '); ++stop) {
+      if (text[stop] == '"') quoted = !quoted;
+      if (text[stop] == '=' && equals == 0) equals = stop;
+    }
+    if (equals == 0) {
+      words_.push_back(located(source, {begin, stop}));
+    } else {
+      const bool quoted = stop - equals >= 3 && text[equals + 1] == '"' && text[stop - 1] == '"';
+      const Span value{equals + (quoted ? 2 : 1), stop - (quoted ? 1 : 0)};
+      options_.push_back({located(source, {begin, equals}), located(source, value)});
+    }
+    begin = stop;
+  }
+}
+
+void Fence::read_body(cmark_node* node, const SourceText& source) {
+  const std::string_view literal(cmark_node_get_literal(node));
+  int number = cmark_node_get_start_line(node) + 1;
+  for (std::size_t at = 0; at < literal.size(); ++number) {
+    const std::size_t end = std::min(literal.find('\n', at), literal.size() - 1);
+    const std::string_view line = literal.substr(at, end - at);
+    const std::string_view raw = source.line(number);
+    // Indentation and quote marks are gone from the front; the rest stands as it stood.
+    const std::size_t prefix = raw.size() - std::min(raw.size(), line.size());
+    for (std::size_t i = 0; i <= line.size(); ++i) {
+      body_.offsets.push_back(source.line_start(number) + prefix + i);
+    }
+    at = end + 1;
+  }
+  body_.text = literal;
+  body_.offsets.push_back(source.line_start(number));
+}
+
+std::optional<LocatedText> Fence::option(const std::string& name) {
+  asked_.push_back(name);
+  for (const Option& option : options_) {
+    if (option.name.text == name) return option.value;
+  }
+  return std::nullopt;
+}
+
+void Fence::finish(const std::string& kind, Reading& reading) {
+  for (const Option& option : options_) {
+    const std::string& name = option.name.text;
+    if (std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
+    reading.error("E-fence-option", option.name.span(),
+                  "a `" + kind + "` fence has no option `" + name + "`", suggest(name, asked_));
+  }
+}
+
+}  // namespace mjcourse

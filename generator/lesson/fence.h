@@ -1,0 +1,50 @@
+// Fence: a fenced code block as the author wrote it: its words, its options, its body.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lesson/located_text.h"
+#include "lesson/markdown.h"
+#include "lesson/reading.h"
+
+namespace mjcourse {
+
+class Fence {
+ public:
+  // `node` is a code block of the document that stands in `source` line for line.
+  Fence(cmark_node* node, const SourceText& source);
+
+  // The opening fence with its info string.
+  Span span() const { return span_; }
+  // False when the lesson ended before the fence did.
+  bool closed() const { return closed_; }
+  // An indented block, which has no fence at all.
+  bool indented() const { return indented_; }
+  // The words of the info string that are no options: "lab simlab" → lab, simlab.
+  const std::vector<LocatedText>& words() const { return words_; }
+  const LocatedText& body() const { return body_; }
+
+  // The value of `name=value` or `name="value"`; nothing when it is not there.
+  std::optional<LocatedText> option(const std::string& name);
+  // Report the options that nothing asked for; `kind` names the fence in the message.
+  void finish(const std::string& kind, Reading& reading);
+
+ private:
+  struct Option {
+    LocatedText name, value;
+  };
+  void read_info(const SourceText& source, std::size_t begin, std::size_t end);
+  void read_body(cmark_node* node, const SourceText& source);
+
+  Span span_;
+  bool closed_ = true;
+  bool indented_ = false;
+  std::vector<LocatedText> words_;
+  std::vector<Option> options_;
+  LocatedText body_;
+  std::vector<std::string> asked_;
+};
+
+}  // namespace mjcourse

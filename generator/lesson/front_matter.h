@@ -1,0 +1,16 @@
+// Front matter: the YAML between two `---` lines at a lesson's start.
+#pragma once
+
+#include <optional>
+
+#include "lesson/lesson.h"
+#include "lesson/lesson_reader.h"
+
+namespace mjcourse {
+
+// The span of the YAML between the `---` lines; nothing (reported) when there is none.
+std::optional<Span> find_front_matter(Reading& reading);
+
+FrontMatter read_front_matter(Span span, LessonReader& reader);
+
+}  // namespace mjcourse

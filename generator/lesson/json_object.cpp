@@ -1,0 +1,121 @@
+#include "lesson/json_object.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/nearest.h"
+
+namespace mjcourse {
+namespace {
+
+const std::vector<JsonValue> kNoItems;
+
+}  // namespace
+
+void report_kind(const std::string& key, const JsonValue& value, const std::string& expected,
+                 Reading& reading) {
+  reading.error("E-json-kind", value.span,
+                "\"" + key + "\" is " + kind_name(value.kind) + "; expected " + expected);
+}
+
+JsonObject::JsonObject(const JsonValue& value, std::string what, Reading& reading)
+    : value_(value),
+      what_(std::move(what)),
+      reading_(reading),
+      is_object_(value.kind == JsonValue::Kind::object) {
+  if (!is_object_) report_kind(what_, value, "an object", reading_);
+}
+
+const JsonValue* JsonObject::find(const std::string& key) {
+  if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
+  for (const JsonMember& member : value_.members) {
+    if (member.key.text == key) return &member.value;
+  }
+  return nullptr;
+}
+
+const JsonValue* JsonObject::of_kind(const std::string& key, JsonValue::Kind kind) {
+  const JsonValue* value = find(key);
+  if (value == nullptr || value->kind == kind) return value;
+  report_kind(key, *value, kind_name(kind), reading_);
+  return nullptr;
+}
+
+const JsonValue* JsonObject::require(const std::string& key, const JsonValue* value) {
+  if (value == nullptr && is_object_ && !has(key)) {
+    reading_.error("E-json-missing", {value_.span.begin, value_.span.begin + 1},
+                   "this " + what_ + " has no \"" + key + "\"", "add \"" + key + "\": …");
+  }
+  return value;
+}
+
+LocatedText JsonObject::string(const std::string& key) {
+  const JsonValue* value = of_kind(key, JsonValue::Kind::string);
+  return value != nullptr ? value->string : LocatedText{};
+}
+
+LocatedText JsonObject::required_string(const std::string& key) {
+  const JsonValue* value = require(key, of_kind(key, JsonValue::Kind::string));
+  return value != nullptr ? value->string : LocatedText{};
+}
+
+double JsonObject::number(const std::string& key, double otherwise) {
+  return optional_number(key).value_or(otherwise);
+}
+
+std::optional<double> JsonObject::optional_number(const std::string& key) {
+  const JsonValue* value = of_kind(key, JsonValue::Kind::number);
+  return value != nullptr ? std::optional<double>(value->number) : std::nullopt;
+}
+
+bool JsonObject::boolean(const std::string& key, bool otherwise) {
+  const JsonValue* value = of_kind(key, JsonValue::Kind::boolean);
+  return value != nullptr ? value->boolean : otherwise;
+}
+
+const std::vector<JsonValue>& JsonObject::list(const std::string& key) {
+  const JsonValue* value = of_kind(key, JsonValue::Kind::array);
+  return value != nullptr ? value->items : kNoItems;
+}
+
+const std::vector<JsonValue>& JsonObject::required_list(const std::string& key) {
+  const JsonValue* value = require(key, of_kind(key, JsonValue::Kind::array));
+  return value != nullptr ? value->items : kNoItems;
+}
+
+LocatedText JsonObject::script(const std::string& key) {
+  const JsonValue* value = find(key);
+  if (value == nullptr) return {};
+  if (value->kind != JsonValue::Kind::array) return string(key);
+  LocatedText lines;
+  for (const JsonValue& line : value->items) {
+    if (line.kind == JsonValue::Kind::string) {
+      lines.append_line(line.string);
+    } else {
+      report_kind(key, line, "a string (one line of the script)", reading_);
+    }
+  }
+  return lines;
+}
+
+void JsonObject::not_yet(const std::string& key) {
+  for (const JsonMember& member : value_.members) {
+    if (member.key.text != key) continue;
+    find(key);
+    reading_.error("E-not-yet", member.key.span(),
+                   "\"" + key + "\" belongs to the lesson language, but this version of mjcourse "
+                   "cannot do it yet",
+                   "leave it out for now");
+  }
+}
+
+void JsonObject::finish() {
+  for (const JsonMember& member : value_.members) {
+    const std::string& key = member.key.text;
+    if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
+    reading_.error("E-json-key", member.key.span(), "a " + what_ + " has no key \"" + key + "\"",
+                   suggest(key, asked_));
+  }
+}
+
+}  // namespace mjcourse

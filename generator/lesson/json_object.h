@@ -1,0 +1,64 @@
+// JsonObject: read an object key by key, and complain about what was not asked for.
+//
+//   JsonObject object(value, "lab", reading);
+//   lab.title = object.required_string("title");
+//   lab.height = object.number("height", 300);
+//   object.finish();  // any other key is an error with "did you mean"
+//
+// What is asked for is what is known: no list of keys is kept beside the reader.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lesson/json_value.h"
+
+namespace mjcourse {
+
+class JsonObject {
+ public:
+  // `what` names the object in messages ("lab", "question"). A value that is no object is an error
+  // here and then reads as an empty one.
+  JsonObject(const JsonValue& value, std::string what, Reading& reading);
+
+  // The value at `key`, of any kind; null when it is not there.
+  const JsonValue* find(const std::string& key);
+  bool has(const std::string& key) { return find(key) != nullptr; }
+
+  // Values of one kind. A wrong kind is an error; a missing one gives the default, and for
+  // `required_…` is an error too.
+  LocatedText string(const std::string& key);
+  LocatedText required_string(const std::string& key);
+  double number(const std::string& key, double otherwise);
+  std::optional<double> optional_number(const std::string& key);
+  bool boolean(const std::string& key, bool otherwise);
+  const std::vector<JsonValue>& list(const std::string& key);
+  const std::vector<JsonValue>& required_list(const std::string& key);
+  // A script: a string, or a list of strings that are its lines.
+  LocatedText script(const std::string& key);
+
+  // A key that the design knows and this version does not read: an error that says so.
+  void not_yet(const std::string& key);
+
+  // Report the keys that nothing asked for.
+  void finish();
+
+  Span span() const { return value_.span; }
+
+ private:
+  const JsonValue* require(const std::string& key, const JsonValue* value);
+  const JsonValue* of_kind(const std::string& key, JsonValue::Kind kind);
+
+  const JsonValue& value_;
+  std::string what_;
+  Reading& reading_;
+  std::vector<std::string> asked_;
+  bool is_object_;
+};
+
+// Report that `value`, the value of `key`, is not what was expected.
+void report_kind(const std::string& key, const JsonValue& value, const std::string& expected,
+                 Reading& reading);
+
+}  // namespace mjcourse

@@ -1,0 +1,225 @@
+#include "lesson/json_value.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+
+// Counts what the lexer has read, so that each event knows where it is.
+class CountingIterator {
+ public:
+  using difference_type = std::ptrdiff_t;
+  using value_type = char;
+  using pointer = const char*;
+  using reference = const char&;
+  using iterator_category = std::input_iterator_tag;
+
+  CountingIterator(const char* at, std::size_t* count) : at_(at), count_(count) {}
+  reference operator*() const { return *at_; }
+  CountingIterator& operator++() {
+    ++at_;
+    ++*count_;
+    return *this;
+  }
+  bool operator==(const CountingIterator& other) const { return at_ == other.at_; }
+  bool operator!=(const CountingIterator& other) const { return at_ != other.at_; }
+
+ private:
+  const char* at_;
+  std::size_t* count_;
+};
+
+// Where the string whose closing quote stands before `end` opens: the nearest quote before it that
+// no backslash escapes.
+std::size_t opening_quote(std::string_view text, std::size_t end) {
+  std::size_t at = end - 1;
+  while (at > 0) {
+    at = text.rfind('"', at - 1);
+    std::size_t backslashes = 0;
+    while (backslashes < at && text[at - 1 - backslashes] == '\\') ++backslashes;
+    if (backslashes % 2 == 0) break;
+  }
+  return at;
+}
+
+int utf8_length(char first) {
+  const auto byte = static_cast<std::uint8_t>(first);
+  return byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
+}
+
+class TreeBuilder {
+ public:
+  using string_t = json::string_t;
+  using binary_t = json::binary_t;
+
+  TreeBuilder(const LocatedText& text, const std::size_t& read, Reading& reading)
+      : text_(text), read_(read), reading_(reading) {}
+
+  bool null() { return add(scalar(JsonValue::Kind::null)); }
+  bool boolean(bool value) {
+    JsonValue result = scalar(JsonValue::Kind::boolean);
+    result.boolean = value;
+    return add(std::move(result));
+  }
+  bool number_integer(json::number_integer_t value) { return add_number(static_cast<double>(value)); }
+  bool number_unsigned(json::number_unsigned_t value) {
+    return add_number(static_cast<double>(value));
+  }
+  bool number_float(double value, const string_t&) { return add_number(value); }
+  bool string(string_t& value) {
+    JsonValue result;
+    result.kind = JsonValue::Kind::string;
+    result.string = decoded(value);
+    result.span = text_.span(opening_quote(text_.text, read_), read_);
+    return add(std::move(result));
+  }
+  bool binary(binary_t&) { return false; }
+  bool start_object(std::size_t) { return open(JsonValue::Kind::object); }
+  bool start_array(std::size_t) { return open(JsonValue::Kind::array); }
+  bool end_object() { return close(); }
+  bool end_array() { return close(); }
+  bool key(string_t& value) {
+    const LocatedText name = decoded(value);
+    const auto& members = open_.back().members;
+    if (std::any_of(members.begin(), members.end(),
+                    [&](const JsonMember& m) { return m.key.text == name.text; })) {
+      reading_.error("E-json-duplicate", name.span(), "the key \"" + name.text + "\" stands twice",
+                     "keep one of the two");
+      return false;
+    }
+    keys_.back() = name;
+    return true;
+  }
+  bool parse_error(std::size_t position, const std::string&, const json::exception& error);
+
+  std::optional<JsonValue> take() { return std::move(result_); }
+
+ private:
+  JsonValue scalar(JsonValue::Kind kind) const {
+    JsonValue result;
+    result.kind = kind;
+    // Literals end where reading stands; a number's end is seen one character late.
+    const std::string_view text(text_.text);
+    std::size_t end = read_;
+    while (end > 0 && std::string_view(" \t\r\n,]}").find(text[end - 1]) != text.npos) --end;
+    std::size_t begin = end;
+    while (begin > 0 && std::string_view(" \t\r\n,[{:").find(text[begin - 1]) == text.npos) --begin;
+    result.span = text_.span(begin, end);
+    return result;
+  }
+  bool add_number(double value) {
+    JsonValue result = scalar(JsonValue::Kind::number);
+    result.number = value;
+    return add(std::move(result));
+  }
+  LocatedText decoded(const std::string& value) const;
+  bool add(JsonValue value) {
+    if (open_.empty()) {
+      result_ = std::move(value);
+    } else if (open_.back().kind == JsonValue::Kind::array) {
+      open_.back().items.push_back(std::move(value));
+    } else {
+      open_.back().members.push_back({keys_.back(), std::move(value)});
+    }
+    return true;
+  }
+  bool open(JsonValue::Kind kind) {
+    JsonValue value;
+    value.kind = kind;
+    value.span = text_.span(read_ - 1, read_);
+    open_.push_back(std::move(value));
+    keys_.emplace_back();
+    return true;
+  }
+  bool close() {
+    JsonValue value = std::move(open_.back());
+    value.span.end = text_.span(read_, read_).begin;
+    open_.pop_back();
+    keys_.pop_back();
+    return add(std::move(value));
+  }
+
+  const LocatedText& text_;
+  const std::size_t& read_;
+  Reading& reading_;
+  std::vector<JsonValue> open_;
+  std::vector<LocatedText> keys_;  // the pending key of each open object
+  std::optional<JsonValue> result_;
+};
+
+// Walk the raw string beside its decoded bytes; every escape but \u is two bytes for one.
+LocatedText TreeBuilder::decoded(const std::string& value) const {
+  LocatedText result{value, {}};
+  std::size_t raw = opening_quote(text_.text, read_) + 1;
+  for (std::size_t i = 0; i < value.size();) {
+    const bool escape = text_.text[raw] == '\\';
+    const int bytes = escape ? utf8_length(value[i]) : 1;
+    for (int b = 0; b < bytes; ++b) result.offsets.push_back(text_.span(raw, raw).begin);
+    // A character outside the basic plane takes two \uXXXX.
+    raw += !escape ? 1 : text_.text[raw + 1] != 'u' ? 2 : bytes == 4 ? 12 : 6;
+    i += static_cast<std::size_t>(bytes);
+  }
+  result.offsets.push_back(text_.span(raw, raw).begin);
+  return result;
+}
+
+bool TreeBuilder::parse_error(std::size_t position, const std::string& token,
+                              const json::exception& error) {
+  // "… syntax error while parsing object key - invalid literal; last read: '…'; expected string"
+  const std::string_view what(error.what());
+  const std::size_t expected = what.find("; expected ");
+  std::string message = "this is not JSON";
+  if (expected != what.npos) {
+    const std::string wanted(what.substr(expected + 11));
+    // Where a list or an object could end, it could also go on.
+    message += ": expected " + std::string(wanted == "'}'" || wanted == "']'" ? "',' or " : "") + wanted;
+  }
+  const bool control = what.find("control character") != what.npos;
+  if (control) message = "a JSON string cannot hold a raw line break or tab";
+  const bool ended = position > text_.text.size() || token.find("<EOF>") != token.npos;
+  if (ended) message += ", but the text ends here";
+  const std::size_t length = std::max<std::size_t>(1, std::min(token.size(), position));
+  const std::size_t begin = position >= length ? position - length : 0;
+  const std::size_t start = control || ended ? position - 1 : begin;
+  reading_.error("E-json-syntax", text_.span(start, control || ended ? start + 1 : position), message,
+                 control ? "write \\n, or give the script as a list of lines"
+                         : "look for a missing comma, quote or bracket just before this");
+  return false;
+}
+
+}  // namespace
+
+std::string kind_name(JsonValue::Kind kind) {
+  switch (kind) {
+    case JsonValue::Kind::null:
+      return "null";
+    case JsonValue::Kind::boolean:
+      return "true or false";
+    case JsonValue::Kind::number:
+      return "a number";
+    case JsonValue::Kind::string:
+      return "a string";
+    case JsonValue::Kind::array:
+      return "a list";
+    case JsonValue::Kind::object:
+      return "an object";
+  }
+  return "";
+}
+
+std::optional<JsonValue> parse_json(const LocatedText& text, Reading& reading) {
+  std::size_t read = 0;
+  TreeBuilder builder(text, read, reading);
+  const char* begin = text.text.data();
+  json::sax_parse(CountingIterator(begin, &read),
+                  CountingIterator(begin + text.text.size(), &read), &builder);
+  return builder.take();
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,61 @@
+// Lesson: a Markdown file, understood.
+//
+// Enter at read_lesson (lesson/read_lesson.h). What always holds: every block stands in document
+// order, every block and link knows its place in the source, and a lesson that was read with
+// errors is still a lesson (what could not be understood is left out), so that later stages find
+// their mistakes in the same run.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "base/source_text.h"
+#include "lesson/block.h"
+#include "lesson/markdown.h"
+
+namespace mjcourse {
+
+struct FrontMatter {
+  LocatedText title;
+  Document summary;  // null when there is none
+  std::optional<int> minutes;
+  std::vector<LocatedText> prerequisites;  // lesson numbers
+  std::vector<Document> objectives;
+  std::vector<std::string> tags;
+  bool draft = false;
+};
+
+struct Heading {
+  int level = 2;
+  std::string id;     // unique in its lesson: the fragment of links to it
+  cmark_node* node;   // in the lesson's document
+};
+
+struct Link {
+  cmark_node* node;
+  LocatedText target;  // as written: "1.3#anchor", "https://…"
+};
+
+struct Lesson {
+  std::shared_ptr<const SourceText> source;
+  std::string folder;  // of its level: "1-state"
+  std::string slug;    // "1.2-generalized-coordinates"
+  std::string number;  // "1.2"
+  FrontMatter front;
+  Document document;
+  std::vector<Block> blocks;  // in document order
+  std::unordered_map<const cmark_node*, std::size_t> block_of;  // nodes that a block stands for
+  std::vector<Heading> headings;
+  std::vector<Link> links;
+
+  // The block that `node` stands for; null for plain Markdown.
+  const Block* block(const cmark_node* node) const {
+    const auto found = block_of.find(node);
+    return found == block_of.end() ? nullptr : &blocks[found->second];
+  }
+};
+
+}  // namespace mjcourse

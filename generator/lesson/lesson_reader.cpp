@@ -1,0 +1,180 @@
+#include "lesson/lesson_reader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <string_view>
+
+#include <cmark-gfm/node.h>
+
+#include "lesson/callout.h"
+#include "lesson/fence.h"
+
+namespace mjcourse {
+namespace {
+
+// "Why four numbers?" → "why-four-numbers"; letters beyond ASCII stay.
+std::string slug_of(const std::string& text) {
+  std::string slug;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 || std::isalnum(byte)) {
+      slug += static_cast<char>(byte < 0x80 ? std::tolower(byte) : byte);
+    } else if ((c == ' ' || c == '-') && !slug.empty() && slug.back() != '-') {
+      slug += '-';
+    }
+  }
+  while (slug.ends_with('-')) slug.pop_back();
+  return slug.empty() ? "section" : slug;
+}
+
+// `{joint_zoo} model.nq` in a code span
+bool is_inline_value(std::string_view code) {
+  const std::size_t close = code.find('}');
+  return code.starts_with('{') && close != code.npos && close > 1 && close + 1 < code.size() &&
+         code[close + 1] == ' ';
+}
+
+}  // namespace
+
+void LessonReader::read_document() {
+  in_document_ = true;
+  Region region{located(source(), {0, source().text().size()}), 0};
+  walk(lesson_.document.get(), region);
+  in_document_ = false;
+}
+
+Document LessonReader::fragment(const LocatedText& text) {
+  if (text.text.empty()) return nullptr;
+  Document document = parse_markdown(text.text);
+  const bool outer = std::exchange(in_document_, false);
+  Region region{text, 0};
+  walk(document.get(), region);
+  in_document_ = outer;
+  return document;
+}
+
+void LessonReader::add(cmark_node* node, Block block) {
+  lesson_.block_of[node] = lesson_.blocks.size();
+  lesson_.blocks.push_back(std::move(block));
+}
+
+void LessonReader::walk(cmark_node* node, Region& region) {
+  const cmark_node_type type = cmark_node_get_type(node);
+  if (in_document_ && CMARK_NODE_TYPE_BLOCK_P(type) && cmark_node_get_start_line(node) > 0) {
+    region.cursor =
+        std::max(region.cursor, source().line_start(cmark_node_get_start_line(node)));
+  }
+  if (type == CMARK_NODE_CODE_BLOCK) return read_code_block(node, region);
+  if (type == math_inline_type() || type == math_block_type()) return read_math(node, region);
+  if (type == CMARK_NODE_BLOCK_QUOTE) read_callout(node);
+  if (type == CMARK_NODE_HEADING) read_heading(node);
+  if (type == CMARK_NODE_LINK) read_link(node, region);
+  refuse_inline(node, region);
+  // The title of a callout was moved out of the tree, and is walked with it.
+  if (const auto found = lesson_.block_of.find(node); found != lesson_.block_of.end()) {
+    if (const auto* callout = std::get_if<Callout>(&lesson_.blocks[found->second])) {
+      if (cmark_node* title = callout->title.get()) walk(title, region);
+    }
+  }
+  for (cmark_node* child = cmark_node_first_child(node); child != nullptr;) {
+    cmark_node* next = cmark_node_next(child);
+    walk(child, region);
+    child = next;
+  }
+}
+
+// Find `text` at or after the region's cursor, line by line, since the lines of a quote are apart.
+LocatedText LessonReader::find(const std::string& text, Region& region) {
+  LocatedText found{text, {}};
+  for (std::size_t at = 0; at <= text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::size_t place =
+        std::min(region.text.text.find(text.substr(at, end - at), region.cursor),
+                 region.text.text.size());
+    if (place < region.text.text.size()) region.cursor = place + (end - at);
+    for (std::size_t i = 0; i <= end - at; ++i) {
+      found.offsets.push_back(region.text.span(place + i, place + i).begin);
+    }
+    at = end + 1;
+  }
+  return found;
+}
+
+void LessonReader::read_math(cmark_node* node, Region& region) {
+  const MathText& math = math_text(node);
+  const std::string dollars = math.display ? "$$" : "$";
+  LocatedText tex = find(dollars + math.tex, region);
+  tex.text.erase(0, dollars.size());
+  tex.offsets.erase(tex.offsets.begin(),
+                    tex.offsets.begin() + static_cast<std::ptrdiff_t>(dollars.size()));
+  if (!math.closed) {
+    reading_.error("E-math-unclosed", {tex.span().begin - 2, tex.span().begin},
+                   "this `$$` is never closed", "end the formula with `$$`");
+  }
+  add(node, Math{tex, math.display});
+}
+
+void LessonReader::read_link(cmark_node* node, Region& region) {
+  // The target stands behind the link's text; a look ahead must not move the cursor past that.
+  Region ahead{region.text, region.cursor};
+  const std::string target = cmark_node_get_url(node);
+  lesson_.links.push_back({node, find(target, ahead)});
+}
+
+void LessonReader::read_heading(cmark_node* node) {
+  const int level = cmark_node_get_heading_level(node);
+  if (level == 1) {
+    const std::size_t start = source().line_start(cmark_node_get_start_line(node));
+    reading_.error("E-heading-level", {start, start + 1},
+                   "a lesson's own headings begin at the second level (`##`)",
+                   "the page's first heading is the `title` of the front matter");
+  }
+  const std::string slug = slug_of(plain_text(node));
+  std::string id = slug;
+  for (int n = 2; !heading_ids_.insert(id).second; ++n) id = slug + "-" + std::to_string(n);
+  lesson_.headings.push_back({level, id, node});
+}
+
+void LessonReader::read_callout(cmark_node* node) {
+  if (!in_document_) return;
+  if (std::optional<Callout> callout = take_callout(node, reading_)) add(node, std::move(*callout));
+}
+
+void LessonReader::refuse_inline(cmark_node* node, Region& region) {
+  const cmark_node_type type = cmark_node_get_type(node);
+  if (type == CMARK_NODE_TEXT &&
+      std::string_view(cmark_node_get_literal(node)).find("$$") != std::string_view::npos) {
+    Region ahead{region.text, region.cursor};
+    reading_.error("E-math-unclosed", find("$$", ahead).span(), "this `$$` is never closed",
+                   "end the formula with `$$`; for dollars as text write `\\$\\$`");
+  }
+  std::string text, what;
+  if (type == CMARK_NODE_IMAGE) {
+    text = cmark_node_get_url(node);
+    what = "an image";
+  } else if (type == CMARK_NODE_CODE && is_inline_value(cmark_node_get_literal(node))) {
+    text = cmark_node_get_literal(node);
+    what = "an inline value";
+  } else if (type == CMARK_NODE_TEXT) {
+    const std::string_view literal = cmark_node_get_literal(node);
+    const std::size_t open = literal.find("[[");
+    const std::size_t close = literal.find("]]", std::min(open, literal.size()));
+    if (close == literal.npos) return;
+    text = literal.substr(open, close + 2 - open);
+    what = "a glossary term";
+  } else {
+    return;
+  }
+  reading_.error("E-not-yet", find(text, region).span(),
+                 what + " belongs to the lesson language, but this version of mjcourse cannot do "
+                        "it yet",
+                 "leave it out for now");
+}
+
+void LessonReader::read_code_block(cmark_node* node, Region& region) {
+  if (in_document_) return read_fence(node);
+  reading_.error("E-fence-nested", region.text.span(), "Markdown inside JSON cannot hold a code block",
+                 "use a code span: `…`");
+}
+
+}  // namespace mjcourse

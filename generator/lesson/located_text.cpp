@@ -1,0 +1,47 @@
+#include "lesson/located_text.h"
+
+#include <algorithm>
+
+#include "base/utf8.h"
+
+namespace mjcourse {
+namespace {
+
+// The offset `count` characters after `at`, not past the line's end.
+std::size_t skip_characters(const std::string& text, std::size_t at, int count) {
+  const auto line_end = std::min(text.find('\n', at), text.size());
+  const std::size_t from = at;
+  while (at < line_end && count_characters({text.data() + from, at + 1 - from}) <= count) ++at;
+  return at;
+}
+
+}  // namespace
+
+Span LocatedText::span_at(int line, int column, int width) const {
+  std::size_t start = 0;
+  for (int i = 1; i < line; ++i) {
+    const std::size_t end = text.find('\n', start);
+    if (end == std::string::npos) break;
+    start = end + 1;
+  }
+  const std::size_t begin = skip_characters(text, start, column - 1);
+  return span(begin, skip_characters(text, begin, width));
+}
+
+void LocatedText::append_line(const LocatedText& more) {
+  if (offsets.empty()) {
+    *this = more;
+    return;
+  }
+  text += "\n" + more.text;
+  offsets.insert(offsets.end(), more.offsets.begin(), more.offsets.end());
+}
+
+LocatedText located(const SourceText& source, Span span) {
+  LocatedText result;
+  result.text = source.text().substr(span.begin, span.end - span.begin);
+  for (std::size_t at = span.begin; at <= span.end; ++at) result.offsets.push_back(at);
+  return result;
+}
+
+}  // namespace mjcourse

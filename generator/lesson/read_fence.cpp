@@ -1,0 +1,179 @@
+// What a fence's first word means, and the kinds that are a few lines to read.
+#include <charconv>
+#include <string_view>
+
+#include "base/nearest.h"
+#include "lesson/fence.h"
+#include "lesson/lesson_reader.h"
+#include "lesson/read_lab.h"
+#include "lesson/read_quiz.h"
+
+namespace mjcourse {
+namespace {
+
+std::optional<double> read_number(Fence& fence, const std::string& option, Reading& reading) {
+  const std::optional<LocatedText> text = fence.option(option);
+  if (!text) return std::nullopt;
+  double value = 0;
+  const char* end = text->text.data() + text->text.size();
+  const auto [stop, failure] = std::from_chars(text->text.data(), end, value);
+  if (failure == std::errc() && stop == end && value >= 0) return value;
+  reading.error("E-fence-option", text->span(), "`" + option + "` must be a number, not less than 0");
+  return std::nullopt;
+}
+
+void refuse_option(Fence& fence, const std::string& option, Reading& reading) {
+  if (const auto value = fence.option(option)) {
+    reading.error("E-not-yet", value->span(),
+                  "`" + option + "=` belongs to the lesson language, but this version of mjcourse "
+                                 "cannot do it yet");
+  }
+}
+
+std::string word(const Fence& fence, std::size_t index) {
+  return index < fence.words().size() ? fence.words()[index].text : "";
+}
+
+std::optional<Example> read_example(Fence& fence, Reading& reading) {
+  for (const char* later : {"snippet", "unchecked"}) {
+    if (word(fence, 1) != later) continue;
+    reading.error("E-not-yet", fence.words()[1].span(),
+                  "`cpp " + std::string(later) + "` belongs to the lesson language, but this version "
+                  "of mjcourse cannot do it yet", "write a whole program: `cpp file=examples/NAME.cpp`");
+    return std::nullopt;
+  }
+  const std::optional<LocatedText> file = fence.option("file");
+  if (!file) {
+    reading.error("E-fence-kind", fence.span(), "a plain `cpp` fence would show code that nobody ran",
+                  "name the program's file: `cpp file=examples/NAME.cpp`");
+    return std::nullopt;
+  }
+  const std::string& path = file->text;
+  if (!path.starts_with("examples/") || !path.ends_with(".cpp") || path.find("..") != path.npos) {
+    reading.error("E-example-file", file->span(), "an example is a file `examples/NAME.cpp`");
+    return std::nullopt;
+  }
+  Example example{*file, fence.body(), 10, fence.span(), {}};
+  example.seconds = read_number(fence, "timeout", reading).value_or(example.seconds);
+  for (const char* later : {"expect", "args"}) refuse_option(fence, later, reading);
+  fence.finish("cpp", reading);
+  return example;
+}
+
+// "INPUT: …" lines; a line without a label goes on with the row above it.
+std::optional<Io> read_io(Fence& fence, LessonReader& reader) {
+  std::vector<std::pair<std::string, LocatedText>> rows;
+  const LocatedText& body = fence.body();
+  for (std::size_t at = 0; at < body.text.size();) {
+    const std::size_t end = std::min(body.text.find('\n', at), body.text.size());
+    std::size_t from = at;
+    for (const char* label : {"INPUT", "PROCESS", "OUTPUT"}) {
+      const std::string start = std::string(label) + ":";
+      if (body.text.compare(at, start.size(), start) != 0) continue;
+      rows.emplace_back(label, LocatedText{});
+      from = std::min(body.text.find_first_not_of(' ', at + start.size()), end);
+    }
+    if (rows.empty()) {
+      reader.reading().error("E-io-label", body.span(at, end),
+                             "an `io` panel is made of lines `INPUT: …`, `PROCESS: …`, `OUTPUT: …`");
+      return std::nullopt;
+    }
+    rows.back().second.append_line({body.text.substr(from, end - from),
+                                    {body.offsets.begin() + static_cast<std::ptrdiff_t>(from),
+                                     body.offsets.begin() + static_cast<std::ptrdiff_t>(end) + 1}});
+    at = end + 1;
+  }
+  fence.finish("io", reader.reading());
+  Io io;
+  for (auto& [label, text] : rows) io.rows.push_back({label, reader.fragment(text)});
+  return io;
+}
+
+void report_unknown(const Fence& fence, Reading& reading) {
+  const std::string kind = word(fence, 0);
+  if (fence.indented()) {
+    reading.error("E-fence-kind", fence.span(), "an indented block is code that nobody ran",
+                  "remove the indentation, or use a fence");
+  } else if (kind == "xml" || kind == "figure" || kind == "plot") {
+    reading.error("E-not-yet", fence.words()[0].span(),
+                  "a `" + kind + "` fence belongs to the lesson language, but this version of "
+                  "mjcourse cannot do it yet", "leave it out for now");
+  } else if (kind.empty()) {
+    reading.error("E-fence-kind", fence.span(), "this fence does not say what it holds",
+                  "known: cpp, text, io, lab, quiz");
+  } else {
+    reading.error("E-fence-kind", fence.words()[0].span(), "there is no fence `" + kind + "`",
+                  suggest(kind, {"cpp", "text", "io", "lab", "quiz"}));
+  }
+}
+
+}  // namespace
+
+std::string Example::name() const {
+  const std::size_t slash = file.text.rfind('/') + 1;
+  return file.text.substr(slash, file.text.rfind('.') - slash);
+}
+
+void LessonReader::read_fence(cmark_node* node) {
+  Fence fence(node, source());
+  if (!fence.closed()) {
+    reading_.error("E-fence-unclosed", fence.span(), "this fence is never closed",
+                   "end it with a line of as many backticks");
+    return;
+  }
+  const std::string kind = word(fence, 0);
+  if (kind == "cpp") {
+    if (auto example = read_example(fence, reading_)) add(node, std::move(*example));
+  } else if (kind == "text") {
+    read_output(node, fence);
+  } else if (kind == "io") {
+    if (auto io = read_io(fence, *this)) add(node, std::move(*io));
+  } else if (kind == "lab" && word(fence, 1) == "simlab") {
+    if (auto lab = read_lab(fence, *this)) add(node, std::move(*lab));
+  } else if (kind == "lab") {
+    reading_.error("E-fence-kind", fence.span(), "a lab says of which kind it is",
+                   "write `lab simlab`");
+  } else if (kind == "quiz") {
+    if (auto quiz = read_quiz(fence, *this)) add(node, std::move(*quiz));
+  } else {
+    report_unknown(fence, reading_);
+  }
+}
+
+// Find the example whose output this is: the one named, or the one just above (a paragraph
+// "Output:" may stand between).
+void LessonReader::read_output(cmark_node* node, Fence& fence) {
+  const auto index_of = [this](cmark_node* at) -> std::optional<std::size_t> {
+    const auto found = at != nullptr ? lesson_.block_of.find(at) : lesson_.block_of.end();
+    if (found == lesson_.block_of.end()) return std::nullopt;
+    return std::holds_alternative<Example>(lesson_.blocks[found->second])
+               ? std::optional(found->second)
+               : std::nullopt;
+  };
+  cmark_node* above = cmark_node_previous(node);
+  cmark_node* label = nullptr;
+  std::optional<std::size_t> example = index_of(above);
+  if (!example && above != nullptr && plain_text(above) == "Output:") {
+    label = above;
+    example = index_of(cmark_node_previous(above));
+  }
+  if (const auto named = fence.option("output")) {
+    for (std::size_t i = 0; i < lesson_.blocks.size() && !example; ++i) {
+      const auto* candidate = std::get_if<Example>(&lesson_.blocks[i]);
+      if (candidate != nullptr && candidate->name() == named->text) example = i;
+    }
+  }
+  if (!example) {
+    reading_.error("E-output-stray", fence.span(), "this output belongs to no example",
+                   "put it right after a `cpp file=…` fence, or name the example above: "
+                   "`text output=NAME`");
+    return;
+  }
+  const std::optional<double> tolerance = read_number(fence, "tol", reading_);
+  fence.finish("text", reading_);
+  std::get<Example>(lesson_.blocks[*example]).output = lesson_.blocks.size();
+  add(node, Output{fence.body(), tolerance, *example, fence.span()});
+  if (label != nullptr) add(label, Shown{});
+}
+
+}  // namespace mjcourse

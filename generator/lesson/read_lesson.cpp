@@ -1,0 +1,71 @@
+#include "lesson/read_lesson.h"
+
+#include <algorithm>
+#include <regex>
+#include <string_view>
+#include <utility>
+
+#include "base/utf8.h"
+#include "lesson/front_matter.h"
+#include "lesson/lesson_reader.h"
+
+namespace mjcourse {
+namespace {
+
+// Report the first byte that is no UTF-8, with an excerpt that is.
+void report_invalid_utf8(const std::string& path, std::string bytes, std::size_t at,
+                         Diagnostics& diagnostics) {
+  constexpr std::string_view hex = "0123456789ABCDEF";
+  const auto byte = static_cast<unsigned char>(bytes[at]);
+  const std::string code{hex[byte >> 4], hex[byte & 15]};
+  for (std::optional<std::size_t> bad = at; bad; bad = find_invalid_utf8(bytes)) {
+    bytes.replace(*bad, 1, "\uFFFD");
+  }
+  const SourceText source(path, std::move(bytes));
+  Reading(source, diagnostics)
+      .error("E-not-utf8", {at, at + 3}, "byte 0x" + code + " is not UTF-8",
+             "save the file as UTF-8 without a byte-order mark of another encoding");
+}
+
+// The text for cmark: the front matter becomes blank lines, so that line numbers stay.
+std::string without_front_matter(const SourceText& source, Span front) {
+  const std::string_view text = source.text();
+  const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(front.end), '\n');
+  return std::string(static_cast<std::size_t>(lines) + 1, '\n') +
+         std::string(text.substr(std::min(front.end + 4, text.size())));
+}
+
+}  // namespace
+
+std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
+                                  Diagnostics& diagnostics) {
+  if (const auto bad = find_invalid_utf8(bytes)) {
+    report_invalid_utf8(path, std::move(bytes), *bad, diagnostics);
+    return std::nullopt;
+  }
+  Lesson lesson;
+  lesson.source = std::make_shared<SourceText>(path, std::move(bytes));
+  Reading reading(*lesson.source, diagnostics);
+
+  static const std::regex name(R"(content/([^/]+)/((\d+\.\d+)-[^/]+)\.md)");
+  std::smatch parts;
+  if (!std::regex_match(path, parts, name)) {
+    diagnostics.push_back({"E-lesson-name", Severity::error, {path, 0, 0, 1, ""},
+                           "a lesson's file is named after its number, as `1.2-a-title.md`",
+                           "", {}, "rename the file"});
+    return std::nullopt;
+  }
+  lesson.folder = parts[1];
+  lesson.slug = parts[2];
+  lesson.number = parts[3];
+
+  const std::optional<Span> front = find_front_matter(reading);
+  if (!front) return std::nullopt;
+  LessonReader reader(lesson, reading);
+  lesson.front = read_front_matter(*front, reader);
+  lesson.document = parse_markdown(without_front_matter(*lesson.source, *front));
+  reader.read_document();
+  return lesson;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,32 @@
+// Reading: what every reader of the lesson language holds in its hand: the file being read and
+// the list that its mistakes go to.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "base/source_text.h"
+#include "report/diagnostic.h"
+
+namespace mjcourse {
+
+class Reading {
+ public:
+  Reading(const SourceText& source, Diagnostics& diagnostics)
+      : source_(source), diagnostics_(diagnostics) {}
+
+  const SourceText& source() const { return source_; }
+
+  // Note a mistake at `span` and go on.
+  void error(std::string id, Span span, std::string message, std::string cure = "",
+             std::string detail = "") {
+    diagnostics_.push_back({std::move(id), Severity::error, place_of(source_, span),
+                            std::move(message), std::move(detail), {}, std::move(cure)});
+  }
+
+ private:
+  const SourceText& source_;
+  Diagnostics& diagnostics_;
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,128 @@
+#include "lesson/yaml_map.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/nearest.h"
+
+namespace mjcourse {
+namespace {
+
+// A YAML mark counts lines and columns from 0, and bytes from the text's start.
+Span span_of(const YAML::Mark& mark, std::size_t length, const LocatedText& text) {
+  const auto begin = mark.is_null() ? 0 : static_cast<std::size_t>(mark.pos);
+  return text.span(begin, begin + std::max<std::size_t>(1, length));
+}
+
+}  // namespace
+
+std::optional<YAML::Node> parse_yaml(const LocatedText& text, const std::string& what,
+                                     const std::string& id, Reading& reading) {
+  try {
+    return YAML::Load(text.text);
+  } catch (const YAML::Exception& error) {
+    reading.error(id, span_of(error.mark, 1, text), "the " + what + " is not YAML: " + error.msg,
+                  "quote a value that holds `: ` or starts with a special character");
+    return std::nullopt;
+  }
+}
+
+YamlMap::YamlMap(YAML::Node node, std::string what, std::string id, const LocatedText& text,
+                 Reading& reading)
+    : map_(std::move(node)),
+      what_(std::move(what)),
+      id_(std::move(id)),
+      text_(text),
+      reading_(reading) {
+  if (!map_.IsMap()) {
+    error(map_, "the " + what_ + " must be a mapping: `key: value` lines");
+    map_ = YAML::Node(YAML::NodeType::Map);
+  }
+}
+
+YAML::Node YamlMap::find(const std::string& key) {
+  asked_.push_back(key);
+  const YAML::Node& map = map_;  // reading through a const node does not create the key
+  return map[key] ? map[key] : YAML::Node(YAML::NodeType::Undefined);
+}
+
+LocatedText YamlMap::scalar(const YAML::Node& node) const {
+  LocatedText result{node.Scalar(), {}};
+  const Span span = span_of(node.Mark(), 1, text_);
+  // A quoted or folded value does not stand byte for byte in the file: its start must do.
+  const auto mark = static_cast<std::size_t>(node.Mark().pos);
+  const bool verbatim = text_.text.compare(mark, result.text.size(), result.text) == 0;
+  for (std::size_t i = 0; i <= result.text.size(); ++i) {
+    result.offsets.push_back(verbatim ? text_.span(mark + i, mark + i).begin : span.begin);
+  }
+  return result;
+}
+
+void YamlMap::error(const YAML::Node& node, const std::string& message, const std::string& cure) {
+  const std::size_t length = node.IsScalar() ? node.Scalar().size() : 1;
+  reading_.error(id_, span_of(node.Mark(), length, text_), message, cure);
+}
+
+LocatedText YamlMap::string(const std::string& key) {
+  const YAML::Node value = find(key);
+  if (!value.IsDefined()) return {};
+  if (value.IsScalar()) return scalar(value);
+  error(value, "`" + key + "` must be a text");
+  return {};
+}
+
+LocatedText YamlMap::required_string(const std::string& key) {
+  LocatedText value = string(key);
+  if (value.text.empty()) {
+    error(map_, "the " + what_ + " has no `" + key + "`", "add a line `" + key + ": …`");
+  }
+  return value;
+}
+
+std::optional<double> YamlMap::number(const std::string& key) {
+  const YAML::Node value = find(key);
+  if (!value.IsDefined()) return std::nullopt;
+  double number = 0;
+  if (value.IsScalar() && YAML::convert<double>::decode(value, number)) return number;
+  error(value, "`" + key + "` must be a number");
+  return std::nullopt;
+}
+
+bool YamlMap::boolean(const std::string& key, bool otherwise) {
+  const YAML::Node value = find(key);
+  if (!value.IsDefined()) return otherwise;
+  bool result = otherwise;
+  if (value.IsScalar() && YAML::convert<bool>::decode(value, result)) return result;
+  error(value, "`" + key + "` must be true or false");
+  return otherwise;
+}
+
+std::vector<LocatedText> YamlMap::strings(const std::string& key) {
+  const YAML::Node value = find(key);
+  std::vector<LocatedText> items;
+  if (!value.IsDefined()) return items;
+  if (!value.IsSequence()) {
+    error(value, "`" + key + "` must be a list: [a, b]");
+    return items;
+  }
+  for (const YAML::Node& item : value) {
+    if (item.IsScalar()) {
+      items.push_back(scalar(item));
+    } else {
+      error(item, "each of `" + key + "` must be a plain value");
+    }
+  }
+  return items;
+}
+
+YAML::Node YamlMap::node(const std::string& key) { return find(key); }
+
+void YamlMap::finish() {
+  for (const auto& member : map_) {
+    const std::string key = member.first.IsScalar() ? member.first.Scalar() : "";
+    if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
+    error(member.first, "the " + what_ + " has no key `" + key + "`", suggest(key, asked_));
+  }
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,74 @@
+// PageWriter: a lesson and its results as HTML.
+//
+// Enter at body(). Prose is written by cmark; each block of the lesson language by the template of
+// its name in site/templates, which this class feeds with data: no HTML of a block is made here.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "course/course.h"
+#include "evaluate/result.h"
+#include "page/markdown_html.h"
+#include "script/highlight.h"
+#include "script/templates.h"
+
+namespace mjcourse {
+
+// The tools that all pages share.
+struct Press {
+  Templates& templates;
+  Highlighter& highlighter;
+};
+
+class PageWriter {
+ public:
+  PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results,
+             Press press);
+
+  std::string body();
+  // The headings as a two-level list; complete once body() was written.
+  nlohmann::json contents() const { return contents_; }
+
+  std::string html(const Document& document) const { return render_html(document.get(), writer_); }
+  std::string inline_html(const Document& document) const {
+    return render_inline_html(document.get(), writer_);
+  }
+
+ private:
+  bool takes(cmark_node* node) const;
+  std::string write(cmark_node* node, const std::string& inner);
+  std::string write_heading(cmark_node* node, const std::string& inner);
+  std::string write_link(cmark_node* node, const std::string& inner) const;
+  std::string write_block(std::size_t index, const std::string& inner);
+
+  nlohmann::json data_of(const Example& example, std::size_t index);
+  nlohmann::json data_of(const Lab& lab, std::size_t index);
+  nlohmann::json data_of(const Quiz& quiz, std::size_t index);
+  nlohmann::json data_of(const Question& question, const QuestionResult& result,
+                         const std::string& id, std::size_t number);
+  nlohmann::json data_of(const Io& io) const;
+  nlohmann::json data_of(const Callout& callout, const std::string& inner) const;
+  std::string render(const std::string& name, const nlohmann::json& data);
+
+  const Course& course_;
+  const Lesson& lesson_;
+  const LessonResults& results_;
+  Press press_;
+  NodeWriter writer_;
+  nlohmann::json contents_ = nlohmann::json::array();
+  int labs_ = 0;
+};
+
+// Render a template that must render: the data is ours. Throws std::runtime_error with the
+// template's name and line where it does not.
+std::string render_template(Templates& templates, const std::string& name,
+                            const nlohmann::json& data);
+
+// Where the pictures of a lesson's n-th lab lie, below the site's root and without the extension.
+std::string poster_path(const Lesson& lesson, int lab);
+// The page of a lesson, below the site's root.
+std::string page_path(const Lesson& lesson);
+
+}  // namespace mjcourse

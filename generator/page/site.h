@@ -1,0 +1,25 @@
+// Enter writing here: a course and its results become a site.
+//
+// Steps: each lesson's page and its posters; the home page; the examples, to download; the assets
+// that the site's build made (styles, fonts, scripts). All of it goes into a SiteDirectory, which
+// replaces the old site at once.
+#pragma once
+
+#include <filesystem>
+
+#include "course/course.h"
+#include "evaluate/evaluate.h"
+
+namespace mjcourse {
+
+struct SitePaths {
+  std::filesystem::path course;  // the course's folder
+  std::filesystem::path assets;  // what site/build.mjs made
+  std::filesystem::path out;     // the site
+};
+
+// Throws std::runtime_error or std::system_error when the site cannot be written; the old one then
+// stands as it was.
+void write_site(const Course& course, const Evaluation& evaluation, const SitePaths& paths);
+
+}  // namespace mjcourse

@@ -1,0 +1,76 @@
+#include "page/site_directory.h"
+
+#include <fcntl.h>
+#include <stdio.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <stdexcept>
+#include <system_error>
+
+#include "base/files.h"
+
+namespace mjcourse {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kMark = ".mjcourse-site";  // what tells a site of ours from other folders
+
+[[noreturn]] void fail(const fs::path& path) {
+  throw std::system_error(errno, std::generic_category(), path.string());
+}
+
+fs::path beside(const fs::path& site, const std::string& suffix) {
+  return site.parent_path() / ("." + site.filename().string() + suffix);
+}
+
+}  // namespace
+
+SiteDirectory::SiteDirectory(const fs::path& site) : site_(fs::weakly_canonical(site)) {
+  if (site_.filename().empty()) site_ = site_.parent_path();
+  staging_ = beside(site_, ".building");
+  if (fs::exists(site_) && !fs::exists(site_ / kMark) &&
+      !(fs::is_directory(site_) && fs::is_empty(site_))) {
+    throw std::runtime_error(site_.string() + " holds something that no build made; it would be "
+                             "replaced. Name an empty or a new folder.");
+  }
+  fs::create_directories(site_.parent_path());
+  const fs::path lock = beside(site_, ".lock");
+  lock_ = open(lock.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+  if (lock_ < 0) fail(lock);
+  if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+    close(lock_);
+    throw std::runtime_error("another build is writing " + site_.string() + "; wait for it");
+  }
+  // Under the lock nobody else writes here: this is what a killed build left.
+  fs::remove_all(staging_);
+  fs::create_directories(staging_);
+  write(kMark, "");
+}
+
+SiteDirectory::~SiteDirectory() {
+  std::error_code ignored;
+  fs::remove_all(staging_, ignored);
+  close(lock_);
+}
+
+void SiteDirectory::write(const std::string& path, std::string_view bytes) {
+  write_file(staging_ / path, bytes);
+}
+
+void SiteDirectory::copy(const fs::path& from, const std::string& path) {
+  fs::create_directories((staging_ / path).parent_path());
+  fs::copy(from, staging_ / path, fs::copy_options::recursive);
+}
+
+void SiteDirectory::commit() {
+  if (!fs::exists(site_)) {
+    fs::rename(staging_, site_);
+  } else if (renameat2(AT_FDCWD, staging_.c_str(), AT_FDCWD, site_.c_str(), RENAME_EXCHANGE) != 0) {
+    fail(site_);
+  }
+  // The old site is now where the new one was made, and goes with this object.
+}
+
+}  // namespace mjcourse

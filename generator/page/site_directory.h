@@ -1,0 +1,34 @@
+// SiteDirectory: a site that is replaced as a whole or not at all.
+//
+// Files are written into a folder beside the site; commit() puts that folder in the site's place
+// with one rename, so a kill at any moment leaves either the old site or the new one. What a killed
+// build left behind is removed by the next.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace mjcourse {
+
+class SiteDirectory {
+ public:
+  // Throws std::runtime_error when `site` holds something that no build made, or when another build
+  // is at work on it; std::system_error where the disk fails.
+  explicit SiteDirectory(const std::filesystem::path& site);
+  ~SiteDirectory();
+  SiteDirectory(const SiteDirectory&) = delete;
+  SiteDirectory& operator=(const SiteDirectory&) = delete;
+
+  // `path` is relative to the site's root.
+  void write(const std::string& path, std::string_view bytes);
+  void copy(const std::filesystem::path& from, const std::string& path);
+
+  void commit();
+
+ private:
+  std::filesystem::path site_, staging_;
+  int lock_ = -1;
+};
+
+}  // namespace mjcourse

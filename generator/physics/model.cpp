@@ -1,0 +1,99 @@
+#include "physics/model.h"
+
+#include <array>
+#include <atomic>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "physics/mujoco_guard.h"
+#include "physics/object_count.h"
+
+namespace mjcourse {
+namespace {
+
+// The content of the file, to look for includes in; "" where it cannot be read.
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+// What mj_loadXML makes of `path`, which is in `vfs` or, without one, on the disk: the model and
+// its warnings, or MuJoCo's answer.
+tl::expected<Model, std::string> load(const std::string& path, const mjVFS* vfs) {
+  WarningLog log;
+  std::array<char, 1000> answer{};
+  try {
+    mjModel* model = mj_loadXML(path.c_str(), vfs, answer.data(), static_cast<int>(answer.size()));
+    if (model == nullptr) return tl::unexpected(std::string(answer.data()));
+    std::vector<std::string> warnings = log.warnings();
+    if (answer[0] != '\0') warnings.emplace_back(answer.data());
+    return Model(model, std::move(warnings));
+  } catch (const MujocoError& error) {
+    return tl::unexpected(std::string(error.what()));
+  }
+}
+
+std::uint64_t next_serial() {
+  static std::atomic<std::uint64_t> last{0};
+  return ++last;
+}
+
+// A virtual file system with one file. It is 2 MB large, too much for a stack.
+class OneFile {
+ public:
+  OneFile(const std::string& name, const std::string& content) : vfs_(std::make_unique<mjVFS>()) {
+    mj_defaultVFS(vfs_.get());
+    mj_makeEmptyFileVFS(vfs_.get(), name.c_str(), static_cast<int>(content.size()));
+    std::memcpy(vfs_->filedata[0], content.data(), content.size());
+  }
+  ~OneFile() { mj_deleteVFS(vfs_.get()); }
+  OneFile(const OneFile&) = delete;
+  OneFile& operator=(const OneFile&) = delete;
+
+  const mjVFS* get() const { return vfs_.get(); }
+
+ private:
+  std::unique_ptr<mjVFS> vfs_;
+};
+
+}  // namespace
+
+Model::Model(mjModel* model, std::vector<std::string> warnings)
+    : model_(model), warnings_(std::move(warnings)), serial_(next_serial()) {}
+
+std::string Model::name(mjtObj type, int id) const {
+  const char* name = mj_id2name(get(), type, id);
+  return name == nullptr ? "" : name;
+}
+
+int Model::id(mjtObj type, const std::string& name) const {
+  return mj_name2id(get(), type, name.c_str());
+}
+
+std::vector<std::string> Model::names(mjtObj type) const {
+  std::vector<std::string> names;
+  for (int i = 0; i < object_count(*get(), type); ++i) {
+    if (std::string known = name(type, i); !known.empty()) names.push_back(std::move(known));
+  }
+  return names;
+}
+
+tl::expected<Model, ModelError> load_model_file(const std::string& path) {
+  return load(path, nullptr).map_error([&](const std::string& answer) {
+    return explain_load_error(answer, path, content_of(path));
+  });
+}
+
+tl::expected<Model, ModelError> load_model_text(const std::string& mjcf) {
+  // MuJoCo ends the process over an empty virtual file.
+  if (mjcf.empty()) return tl::unexpected(ModelError{"", 0, 0, "the model is empty"});
+  install_mujoco_guard();
+  const std::string name = "model.xml";
+  const OneFile file(name, mjcf);
+  return load(name, file.get()).map_error([&](const std::string& answer) {
+    return explain_load_error(answer, "", mjcf);
+  });
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,29 @@
+// An OpenGL context without a screen, drawn on by the CPU (OSMesa).
+//
+// It brings OpenGL's state and a tiny default buffer; MuJoCo draws into a framebuffer object of its
+// own, of any size.
+#pragma once
+
+#include <GL/osmesa.h>
+
+#include <memory>
+#include <vector>
+
+namespace mjcourse {
+
+class OffscreenContext {
+ public:
+  OffscreenContext();
+
+  // Makes this the calling thread's OpenGL context. False when OSMesa could not make one.
+  bool make_current();
+
+ private:
+  struct Delete {
+    void operator()(OSMesaContext context) const { OSMesaDestroyContext(context); }
+  };
+  std::vector<unsigned char> buffer_;  // RGBA
+  std::unique_ptr<osmesa_context, Delete> context_;
+};
+
+}  // namespace mjcourse

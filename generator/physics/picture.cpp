@@ -1,0 +1,90 @@
+#include "physics/picture.h"
+
+#include <png.h>
+#include <webp/encode.h>
+
+#include <memory>
+#include <stdexcept>
+
+namespace mjcourse {
+namespace {
+
+constexpr float webp_quality = 88;  // of 100; a picture of 640 x 400 takes 10 to 25 KB
+
+struct FreeWebP {
+  void operator()(WebPPicture* picture) const { WebPPictureFree(picture); }
+};
+
+// libpng's state, freed at the end.
+struct WritePng {
+  png_structp png;
+  png_infop info;
+  ~WritePng() { png_destroy_write_struct(&png, &info); }
+};
+
+// Encoders fail only for want of memory or on sizes that no renderer gives.
+[[noreturn]] void fail(const char* what) {
+  throw std::runtime_error(std::string("cannot encode a picture: ") + what);
+}
+
+void require(bool done, const char* what) {
+  if (!done) fail(what);
+}
+
+[[noreturn]] void throw_png_error(png_structp, png_const_charp message) {
+  fail(message);
+}
+
+void ignore_png_warning(png_structp, png_const_charp) {}
+
+void append_to_string(png_structp png, png_bytep bytes, std::size_t count) {
+  auto* out = static_cast<std::string*>(png_get_io_ptr(png));
+  out->append(reinterpret_cast<const char*>(bytes), count);
+}
+
+}  // namespace
+
+std::string encode_webp(const Picture& picture) {
+  WebPConfig config;
+  require(WebPConfigPreset(&config, WEBP_PRESET_DRAWING, webp_quality) != 0, "WebP version");
+  config.method = 6;
+  config.use_sharp_yuv = 1;
+
+  WebPPicture webp;
+  require(WebPPictureInit(&webp) != 0, "WebP version");
+  const std::unique_ptr<WebPPicture, FreeWebP> free_picture(&webp);
+  WebPMemoryWriter writer;
+  WebPMemoryWriterInit(&writer);
+  const std::unique_ptr<WebPMemoryWriter, decltype(&WebPMemoryWriterClear)> free_writer(
+      &writer, WebPMemoryWriterClear);
+
+  webp.use_argb = 1;
+  webp.width = picture.width;
+  webp.height = picture.height;
+  webp.writer = WebPMemoryWrite;
+  webp.custom_ptr = &writer;
+  require(WebPPictureImportRGB(&webp, picture.rgb.data(), picture.width * 3) != 0, "WebP import");
+  require(WebPEncode(&config, &webp) != 0, "WebP");
+  return {reinterpret_cast<const char*>(writer.mem), writer.size};
+}
+
+std::string encode_png(const Picture& picture) {
+  png_structp png =
+      png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, throw_png_error, ignore_png_warning);
+  require(png != nullptr, "PNG version");
+  const WritePng free_png{png, png_create_info_struct(png)};
+  std::string bytes;
+  png_set_write_fn(png, &bytes, append_to_string, nullptr);
+  png_set_compression_level(png, 9);
+  png_set_IHDR(png, free_png.info, static_cast<png_uint_32>(picture.width),
+               static_cast<png_uint_32>(picture.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
+               PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+  png_write_info(png, free_png.info);
+  for (std::size_t row = 0; row < static_cast<std::size_t>(picture.height); ++row) {
+    png_write_row(png, &picture.rgb[row * static_cast<std::size_t>(picture.width) * 3]);
+  }
+  png_write_end(png, nullptr);
+  return bytes;
+}
+
+}  // namespace mjcourse

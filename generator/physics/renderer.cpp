@@ -1,0 +1,141 @@
+#include "physics/renderer.h"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "physics/mujoco_guard.h"
+#include "physics/offscreen_context.h"
+
+namespace mjcourse {
+namespace {
+
+constexpr int most_shapes = 10000;  // in one scene, frames' axes and the like counted
+constexpr int longest_side = 2048;  // pixels; with 4 samples a buffer takes 32 bytes a pixel
+
+mjvCamera free_camera(const Camera& camera) {
+  mjvCamera free;
+  mjv_defaultCamera(&free);
+  free.type = mjCAMERA_FREE;
+  free.azimuth = camera.azimuth;
+  free.elevation = camera.elevation;
+  free.distance = camera.distance;
+  std::copy(camera.target.begin(), camera.target.end(), free.lookat);
+  return free;
+}
+
+// What the current framebuffer shows, OpenGL's bottom row first turned to the top row first.
+Picture read_picture(PictureSize size, const mjrContext& context) {
+  const std::size_t row = static_cast<std::size_t>(size.width) * 3;
+  std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(size.height));
+  mjr_readPixels(upward.data(), nullptr, {0, 0, size.width, size.height}, &context);
+  Picture picture{size.width, size.height, {}};
+  picture.rgb.reserve(upward.size());
+  for (auto end = upward.end(); end != upward.begin(); end -= static_cast<std::ptrdiff_t>(row)) {
+    picture.rgb.insert(picture.rgb.end(), end - static_cast<std::ptrdiff_t>(row), end);
+  }
+  return picture;
+}
+
+}  // namespace
+
+// What is set up once, and what is made for the model drawn last.
+struct Renderer::Stage {
+  OffscreenContext opengl;
+  mjvScene scene;
+  mjrContext context;
+  std::uint64_t model = 0;         // serial number of the model that all of this is for
+  std::unique_ptr<Data> stand_in;  // takes the place of a simulation's data
+
+  Stage() {
+    mjv_defaultScene(&scene);
+    mjr_defaultContext(&context);
+  }
+  ~Stage() { clear(); }
+  Stage(const Stage&) = delete;
+  Stage& operator=(const Stage&) = delete;
+
+  bool suits(const Model& next, PictureSize size) const {
+    return model == next.serial() && size.width <= context.offWidth &&
+           size.height <= context.offHeight;
+  }
+  void set(const Model& next, PictureSize size);
+  void draw(const Simulation& simulation, const mjvOption& options, mjvCamera camera,
+            PictureSize size);
+  void clear();
+};
+
+// Makes `next` the model that is drawn, at up to `size`.
+void Renderer::Stage::set(const Model& next, PictureSize size) {
+  clear();
+  stand_in = std::make_unique<Data>(next);
+  mjv_makeScene(next.get(), &scene, most_shapes);
+  scene.flags[mjRND_SHADOW] = 1;
+  scene.flags[mjRND_REFLECTION] = 1;
+  // The framebuffer's size is a setting of the model, whose own says nothing of the pictures asked
+  // for here: a shallow copy says it.
+  mjModel sized = *next.get();
+  sized.vis.global.offwidth = size.width;
+  sized.vis.global.offheight = size.height;
+  mjr_makeContext(&sized, &context, mjFONTSCALE_100);
+  mjr_setBuffer(mjFB_OFFSCREEN, &context);
+  model = next.serial();
+}
+
+// mj_forward brings what is drawn up to date with the state. On the simulation's own data it would
+// also change the solver's warm start, and with it the last bits of every later step.
+void Renderer::Stage::draw(const Simulation& simulation, const mjvOption& options, mjvCamera camera,
+                           PictureSize size) {
+  const mjModel* drawn = simulation.model().get();
+  mjData* data = stand_in->get();
+  mj_copyData(data, drawn, simulation.data().get());
+  mj_forward(drawn, data);
+  mjv_updateScene(drawn, data, &options, nullptr, &camera, mjCAT_ALL, &scene);
+  mjr_render({0, 0, size.width, size.height}, &scene, &context);
+}
+
+void Renderer::Stage::clear() {
+  model = 0;
+  stand_in.reset();
+  if (!opengl.make_current()) return;
+  mjr_freeContext(&context);
+  mjv_freeScene(&scene);
+}
+
+Renderer::Renderer(std::unique_ptr<Stage> stage) : stage_(std::move(stage)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+tl::expected<Renderer, std::string> Renderer::create() {
+  install_mujoco_guard();
+  auto stage = std::make_unique<Stage>();
+  if (!stage->opengl.make_current()) {
+    return tl::unexpected<std::string>("OSMesa cannot make an OpenGL context");
+  }
+  return Renderer(std::move(stage));
+}
+
+tl::expected<Picture, std::string> Renderer::render(const Simulation& simulation,
+                                                    const Camera& camera, const Overlays& overlays,
+                                                    PictureSize size) {
+  if (simulation.stopped()) return tl::unexpected(*simulation.trouble());
+  const auto options = visual_options(overlays);
+  if (!options) return tl::unexpected(options.error());
+  if (std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > longest_side) {
+    return tl::unexpected("a picture's sides are 1 to " + std::to_string(longest_side) + " pixels");
+  }
+  if (!stage_->opengl.make_current()) {
+    return tl::unexpected<std::string>("OSMesa lost its OpenGL context");
+  }
+  const WarningLog log;
+  try {
+    if (!stage_->suits(simulation.model(), size)) stage_->set(simulation.model(), size);
+    stage_->draw(simulation, *options, free_camera(camera), size);
+  } catch (const MujocoError& error) {
+    return tl::unexpected(std::string(error.what()));
+  }
+  if (!log.warnings().empty()) return tl::unexpected(log.warnings().front());
+  return read_picture(size, stage_->context);
+}
+
+}  // namespace mjcourse

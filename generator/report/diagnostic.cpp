@@ -1,0 +1,24 @@
+#include "report/diagnostic.h"
+
+#include <algorithm>
+
+#include "base/utf8.h"
+
+namespace mjcourse {
+
+bool has_errors(const Diagnostics& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+Place place_of(const SourceText& source, Span span) {
+  const Position start = source.position(span.begin);
+  const std::string_view line = source.line(start.line);
+  const std::size_t offset = span.begin - std::min(span.begin, source.line_start(start.line));
+  const std::string_view rest = line.substr(std::min(offset, line.size()));
+  const std::size_t length = std::max(span.end, span.begin) - span.begin;
+  const int width = std::max(1, count_characters(rest.substr(0, length)));
+  return {source.path(), start.line, start.column, width, std::string(line)};
+}
+
+}  // namespace mjcourse

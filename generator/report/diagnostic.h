@@ -1,0 +1,49 @@
+// Diagnostic: what is wrong with a course, as data.
+//
+// Every part of the generator that can find a mistake of the author's makes one of these and goes
+// on; text is made of it only at the edge (report/terminal.h). A stage takes a `Diagnostics&` and
+// appends to it, so that all mistakes of a lesson are shown in one run.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/source_text.h"
+
+namespace mjcourse {
+
+enum class Severity { error, warning };
+
+// A stretch of one line of a file. Lines and columns count from 1, columns in characters; line 0
+// means the file as a whole.
+struct Place {
+  std::string file;
+  int line = 0;
+  int column = 0;
+  int width = 1;        // characters to underline; what goes past the line's end is not drawn
+  std::string excerpt;  // the source line
+};
+
+struct Note {
+  std::string message;
+  Place place;  // without a file: the note belongs to the diagnostic's own place
+};
+
+struct Diagnostic {
+  std::string id;  // stable, for search engines and `explain`: "E-output-differs"
+  Severity severity = Severity::error;
+  Place place;
+  std::string message;      // one line: what is wrong, with the values that show it
+  std::string detail;       // more lines where they help: a diff, the compiler's own words
+  std::vector<Note> notes;
+  std::string cure;         // what to do about it; empty when there is nothing to suggest
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+bool has_errors(const Diagnostics& diagnostics);
+
+// The place of `span` in `source`; a span over several lines is cut at the end of its first.
+Place place_of(const SourceText& source, Span span);
+
+}  // namespace mjcourse

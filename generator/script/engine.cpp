@@ -1,0 +1,121 @@
+#include "script/engine.h"
+
+#include <sstream>
+#include <stdexcept>
+
+#include "script/exception.h"
+#include "script/js_value.h"
+
+// JavaScriptCore exports these and declares them in no header. A callback that returns true ends
+// the script with an exception that it cannot catch.
+extern "C" {
+using JSShouldTerminateCallback = bool (*)(JSContextRef context, void* data);
+void JSContextGroupSetExecutionTimeLimit(JSContextGroupRef group, double seconds,
+                                         JSShouldTerminateCallback callback, void* data);
+}
+
+namespace mjcourse {
+
+namespace {
+
+// The clock stands at the first second of 2000 (UTC), and chance is the generator mulberry32.
+constexpr const char* fixed_surroundings = R"js(
+  const instant = Date.UTC(2000, 0, 1);
+  Date.now = () => instant;
+  globalThis.Date = new Proxy(Date, {
+    construct: (target, args) => new target(...(args.length > 0 ? args : [instant])),
+    apply: (target) => new target(instant).toISOString(),
+  });
+  let state = 1;
+  Math.random = () => {
+    state = (state + 0x6d2b79f5) | 0;
+    let mixed = Math.imul(state ^ (state >>> 15), 1 | state);
+    mixed = (mixed + Math.imul(mixed ^ (mixed >>> 7), 61 | mixed)) ^ mixed;
+    return ((mixed ^ (mixed >>> 14)) >>> 0) / 4294967296;
+  };
+)js";
+
+std::string in_seconds(double seconds) {
+  std::ostringstream text;
+  text << seconds << " s";
+  return text.str();
+}
+
+}  // namespace
+
+Engine::Engine(double time_limit)
+    : group_(JSContextGroupCreate()),
+      context_(JSGlobalContextCreateInGroup(group_, nullptr)),
+      time_limit_(time_limit) {
+  load(std::string("{") + fixed_surroundings + "}", "surroundings.js");
+}
+
+Engine::~Engine() {
+  JSGlobalContextRelease(context_);
+  JSContextGroupRelease(group_);
+}
+
+void Engine::load(const std::string& source, const std::string& name) {
+  const auto loaded = evaluate(source, name);
+  if (!loaded) throw std::runtime_error(name + ": " + describe(loaded.error()).message);
+}
+
+tl::expected<std::string, ScriptError> Engine::call(const std::string& function,
+                                                    const std::vector<std::string>& arguments) {
+  JSObjectRef global = JSContextGetGlobalObject(context_);
+  JSObjectRef callee = object_in(context_, property(context_, global, function));
+  if (callee == nullptr) throw std::runtime_error("no bundle defines " + function + "()");
+  std::vector<JSValueRef> values;
+  for (const std::string& argument : arguments) values.push_back(make_text(context_, argument));
+  const auto result = call(callee, values);
+  if (!result) return tl::unexpected(describe(result.error()));
+  return text_of(context_, *result);
+}
+
+tl::expected<JSValueRef, Engine::Thrown> Engine::evaluate(const std::string& source,
+                                                          const std::string& url) {
+  JSValueRef exception = nullptr;
+  arm();
+  JSValueRef result =
+      JSEvaluateScript(context_, JsString(source), nullptr, JsString(url), 1, &exception);
+  return outcome(result, exception);
+}
+
+tl::expected<JSValueRef, Engine::Thrown> Engine::call(JSObjectRef function,
+                                                      std::span<const JSValueRef> arguments) {
+  JSValueRef exception = nullptr;
+  arm();
+  JSValueRef result = JSObjectCallAsFunction(context_, function, nullptr, arguments.size(),
+                                             arguments.data(), &exception);
+  return outcome(result, exception);
+}
+
+// The limit holds for one call: whoever enters again sets it again.
+void Engine::arm() {
+  expired_ = false;
+  const auto expire = [](JSContextRef, void* data) {
+    *static_cast<bool*>(data) = true;
+    return true;
+  };
+  JSContextGroupSetExecutionTimeLimit(group_, time_limit_, expire, &expired_);
+}
+
+tl::expected<JSValueRef, Engine::Thrown> Engine::outcome(JSValueRef result,
+                                                         JSValueRef exception) const {
+  if (expired_) return tl::unexpected(Thrown{});
+  if (exception != nullptr) return tl::unexpected(Thrown{exception});
+  return result;
+}
+
+ScriptError Engine::describe(const Thrown& thrown) const {
+  ScriptError error;
+  if (thrown.exception == nullptr) {
+    error.id = "E-script-time";
+    error.message = "ran for more than " + in_seconds(time_limit_);
+    error.cure = "look for a loop that never ends";
+    return error;
+  }
+  return explain(read_exception(context_, thrown.exception, ""), {});
+}
+
+}  // namespace mjcourse

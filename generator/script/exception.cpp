@@ -1,0 +1,109 @@
+#include "script/exception.h"
+
+#include <cstdlib>
+#include <sstream>
+#include <string_view>
+
+#include "base/nearest.h"
+#include "script/js_value.h"
+
+namespace mjcourse {
+
+namespace {
+
+constexpr std::string_view unknown_variable = "Can't find variable: ";
+
+// A property that is a string; "" for any other.
+std::string string_property(JSContextRef context, JSObjectRef object, const char* name) {
+  JSValueRef value = property(context, object, name);
+  return JSValueIsString(context, value) ? text_of(context, value) : "";
+}
+
+int int_property(JSContextRef context, JSObjectRef object, const char* name) {
+  JSValueRef value = property(context, object, name);
+  return static_cast<int>(JSValueToNumber(context, value, nullptr));
+}
+
+// The first frame of `url` on a stack of lines `function@url:line:column`.
+void find_frame(const std::string& stack, const std::string& url, Exception& exception) {
+  std::istringstream frames(stack);
+  const std::string mark = "@" + url + ":";
+  for (std::string frame; std::getline(frames, frame);) {
+    const std::size_t at = frame.find(mark);
+    if (at == std::string::npos) continue;
+    char* rest = nullptr;
+    exception.line = static_cast<int>(std::strtol(frame.c_str() + at + mark.size(), &rest, 10));
+    if (*rest == ':') exception.column = static_cast<int>(std::strtol(rest + 1, nullptr, 10));
+    return;
+  }
+}
+
+std::vector<std::string> strict_tokens(JSContextRef context, JSObjectRef error) {
+  std::vector<std::string> tokens;
+  JSObjectRef array = object_in(context, property(context, error, "tokens"));
+  if (array == nullptr) return tokens;
+  const auto count = static_cast<unsigned>(int_property(context, array, "length"));
+  for (unsigned i = 0; i < count; ++i) {
+    tokens.push_back(text_of(context, JSObjectGetPropertyAtIndex(context, array, i, nullptr)));
+  }
+  return tokens;
+}
+
+// What JavaScriptCore's own message names: a variable, or the first text between quotes.
+std::vector<std::string> named_tokens(std::string_view message) {
+  if (message.starts_with(unknown_variable)) {
+    return {std::string(message.substr(unknown_variable.size()))};
+  }
+  const std::size_t open = message.find(" '");
+  if (open == std::string_view::npos) return {};
+  const std::string_view quoted = message.substr(open + 2);
+  const std::size_t close = quoted.find_first_of('\'');
+  if (close == std::string_view::npos) return {};
+  return {std::string(quoted.substr(0, close))};
+}
+
+}  // namespace
+
+Exception read_exception(JSContextRef context, JSValueRef exception, const std::string& url) {
+  Exception result;
+  JSObjectRef error = object_in(context, exception);
+  if (error != nullptr) result.kind = string_property(context, error, "name");
+  if (result.kind.empty()) {
+    result.message = text_of(context, exception);
+    return result;
+  }
+  result.message = string_property(context, error, "message");
+  result.id = string_property(context, error, "id");
+  result.cure = string_property(context, error, "cure");
+  result.tokens = strict_tokens(context, error);
+  if (result.tokens.empty()) result.tokens = named_tokens(result.message);
+  find_frame(string_property(context, error, "stack"), url, result);
+  // a text that does not parse never ran, so it has no frame
+  if (result.line == 0 && string_property(context, error, "sourceURL") == url) {
+    result.line = int_property(context, error, "line");
+  }
+  return result;
+}
+
+ScriptError explain(const Exception& exception, const std::vector<std::string>& names) {
+  ScriptError error;
+  error.message = exception.message;
+  if (!exception.id.empty()) {
+    error.id = exception.id;
+    error.cure = exception.cure;
+  } else if (exception.kind == "SyntaxError") {
+    error.id = "E-script-syntax";
+  } else if (exception.message.starts_with(unknown_variable)) {
+    const std::string name = exception.message.substr(unknown_variable.size());
+    error.id = "E-script-name";
+    error.message = "`" + name + "` does not exist";
+    error.cure = suggest(name, names);
+  } else {
+    error.id = "E-script-throw";
+    const bool plain = exception.kind.empty() || exception.kind == "Error";
+    if (!plain) error.message = exception.kind + ": " + exception.message;
+  }
+  return error;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,36 @@
+// A JavaScript exception, read out into C++ and put into words.
+#pragma once
+
+#include <JavaScriptCore/JavaScript.h>
+
+#include <string>
+#include <vector>
+
+#include "script/script_error.h"
+
+namespace mjcourse {
+
+struct Exception {
+  std::string kind;     // "SyntaxError", "TypeError" …; "" for a thrown value that is no Error
+  std::string message;  // without the kind
+
+  // The innermost place in the script asked for; 0 when it has none.
+  int line = 0;  // from 1
+  int column =
+      0;  // from 1, in UTF-16 units; JavaScriptCore points at dots, brackets and equal signs
+
+  // Names in the script to underline, best first.
+  std::vector<std::string> tokens;
+
+  // What the strict layer adds (site/script/fault.ts); empty on other exceptions.
+  std::string id;
+  std::string cure;
+};
+
+// `url` is that of the script whose line is wanted.
+Exception read_exception(JSContextRef context, JSValueRef exception, const std::string& url);
+
+// What went wrong, without a place; `names` are those that a script may use.
+ScriptError explain(const Exception& exception, const std::vector<std::string>& names);
+
+}  // namespace mjcourse

@@ -1,0 +1,58 @@
+// JavaScript values as C++ sees them: a thin layer over JavaScriptCore's C API.
+//
+// Strings are UTF-8 on our side and end at their first NUL. A value lives while a JavaScript
+// variable, this stack or a Protected holds it.
+#pragma once
+
+#include <JavaScriptCore/JavaScript.h>
+
+#include <string>
+#include <vector>
+
+namespace mjcourse {
+
+// A string on its way into JavaScriptCore.
+class JsString {
+ public:
+  explicit JsString(const std::string& text)
+      : string_(JSStringCreateWithUTF8CString(text.c_str())) {}
+  ~JsString() { JSStringRelease(string_); }
+  JsString(const JsString&) = delete;
+  JsString& operator=(const JsString&) = delete;
+
+  operator JSStringRef() const { return string_; }
+
+ private:
+  JSStringRef string_;
+};
+
+// Keeps an object from the garbage collector. The context must outlive it.
+class Protected {
+ public:
+  Protected(JSContextRef context, JSObjectRef object);
+  ~Protected();
+  Protected(Protected&& other) noexcept;
+  Protected& operator=(Protected&&) = delete;
+
+  operator JSObjectRef() const { return object_; }
+
+ private:
+  JSContextRef context_;
+  JSObjectRef object_;  // null when moved from
+};
+
+JSValueRef make_text(JSContextRef context, const std::string& text);
+JSObjectRef make_array(JSContextRef context, const std::vector<JSValueRef>& elements);
+
+// What String(value) gives; "" where that throws.
+std::string text_of(JSContextRef context, JSValueRef value);
+
+// `object[name]`; undefined where that throws.
+JSValueRef property(JSContextRef context, JSObjectRef object, const std::string& name);
+void set_property(JSContextRef context, JSObjectRef object, const std::string& name,
+                  JSValueRef value);
+
+// The object in `value`, null when it is none.
+JSObjectRef object_in(JSContextRef context, JSValueRef value);
+
+}  // namespace mjcourse

@@ -1,0 +1,13 @@
+// The native half of a world: the object that site/script/native.ts describes, over a simulation.
+#pragma once
+
+#include <JavaScriptCore/JavaScript.h>
+
+namespace mjcourse {
+
+class Simulation;
+
+// Its fields are views on the memory of the simulation's model and data, which must outlive it.
+JSObjectRef make_native_world(JSContextRef context, Simulation& simulation);
+
+}  // namespace mjcourse

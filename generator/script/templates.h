@@ -1,0 +1,34 @@
+// Templates: Handlebars in strict mode, where a name that the data does not have is an error.
+//
+// Enter with render(). Templates may include each other as partials, `{{> name}}`. They are
+// compiled when first used.
+#pragma once
+
+#include <map>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "script/engine.h"
+
+namespace mjcourse {
+
+struct TemplateError {
+  std::string name;  // of the template with the mistake: a partial's own, not its user's
+  std::string message;
+  int line = 0;  // from 1; 0 when unknown
+};
+
+class Templates {
+ public:
+  // `bundle` is the text of script/templates.js; `sources` maps a template's name to its text.
+  Templates(const std::string& bundle, const std::map<std::string, std::string>& sources);
+
+  tl::expected<std::string, TemplateError> render(const std::string& name,
+                                                  const nlohmann::json& data);
+
+ private:
+  Engine engine_;
+};
+
+}  // namespace mjcourse

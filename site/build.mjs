@@ -1,0 +1,37 @@
+// Bundles what the generator needs from this folder: node site/build.mjs OUTDIR
+//
+//   OUTDIR/public/         files of the site, their names bearing a hash of their content
+//   OUTDIR/manifest.json   {"site.css": "assets/site-1A2B3C4D.css", …}, the way from plain names
+//   OUTDIR/templates/      the Handlebars templates, as they are
+//   OUTDIR/script/         what runs in the generator's script engine: no DOM, no Node
+//
+// The same sources give the same bytes, wherever they lie and wherever OUTDIR is.
+
+import { cp, mkdir, rm, writeFile } from "node:fs/promises";
+import path from "node:path";
+
+import { buildScripts } from "./bundle/scripts.mjs";
+import { copyLicenses } from "./bundle/licenses.mjs";
+import { buildPublic } from "./bundle/public.mjs";
+
+const site = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
+const out = process.argv[2];
+if (!out) {
+  console.error("usage: node site/build.mjs OUTDIR");
+  process.exit(2);
+}
+
+// What an earlier run left is removed, since its hashed names may be others.
+const produced = ["public", "templates", "script", "manifest.json"];
+await Promise.all(
+  produced.map((name) => rm(path.join(out, name), { recursive: true, force: true })),
+);
+await mkdir(path.join(out, "script"), { recursive: true });
+
+const [manifest] = await Promise.all([
+  buildPublic(site, path.join(out, "public")),
+  buildScripts(site, path.join(out, "script")),
+  copyLicenses(site, path.join(out, "public", "licenses")),
+  cp(path.join(site, "templates"), path.join(out, "templates"), { recursive: true }),
+]);
+await writeFile(path.join(out, "manifest.json"), JSON.stringify(manifest, null, 2) + "\n");

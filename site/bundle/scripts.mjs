@@ -1,0 +1,26 @@
+// The bundles that run inside the generator: one for each script/entries/*.ts, self-contained.
+
+import { readdir } from "node:fs/promises";
+import path from "node:path";
+
+import { build } from "esbuild";
+
+export async function buildScripts(site, out) {
+  const folder = path.join(site, "script", "entries");
+  const names = (await readdir(folder)).filter((name) => name.endsWith(".ts")).sort();
+  await build({
+    absWorkingDir: site,
+    entryPoints: names.map((name) => `script/entries/${name}`),
+    outdir: path.resolve(out),
+    entryNames: "[name]",
+    bundle: true,
+    minifyWhitespace: true,
+    minifySyntax: true,
+    format: "iife",
+    platform: "browser",
+    charset: "utf8",
+    target: "es2022",
+    legalComments: "none",
+    logLevel: "warning",
+  });
+}

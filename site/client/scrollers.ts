@@ -1,0 +1,20 @@
+// What is wider than its column scrolls alone; here it is made reachable with the keyboard, and only
+// while it does scroll, so that the Tab key does not stop where there is nothing to do.
+
+const scrollers = ".table, .math, pre";
+
+function update(element: Element): void {
+  const { scrollWidth, clientWidth, scrollHeight, clientHeight } = element;
+  const scrolls = scrollWidth > clientWidth || scrollHeight > clientHeight;
+  if (scrolls) element.setAttribute("tabindex", "0");
+  else element.removeAttribute("tabindex");
+}
+
+export function reachScrollers(): void {
+  const observer = new ResizeObserver((entries) => {
+    for (const { target } of entries) update(target);
+  });
+  for (const element of document.querySelectorAll(scrollers)) {
+    if (!element.matches("span")) observer.observe(element);
+  }
+}

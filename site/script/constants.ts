@@ -1,0 +1,23 @@
+/** MuJoCo's enumerations, as far as scripts need them (mjmodel.h). */
+export const constants = {
+  mjOBJ_BODY: 1,
+  mjOBJ_XBODY: 2,
+  mjOBJ_JOINT: 3,
+  mjOBJ_GEOM: 5,
+  mjOBJ_SITE: 6,
+  mjOBJ_CAMERA: 7,
+  mjOBJ_ACTUATOR: 18,
+  mjOBJ_SENSOR: 19,
+  mjJNT_FREE: 0,
+  mjJNT_BALL: 1,
+  mjJNT_SLIDE: 2,
+  mjJNT_HINGE: 3,
+  mjGEOM_PLANE: 0,
+  mjGEOM_HFIELD: 1,
+  mjGEOM_SPHERE: 2,
+  mjGEOM_CAPSULE: 3,
+  mjGEOM_ELLIPSOID: 4,
+  mjGEOM_CYLINDER: 5,
+  mjGEOM_BOX: 6,
+  mjGEOM_MESH: 7,
+} as const;

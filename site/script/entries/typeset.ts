@@ -1,0 +1,76 @@
+/** KaTeX: `typeset(tex, display, macros)` gives `{html}`, or `{message, offset, length, cure}`. */
+import katex from "katex";
+
+/** `display` is "true" or "false"; `macros` is JSON from `\name` to TeX; so is the answer JSON. */
+function typeset(tex: string, display: string, macros: string): string {
+  const options = {
+    displayMode: display === "true",
+    macros: JSON.parse(macros) as Record<string, string>,
+    output: "htmlAndMathml",
+    throwOnError: true,
+    strict: "error",
+    trust: false,
+  } as const;
+  try {
+    return JSON.stringify({ html: katex.renderToString(tex, options) });
+  } catch (error) {
+    if (!(error instanceof katex.ParseError)) throw error;
+    return JSON.stringify(describe(tex, error as ParseError, options.macros));
+  }
+}
+
+/** What KaTeX's error has beyond its published type. */
+interface ParseError {
+  readonly rawMessage: string;
+  /** In UTF-16 units; undefined when KaTeX does not know. */
+  readonly position?: number;
+  readonly length?: number;
+}
+
+function describe(tex: string, error: ParseError, macros: Record<string, string>) {
+  const unknown = /^Undefined control sequence: (\\.*)$/.exec(error.rawMessage)?.[1];
+  let { position = 0, length = 0 } = error;
+  // a command out of a macro's text is placed in that text, which the author does not see here
+  if (unknown !== undefined && !tex.startsWith(unknown, position)) [position, length] = [0, 0];
+  return {
+    message: error.rawMessage,
+    offset: bytes(tex.slice(0, position)),
+    length: bytes(tex.slice(position, position + length)),
+    cure: unknown === undefined ? "" : suggestCommand(unknown, macros),
+  };
+}
+
+/** Bytes of `text` in UTF-8. */
+function bytes(text: string): number {
+  return encodeURIComponent(text).replace(/%../g, "%").length;
+}
+
+/** The command that differs by one slip of the fingers. KaTeX has no list of its commands, but it
+ * tells macros whether it knows one, so the slips are tried. */
+function suggestCommand(name: string, macros: Record<string, string>): string {
+  let meant: string | undefined;
+  const probe = (context: object) => {
+    const { isDefined } = context as { isDefined: (this: object, name: string) => boolean };
+    meant = slips(name.slice(1)).find((slip) => isDefined.call(context, `\\${slip}`));
+    return "";
+  };
+  katex.renderToString("\\probe", { macros: { ...macros, "\\probe": probe } });
+  return meant === undefined ? "" : `did you mean \`\\${meant}\`?`;
+}
+
+/** Names one edit away, likeliest first: letters swapped, one missing, one wrong, one too many. */
+function slips(name: string): string[] {
+  const letters = [..."abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"];
+  const places = Array.from({ length: name.length + 1 }, (_, place) => place);
+  const replace = (place: number, count: number, text: string) =>
+    name.slice(0, place) + text + name.slice(place + count);
+  const inside = places.slice(0, -1);
+  return [
+    ...inside.map((place) => replace(place, 2, (name[place + 1] ?? "") + name[place]!)),
+    ...places.flatMap((place) => letters.map((letter) => replace(place, 0, letter))),
+    ...inside.flatMap((place) => letters.map((letter) => replace(place, 1, letter))),
+    ...inside.map((place) => replace(place, 1, "")),
+  ].filter((slip) => slip !== "" && slip !== name);
+}
+
+Object.assign(globalThis, { typeset });

@@ -1,0 +1,107 @@
+/**
+ * Typed arrays that refuse what JavaScript lets pass: an index past the end (undefined), a write of
+ * NaN, a whole array used as one number. Everything else a typed array can do, they can.
+ */
+import { Fault, show } from "./fault.js";
+import type { Numbers } from "./native.js";
+import { suggest } from "./suggest.js";
+
+const views = new WeakMap<object, Numbers>();
+
+/** The array under a strict array, or the typed array itself; undefined for anything else. */
+export function viewOf(value: unknown): Numbers | undefined {
+  if (typeof value !== "object" || value === null) return undefined;
+  return views.get(value) ?? (isNumbers(value) ? value : undefined);
+}
+
+function isNumbers(value: unknown): value is Numbers {
+  return ArrayBuffer.isView(value) && !(value instanceof DataView);
+}
+
+/** `view` made strict; `label` is how scripts write it, "data.qpos". */
+export function strictArray<T extends Numbers>(view: T, label: string): T {
+  const proxy: T = new Proxy(view, {
+    get(target, key) {
+      const value: unknown = Reflect.get(target, key);
+      if (typeof value === "number") return value;
+      if (key === Symbol.toPrimitive) return (hint: string) => primitive(target, label, hint);
+      if (typeof value === "function" && key !== "constructor") {
+        return bound(target, proxy, label, key, value);
+      }
+      if (value === undefined && typeof key === "string") throw missing(target, label, key);
+      return value;
+    },
+    set(target, key, value) {
+      if (typeof key === "symbol" || !(key in target)) throw missing(target, label, String(key));
+      checkWrite(target, value, `${label}[${key}]`, label);
+      return Reflect.set(target, key, value);
+    },
+  });
+  views.set(proxy, view);
+  return proxy;
+}
+
+/** Throws unless `value` may be written to `view`; `place` is how the script names the element. */
+export function checkWrite(view: Numbers, value: unknown, place: string, label: string): void {
+  let wanted = "";
+  if (typeof value !== "number") wanted = "number";
+  else if (!Number.isFinite(value)) wanted = "finite number";
+  else if (view instanceof Int32Array && (value | 0) !== value) wanted = "whole number";
+  else if (view instanceof Uint8Array && (value & 255) !== value) wanted = "whole number in 0..255";
+  if (wanted === "") return;
+  throw new Fault("E-script-value", `${place} = ${show(value)}: not a ${wanted}`, [place, label]);
+}
+
+/** What typed arrays have besides numbers. */
+const members = [Float64Array.prototype, Object.getPrototypeOf(Float64Array.prototype) as object]
+  .flatMap((prototype) => Object.getOwnPropertyNames(prototype))
+  .sort();
+
+/** The error for a key that is no index of the array, and no member either. */
+function missing(view: Numbers, label: string, key: string): Fault {
+  const place = `${label}[${key}]`;
+  if (Number.isNaN(Number(key))) {
+    const cure = suggest(key, members, `${label}.`);
+    return new Fault("E-script-name", `${label} has no \`${key}\``, [key, label], cure);
+  }
+  const what =
+    view.length === 0
+      ? `${place} does not exist: ${label} is empty`
+      : `${place} is out of range 0..${view.length - 1}`;
+  return new Fault("E-script-range", what, [place, label]);
+}
+
+/** An array of one number stands for that number in arithmetic; a longer one does not. */
+function primitive(view: Numbers, label: string, hint: string): number | string {
+  if (hint === "string") return view.join(", ");
+  if (view.length === 1) return view[0]!;
+  const message = `${label} is an array of length ${view.length}, not a number`;
+  throw new Fault("E-script-value", message, [label], `take one of its numbers: ${label}[0]`);
+}
+
+/** A method of the typed array, which works on the array itself and gives strict arrays. */
+function bound(view: Numbers, proxy: object, label: string, key: PropertyKey, method: unknown) {
+  const call = method as (...args: unknown[]) => unknown;
+  return (...args: unknown[]): unknown => {
+    if (key === "fill") checkWrite(view, args[0], `every number of ${label}`, label);
+    if (key === "set") checkSet(view, label, args[0], args[1]);
+    if (key === "at") checkAt(view, label, Number(args[0]));
+    const result = Reflect.apply(call, view, args);
+    if (result === view) return proxy;
+    return isNumbers(result) ? strictArray(result, `${label}.${String(key)}(…)`) : result;
+  };
+}
+
+function checkSet(view: Numbers, label: string, source: unknown, offset: unknown): void {
+  const numbers = Array.from(source as ArrayLike<unknown>);
+  const start = Number(offset ?? 0);
+  numbers.forEach((value, index) => checkWrite(view, value, `${label}[${start + index}]`, label));
+  if (start >= 0 && start + numbers.length <= view.length) return;
+  const message = `${label}.set: ${numbers.length} numbers from ${start} on do not fit into ${view.length}`;
+  throw new Fault("E-script-range", message, [`${label}.set`, label]);
+}
+
+function checkAt(view: Numbers, label: string, index: number): void {
+  if (index < view.length && index >= -view.length) return;
+  throw missing(view, label, String(index));
+}

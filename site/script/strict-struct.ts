@@ -1,0 +1,63 @@
+/**
+ * Objects with a fixed set of members, where an unknown name is an error and not undefined.
+ *
+ * Members are the object's own properties, so reading one costs what it costs anywhere; only a name
+ * that is not there reaches the prototype, a proxy that throws.
+ */
+import { Fault } from "./fault.js";
+import { suggest } from "./suggest.js";
+import { checkWrite, strictArray } from "./strict-array.js";
+import type { Numbers } from "./native.js";
+
+/** `label` is how scripts write the object: "data", "model.opt", "body('box')". */
+export function strictStruct(label: string, members: PropertyDescriptorMap): object {
+  const unknown = (key: string) =>
+    new Fault(
+      "E-script-name",
+      `${label}.${key} does not exist`,
+      [key, label],
+      suggest(key, Object.keys(members), `${label}.`),
+    );
+  const refuse: ProxyHandler<object> = {
+    get(_, key) {
+      if (typeof key === "symbol") return undefined;
+      throw unknown(key);
+    },
+    set(_, key) {
+      throw unknown(String(key));
+    },
+  };
+  return Object.create(new Proxy(Object.create(null) as object, refuse), members) as object;
+}
+
+/** A member that cannot be replaced: `why` says what to do instead. */
+export function fixedMember(value: unknown, label: string, why: string): PropertyDescriptor {
+  return { enumerable: true, get: () => value, set: () => refuseWrite(label, why) };
+}
+
+export function arrayMember(view: Numbers, label: string): PropertyDescriptor {
+  const why = `it is an array: ${label}[0] = …, or ${label}.set([…])`;
+  return fixedMember(strictArray(view, label), label, why);
+}
+
+/** The number at `view[index]`, as MuJoCo has it now. */
+export function numberMember(view: Numbers, index: number, label: string): PropertyDescriptor {
+  return {
+    enumerable: true,
+    get: () => view[index],
+    set: (value: unknown) => {
+      checkWrite(view, value, label, label);
+      view[index] = value as number;
+    },
+  };
+}
+
+/** A number that MuJoCo computes: read it, never write it. */
+export function computedMember(view: Numbers, label: string): PropertyDescriptor {
+  const set = () => refuseWrite(label, "MuJoCo computes it from the model");
+  return { enumerable: true, get: () => view[0], set };
+}
+
+function refuseWrite(label: string, why: string): never {
+  throw new Fault("E-script-value", `${label} cannot be assigned`, [label], why);
+}

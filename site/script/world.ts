@@ -1,0 +1,40 @@
+/**
+ * The world that an author's script sees: `model`, `data`, lookups by name, MuJoCo's functions and
+ * constants, a `Math` that repeats. Enter with openWorld(); the generator and the page both do, each
+ * over its own engine, so a script means the same in both.
+ */
+import { constants } from "./constants.js";
+import { Fault, show } from "./fault.js";
+import { structOf } from "./fields.js";
+import { lookups } from "./lookups.js";
+import { mujocoFunctions } from "./mujoco-functions.js";
+import type { Native } from "./native.js";
+import { strictMath } from "./strict-math.js";
+
+/** Names in scope and what they stand for. */
+export type Scope = Readonly<Record<string, unknown>>;
+
+export function openWorld(native: Native): Scope {
+  const model = structOf("model", native.modelFields) as { nq: number; nv: number };
+  const data = structOf("data", native.dataFields);
+  return Object.freeze({
+    model,
+    data,
+    Math: strictMath(),
+    ...lookups(native),
+    step: (count: unknown = 1) => steps(native, count),
+    forward: () => native.forward(),
+    reset: () => native.reset(),
+    ...mujocoFunctions(native, { model, data }),
+    ...constants,
+  });
+}
+
+/** One at a time, so that a time limit can end the loop. */
+function steps(native: Native, count: unknown): void {
+  if (typeof count !== "number" || !Number.isInteger(count) || count < 0) {
+    const message = `step(${show(count)}): not a whole number of steps`;
+    throw new Fault("E-script-value", message, ["step"]);
+  }
+  for (let i = 0; i < count; i++) native.step();
+}

@@ -1,0 +1,52 @@
+#include "script/templates.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bundle.h"
+
+namespace mjcourse {
+
+class TemplatesTest : public testing::Test {
+ protected:
+  // What `name` renders to, or "name:line: message" of its mistake.
+  std::string render(const std::string& name, const nlohmann::json& data) {
+    const auto html = templates_.render(name, data);
+    if (html) return *html;
+    const auto& [where, message, line] = html.error();
+    return where + ":" + std::to_string(line) + ": " + message;
+  }
+
+  Templates templates_{bundle("templates"),
+                       {{"page", "<h1>{{title}}</h1>\n{{#each parts}}{{> part}}{{/each}}"},
+                        {"part", "<p>\n{{name}}{{#if bold}}!{{/if}}\n</p>"},
+                        {"raw", "{{{html}}}"},
+                        {"broken", "one\n{{#if a}}\ntwo"},
+                        {"lost", "\n{{> nowhere}}"}}};
+};
+
+TEST_F(TemplatesTest, FillsInAndEscapes) {
+  EXPECT_EQ(render("page", {{"title", "a < b"}, {"parts", nlohmann::json::array()}}),
+            "<h1>a &lt; b</h1>\n");
+  EXPECT_EQ(render("raw", {{"html", "<b>é</b>"}}), "<b>é</b>");
+}
+
+TEST_F(TemplatesTest, TemplatesIncludeEachOther) {
+  EXPECT_EQ(render("page", {{"title", "t"}, {"parts", {{{"name", "x"}, {"bold", true}}}}}),
+            "<h1>t</h1>\n<p>\nx!\n</p>");
+}
+
+TEST_F(TemplatesTest, AMissingNameIsAnErrorInItsOwnTemplate) {
+  EXPECT_EQ(render("page", {{"titel", "t"}}), "");
+  EXPECT_EQ(render("page", {{"title", "t"}, {"parts", {{{"bold", true}}}}}), "");
+  EXPECT_EQ(render("page", {{"title", "t"}, {"parts", {{{"name", "x"}}}}}), "");
+}
+
+TEST_F(TemplatesTest, BrokenTemplatesAreErrors) {
+  EXPECT_EQ(render("broken", {{"a", 1}}), "");
+  EXPECT_EQ(render("lost", {{"a", 1}}), "");
+  EXPECT_EQ(render("absent", {{"a", 1}}), "absent:0: there is no such template");
+}
+
+}  // namespace mjcourse
