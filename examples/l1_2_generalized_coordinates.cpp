@@ -2,9 +2,10 @@
 //
 // INPUT    joint_zoo.xml: one free, one ball, one slide and one hinge joint
 // PROCESS  (1) print where each joint lives in qpos and in qvel;
-//          (2) spin the free body, then recover its velocity from two poses by naive
-//              differencing and by mj_differentiatePos;
-//          (3) integrate a pose with mj_integratePos and check the quaternion norm
+//          (2) spin the free body, then recover its velocity from two poses
+//              by naive differencing and by mj_differentiatePos;
+//          (3) integrate a pose with mj_integratePos and check the norm of
+//              its quaternion
 // OUTPUT   the layout table and the two velocity estimates side by side
 //
 // Run: cmake -S examples -B build && cmake --build build
@@ -17,7 +18,8 @@
 using namespace mjcourse;
 using Eigen::VectorXd;
 
-constexpr const char* kTypeNames[] = {"free", "ball", "slide", "hinge"};  // by mjtJoint
+// By mjtJoint.
+constexpr const char* kTypeNames[] = {"free", "ball", "slide", "hinge"};
 
 void layout(const Model& model) {
   std::printf("nq = %d, nv = %d\n", model->nq, model->nv);
@@ -27,8 +29,9 @@ void layout(const Model& model) {
     const int qend = last ? model->nq : model->jnt_qposadr[j + 1];
     const int vend = last ? model->nv : model->jnt_dofadr[j + 1];
     std::printf("  %-6s (%-5s) qpos[%d:%d] size %d   qvel[%d:%d] size %d\n",
-                mj_id2name(model, mjOBJ_JOINT, j), kTypeNames[model->jnt_type[j]], qadr,
-                qend, qend - qadr, vadr, vend, vend - vadr);
+                mj_id2name(model, mjOBJ_JOINT, j),
+                kTypeNames[model->jnt_type[j]], qadr, qend, qend - qadr, vadr,
+                vend, vend - vadr);
   }
 }
 
@@ -38,7 +41,8 @@ void recover_velocity(const Model& model) {
   const int a = model->jnt_qposadr[joint], b = model->jnt_dofadr[joint];
   const VectorXd q0 = qpos(model, data);
 
-  // Spin the free body: 2 rad/s about its local z axis, plus 0.1 m/s along world x.
+  // Spin the free body: 2 rad/s about its local z axis, plus 0.1 m/s along
+  // world x.
   qvel(model, data).segment<6>(b) << 0.1, 0, 0, 0, 0, 2.0;
   const VectorXd true_v = qvel(model, data);
   const double dt = 0.05;
@@ -46,7 +50,8 @@ void recover_velocity(const Model& model) {
   for (long i = 0; i < steps; ++i) mj_step(model, data);
   const VectorXd q1 = qpos(model, data);
 
-  // The naive estimate has length nq: not a velocity at all for free and ball joints.
+  // The naive estimate has length nq: for free and ball joints it is not a
+  // velocity at all.
   const VectorXd naive = (q1 - q0) / dt;
   VectorXd proper(model->nv);
   mj_differentiatePos(model, proper.data(), dt, q0.data(), q1.data());
@@ -61,8 +66,9 @@ void integrate_pose(const Model& model) {
   const int joint = id_of(model, mjOBJ_JOINT, "free");
   VectorXd q = qpos(model, data);  // a copy: the state itself stays as it is
   VectorXd v = VectorXd::Zero(model->nv);
-  v.segment<3>(model->jnt_dofadr[joint] + 3) << 1, 2, 3;  // angular velocity, rad/s
-  mj_integratePos(model, q.data(), v.data(), 0.5);        // advance 0.5 s
+  v.segment<3>(model->jnt_dofadr[joint] + 3) << 1, 2,
+      3;                                            // angular velocity, rad/s
+  mj_integratePos(model, q.data(), v.data(), 0.5);  // advance 0.5 s
   const Eigen::Vector4d quat = q.segment<4>(model->jnt_qposadr[joint] + 3);
   std::printf("after mj_integratePos: quaternion = %s  norm = %s\n",
               to_text(quat).c_str(), to_text(quat.norm(), 12).c_str());

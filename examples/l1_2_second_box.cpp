@@ -1,9 +1,10 @@
 // Lesson 1.2, exercise: a second free box, and where it moves everything else.
 //
-// INPUT    joint_zoo.xml, and one more free box put into its text after the first
-// PROCESS  predict by hand nq, nv and every joint's address in qpos and in qvel, then
-//          compile the edited model and ask it
-// OUTPUT   prediction and compiled model side by side; exits with 1 where they differ
+// INPUT    joint_zoo.xml, and one more free box put into its text
+// PROCESS  predict by hand nq, nv and every joint's address in qpos and in
+//          qvel, then compile the edited model and ask it
+// OUTPUT   prediction and compiled model side by side; exits with 1 where they
+//          differ
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l1_2_second_box
@@ -24,8 +25,9 @@ constexpr const char* kSecondBox = R"(
     </body>
 )";
 
-// The prediction: the joints keep their order, each begins where the one before it
-// ends, and whatever follows the new box has moved by 7 in qpos and by 6 in qvel.
+// The prediction: the joints keep their order, each begins where the one before
+// it ends, and whatever follows the new box has moved by 7 in qpos and by 6 in
+// qvel.
 struct Address {
   const char* joint;
   int qpos, qvel;
@@ -56,8 +58,8 @@ int main() {
   bool agree = model->nq == kPredictedNq && model->nv == kPredictedNv;
 
   std::printf("          predicted      compiled\n");
-  std::printf("sizes     nq %2d nv %2d    nq %2d nv %2d\n", kPredictedNq, kPredictedNv,
-              model->nq, model->nv);
+  std::printf("sizes     nq %2d nv %2d    nq %2d nv %2d\n", kPredictedNq,
+              kPredictedNv, model->nq, model->nv);
   std::printf("joint     qpos  qvel     qpos  qvel\n");
   for (const auto& [name, qadr, vadr] : kPredicted) {
     const int joint = id_of(model, mjOBJ_JOINT, name);

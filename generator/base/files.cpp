@@ -45,7 +45,9 @@ tl::expected<std::string, std::string> MemoryFiles::read(const std::string& path
   return found->second;
 }
 
-bool MemoryFiles::exists(const std::string& path) const { return files_.contains(path); }
+bool MemoryFiles::exists(const std::string& path) const {
+  return files_.contains(path);
+}
 
 std::vector<std::string> MemoryFiles::list(const std::string& folder) const {
   std::vector<std::string> names;

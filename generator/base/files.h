@@ -7,9 +7,8 @@
 #include <filesystem>
 #include <map>
 #include <string>
-#include <vector>
-
 #include <tl/expected.hpp>
+#include <vector>
 
 namespace mjcourse {
 

@@ -2,13 +2,15 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <string_view>
 #include <system_error>
 
@@ -23,7 +25,8 @@ struct Pipe {
   Pipe() {
     int ends[2];
     // Close-on-exec: a child started by another thread must not hold this pipe open.
-    if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+    if (pipe2(ends, O_CLOEXEC) != 0)
+      throw std::system_error(errno, std::generic_category(), "pipe");
     read_end = ends[0];
     write_end = ends[1];
   }
@@ -39,15 +42,26 @@ struct Pipe {
   }
 };
 
+// Whether the command sets the variable of "NAME=value" itself. Of two with one name, getenv finds
+// the first and a shell keeps the last.
+bool sets(const Command& command, std::string_view variable) {
+  const std::string_view name = variable.substr(0, variable.find('='));
+  return std::any_of(command.environment.begin(), command.environment.end(),
+                     [&](std::string_view own) { return own.substr(0, own.find('=')) == name; });
+}
+
 // What execvpe needs, made before fork: after it only async-signal-safe calls are allowed.
 struct Vectors {
   std::vector<char*> arguments, environment;
   explicit Vectors(const Command& command) {
-    for (const std::string& a : command.arguments) arguments.push_back(const_cast<char*>(a.c_str()));
+    for (const std::string& a : command.arguments)
+      arguments.push_back(const_cast<char*>(a.c_str()));
     for (const std::string& e : command.environment) {
       environment.push_back(const_cast<char*>(e.c_str()));
     }
-    for (char** e = environ; *e != nullptr; ++e) environment.push_back(*e);
+    for (char** e = environ; *e != nullptr; ++e) {
+      if (!sets(command, *e)) environment.push_back(*e);
+    }
     arguments.push_back(nullptr);
     environment.push_back(nullptr);
   }
@@ -56,12 +70,15 @@ struct Vectors {
 [[noreturn]] void become(const Command& command, const Vectors& vectors, int out, int err,
                          int failure) {
   setpgid(0, 0);
+  // A generator that is killed takes its programs along; one that never ends would go on for ever.
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
   const int nothing = open("/dev/null", O_RDONLY);
   dup2(nothing, STDIN_FILENO);
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
   // The script engine installs handlers and the launcher may ignore signals: start clean.
-  for (const int signal_number : {SIGPIPE, SIGINT, SIGTERM, SIGUSR1}) signal(signal_number, SIG_DFL);
+  for (const int signal_number : {SIGPIPE, SIGINT, SIGTERM, SIGUSR1})
+    signal(signal_number, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);

@@ -1,24 +1,62 @@
 #include "base/temporary_folder.h"
 
-#include <stdlib.h>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <cstdlib>
+#include <mutex>
 #include <string>
 #include <system_error>
 
 namespace mjcourse {
+namespace fs = std::filesystem;
+namespace {
+
+const std::string kPrefix = "mjcourse-work-";
+
+// A descriptor that holds the lock on `folder`; -1 where somebody else does.
+int try_lock(const fs::path& folder) {
+  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  if (descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  if (descriptor >= 0) close(descriptor);
+  return -1;
+}
+
+void remove_abandoned(const fs::path& parent) {
+  std::error_code ignored;  // a folder of somebody else's is not ours to remove
+  for (const fs::directory_entry& entry : fs::directory_iterator(parent, ignored)) {
+    if (!entry.path().filename().string().starts_with(kPrefix)) continue;
+    const int lock = try_lock(entry.path());
+    if (lock < 0) continue;
+    fs::remove_all(entry.path(), ignored);
+    close(lock);
+  }
+}
+
+}  // namespace
 
 TemporaryFolder::TemporaryFolder() {
-  std::string name = (std::filesystem::temp_directory_path() / "mjcourse-XXXXXX").string();
-  if (mkdtemp(name.data()) == nullptr) {
-    throw std::system_error(errno, std::generic_category(), name);
+  const fs::path parent = fs::temp_directory_path();
+  static std::once_flag swept;
+  std::call_once(swept, remove_abandoned, parent);
+  // Another process may take a folder that is not locked yet for an abandoned one.
+  while (lock_ < 0 || !fs::exists(path_)) {
+    if (lock_ >= 0) close(lock_);
+    std::string name = (parent / (kPrefix + "XXXXXX")).string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw std::system_error(errno, std::generic_category(), name);
+    }
+    path_ = name;
+    lock_ = try_lock(path_);
   }
-  path_ = name;
 }
 
 TemporaryFolder::~TemporaryFolder() {
   std::error_code ignored;  // nothing to be done about it here, and nothing is lost
-  std::filesystem::remove_all(path_, ignored);
+  fs::remove_all(path_, ignored);
+  close(lock_);
 }
 
 }  // namespace mjcourse

@@ -6,7 +6,9 @@
 namespace mjcourse {
 namespace {
 
-bool is_continuation(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+bool is_continuation(char c) {
+  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
 
 // The length of the well-formed sequence at the start of `text`, or 0.
 std::size_t sequence_length(std::string_view text) {

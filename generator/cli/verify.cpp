@@ -7,8 +7,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
-#include <tuple>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "cli/progress_bar.h"
@@ -57,9 +57,16 @@ void print_diagnostics(const Diagnostics& diagnostics) {
   }
 }
 
+// Errors in `file`, and those elsewhere that a note says it has a part in: a model that it uses.
+bool concerns(const Diagnostic& diagnostic, const std::string& file) {
+  return diagnostic.place.file == file ||
+         std::any_of(diagnostic.notes.begin(), diagnostic.notes.end(),
+                     [&](const Note& note) { return note.place.file == file; });
+}
+
 std::ptrdiff_t errors_in(const Diagnostics& diagnostics, const std::string& file) {
   return std::count_if(diagnostics.begin(), diagnostics.end(), [&](const Diagnostic& d) {
-    return d.severity == Severity::error && (file.empty() || d.place.file == file);
+    return d.severity == Severity::error && (file.empty() || concerns(d, file));
   });
 }
 
@@ -67,8 +74,10 @@ void print_lessons(const Course& course, const Evaluation& evaluation) {
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
     const Lesson& lesson = course.lessons[i];
     const std::ptrdiff_t errors = errors_in(evaluation.diagnostics, lesson.source->path());
+    const std::string& title = lesson.front.title.text;
     std::cout << (errors == 0 ? "ok    " : "FAIL  ") << lesson.number << "  "
-              << lesson.front.title.text << ": " << tally_text(evaluation.lessons[i].tally);
+              << (title.empty() ? lesson.slug : title) << ": "
+              << tally_text(evaluation.lessons[i].tally);
     if (errors > 0) std::cout << "; " << counted(errors, "error");
     std::cout << '\n';
   }
@@ -104,11 +113,11 @@ Verified verify_course(const Options& options) {
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   char time[32];
   std::snprintf(time, sizeof time, "%.1f s", seconds.count());
-  std::cout << (verified.course ? counted(static_cast<std::ptrdiff_t>(
-                                              verified.course->lessons.size()),
-                                          "lesson") +
-                                      ": " + tally_text(total) + "; "
-                                : "")
+  std::cout << (verified.course
+                    ? counted(static_cast<std::ptrdiff_t>(verified.course->lessons.size()),
+                              "lesson") +
+                          ": " + tally_text(total) + "; "
+                    : "")
             << counted(errors, "error") << ", " << time << '\n';
   return verified;
 }

@@ -24,7 +24,7 @@ struct Course {
   std::string title, description, language = "en";
   std::map<std::string, std::string> macros;  // TeX, shared by all lessons: "\\R" → "\\mathbb{R}"
   std::vector<Level> levels;
-  std::vector<Lesson> lessons;  // in the course's order
+  std::vector<Lesson> lessons;      // in the course's order
   std::vector<std::string> models;  // names: "joint_zoo" for models/joint_zoo.xml
 
   const Lesson* find_lesson(const std::string& number) const;

@@ -21,6 +21,15 @@ tl::expected<LinkTarget, DeadLink> heading_of(const Lesson& lesson, const std::s
 
 }  // namespace
 
+DeadLink no_lesson(const Course& course, const Lesson& from, const std::string& number) {
+  std::vector<std::string> others;
+  for (const Lesson& lesson : course.lessons) {
+    if (&lesson != &from) others.push_back(lesson.number);
+  }
+  return {"E-link-dead", "there is no lesson `" + number + "` in this course",
+          others.empty() ? "add it to content/course.yaml" : suggest(number, others)};
+}
+
 tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Lesson& from,
                                                 const std::string& target) {
   static const std::regex outside(R"((https?://|mailto:).*)");
@@ -29,8 +38,9 @@ tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Less
   for (const char* later : {"model:", "api:"}) {
     if (!target.starts_with(later)) continue;
     return tl::unexpected(DeadLink{"E-not-yet",
-                                   "links to `" + std::string(later) + "` belong to the lesson "
-                                   "language, but this version of mjcourse cannot do them yet",
+                                   "links to `" + std::string(later) +
+                                       "` belong to the lesson "
+                                       "language, but this version of mjcourse cannot do them yet",
                                    "write the name as code for now"});
   }
   const std::size_t hash = std::min(target.find('#'), target.size());
@@ -38,10 +48,12 @@ tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Less
   if (const Lesson* lesson = course.find_lesson(number)) {
     return heading_of(*lesson, hash < target.size() ? target.substr(hash + 1) : "");
   }
-  std::vector<std::string> numbers;
-  for (const Lesson& lesson : course.lessons) numbers.push_back(lesson.number);
-  return tl::unexpected(DeadLink{"E-link-dead", "there is no lesson `" + number + "` in this course",
-                                 suggest(number, numbers)});
+  static const std::regex lesson_number(R"(\d+\.\d+)");
+  if (std::regex_match(number, lesson_number))
+    return tl::unexpected(no_lesson(course, from, number));
+  return tl::unexpected(DeadLink{"E-link-dead", "`" + target + "` leads nowhere",
+                                 "a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of "
+                                 "its own page (`#heading`) or to the web (`https://…`)"});
 }
 
 }  // namespace mjcourse

@@ -23,4 +23,7 @@ struct DeadLink {
 tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Lesson& from,
                                                 const std::string& target);
 
+// That there is no lesson `number`, which `from` speaks of.
+DeadLink no_lesson(const Course& course, const Lesson& from, const std::string& number);
+
 }  // namespace mjcourse

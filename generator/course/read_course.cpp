@@ -15,7 +15,7 @@ constexpr const char* kPath = "content/course.yaml";
 constexpr const char* kId = "E-course-yaml";
 
 void report_missing(const std::string& message, const std::string& cure, Diagnostics& diagnostics) {
-  diagnostics.push_back({kId, Severity::error, {kPath, 0, 0, 1, ""}, message, "", {}, cure});
+  diagnostics.push_back(error_at({kPath, 0, 0, 1, ""}, kId, message, cure));
 }
 
 // The lesson that course.yaml names as `entry` in `folder`, appended to the course.
@@ -63,8 +63,6 @@ void read_level(const Files& files, const YAML::Node& node, const LocatedText& t
 }
 
 void check_references(const Course& course, Diagnostics& diagnostics) {
-  std::vector<std::string> numbers;
-  for (const Lesson& lesson : course.lessons) numbers.push_back(lesson.number);
   for (const Lesson& lesson : course.lessons) {
     Reading reading(*lesson.source, diagnostics);
     for (const Link& link : lesson.links) {
@@ -75,9 +73,8 @@ void check_references(const Course& course, Diagnostics& diagnostics) {
     }
     for (const LocatedText& number : lesson.front.prerequisites) {
       if (course.find_lesson(number.text) != nullptr) continue;
-      reading.error("E-link-dead", number.span(),
-                    "there is no lesson `" + number.text + "` in this course",
-                    suggest(number.text, numbers));
+      const DeadLink dead = no_lesson(course, lesson, number.text);
+      reading.error(dead.id, number.span(), dead.message, dead.cure);
     }
   }
 }

@@ -1,8 +1,12 @@
 #include "evaluate/compile_errors.h"
 
+#include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <sstream>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace mjcourse {
 namespace {
@@ -12,8 +16,8 @@ constexpr int kMostErrors = 5;  // of one program: later ones mostly follow from
 // The length of the name that begins at `at`; at least 1.
 std::size_t name_length(std::string_view text, std::size_t at) {
   std::size_t end = at;
-  while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) != 0 ||
-                               text[end] == '_')) {
+  while (end < text.size() &&
+         (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '_')) {
     ++end;
   }
   return end > at ? end - at : 1;
@@ -23,7 +27,8 @@ Place place_of_message(const CompilerMessage& message, const CompiledText& text,
                        const Lesson& lesson) {
   if (text.code.offsets.empty()) {  // the program stands in its own file
     const SourceText file(text.name, text.code.text);
-    const std::size_t at = file.line_start(message.line) + static_cast<std::size_t>(message.column) - 1;
+    const std::size_t at =
+        file.line_start(message.line) + static_cast<std::size_t>(message.column) - 1;
     return place_of(file, {at, at + name_length(file.text(), at)});
   }
   const SourceText code("", text.code.text);
@@ -43,6 +48,26 @@ const CompilerMessage* cause_of(const Compiled& compiled, std::size_t index,
   return nullptr;
 }
 
+// What the linker said, each thing once and without the names of temporary files.
+std::string link_problems(const std::string& raw) {
+  std::vector<std::string> problems;
+  std::istringstream lines(raw);
+  for (std::string line; std::getline(lines, line);) {
+    for (const char* start : {"undefined reference to", "multiple definition of"}) {
+      const std::size_t at = line.find(start);
+      if (at == line.npos) continue;
+      std::string problem = line.substr(at, line.find(';', at) - at);
+      if (std::find(problems.begin(), problems.end(), problem) == problems.end()) {
+        problems.push_back(std::move(problem));
+      }
+    }
+  }
+  if (problems.empty()) return raw.substr(0, 2000);
+  std::string text;
+  for (const std::string& problem : problems) text += problem + "\n";
+  return text;
+}
+
 }  // namespace
 
 void report_compile_messages(const Compiled& compiled, const CompiledText& text,
@@ -59,15 +84,19 @@ void report_compile_messages(const Compiled& compiled, const CompiledText& text,
     found.message = message.text;
     const bool own = message.file == text.name;
     const CompilerMessage* at = own ? &message : cause_of(compiled, i, text.name);
-    found.place = at != nullptr ? place_of_message(*at, text, lesson)
-                                : place_of(*lesson.source, text.fence);
-    if (!own) found.detail = "in " + message.file + ":" + std::to_string(message.line) + "\n";
+    found.place =
+        at != nullptr ? place_of_message(*at, text, lesson) : place_of(*lesson.source, text.fence);
+    if (!own) {
+      const std::string file = std::filesystem::path(message.file).lexically_normal().string();
+      found.detail = "in " + file + ":" + std::to_string(message.line) + "\n";
+    }
     diagnostics.push_back(std::move(found));
   }
   if (compiled.succeeded || errors > 0) return;
-  diagnostics.push_back({"E-example-compile", Severity::error,
-                         place_of(*lesson.source, text.fence), "the program does not link",
-                         compiled.raw.substr(0, 2000), {}, ""});
+  Diagnostic link = error_at(place_of(*lesson.source, text.fence), "E-example-compile",
+                             "the program does not link");
+  link.detail = link_problems(compiled.raw);
+  diagnostics.push_back(std::move(link));
 }
 
 }  // namespace mjcourse

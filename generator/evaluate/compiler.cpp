@@ -8,13 +8,13 @@ namespace {
 
 // Optimising would cost more than it saves: MuJoCo itself is optimised, and gives the same bits
 // however its caller was compiled.
-const std::vector<std::string> kFlags{"-std=c++20", "-O0", "-Wall", "-Wextra",
-                                      "-fno-diagnostics-color", "-isystem", "/usr/include/eigen3"};
+const std::vector<std::string> kFlags{
+    "-std=c++20",         "-O0", "-Wall", "-Wextra", "-fno-diagnostics-color", "-isystem",
+    "/usr/include/eigen3"};
 constexpr double kSeconds = 120;
 
 std::vector<CompilerMessage> parse(const std::string& text) {
-  static const std::regex form(
-      R"(^(.+?):(\d+):(\d+): (error|fatal error|warning|note): (.*)$)");
+  static const std::regex form(R"(^(.+?):(\d+):(\d+): (error|fatal error|warning|note): (.*)$)");
   std::vector<CompilerMessage> messages;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {

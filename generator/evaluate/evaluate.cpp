@@ -65,9 +65,9 @@ class ExampleCrew {
       if (compiler_) {
         task.result = evaluate_example(example, lesson, root_, *compiler_, task.diagnostics);
       } else {
-        task.diagnostics.push_back({"E-example-compiler", Severity::error,
-                                    place_of(*lesson.source, example.span),
-                                    "no C++ compiler was found", "", {}, "install clang-16"});
+        task.diagnostics.push_back(error_at(place_of(*lesson.source, example.span),
+                                            "E-example-compiler", "no C++ compiler was found",
+                                            "install clang-16"));
       }
       progress_.done();
     }
@@ -120,7 +120,8 @@ class LessonEvaluator {
     QuizResult result;
     for (const Question& question : quiz.questions) {
       const auto answer = evaluate_question(question, lesson_, workshop_, diagnostics_);
-      if (answer) ++(answer->proved ? results_.tally.answers_proved : results_.tally.answers_asserted);
+      if (answer)
+        ++(answer->proved ? results_.tally.answers_proved : results_.tally.answers_asserted);
       result.questions.push_back(answer.value_or(QuestionResult{}));
     }
     results_.of_block[index] = std::move(result);

@@ -1,8 +1,7 @@
 #include "evaluate/example.h"
 
-#include <string.h>
-
 #include <algorithm>
+#include <cstring>
 #include <regex>
 #include <sstream>
 #include <string_view>
@@ -62,9 +61,10 @@ std::optional<Diagnostic> judge(const Outcome& outcome, const Example& example) 
       break;
     case Outcome::End::timed_out:
       found.id = "E-example-timeout";
-      found.message = "the program still ran after " + seconds_text(example.seconds) +
-                      ", and was stopped";
-      found.cure = "look for a loop without an end; a program that needs longer says `timeout=SECONDS`";
+      found.message =
+          "the program still ran after " + seconds_text(example.seconds) + ", and was stopped";
+      found.cure =
+          "look for a loop without an end; a program that needs longer says `timeout=SECONDS`";
       break;
     case Outcome::End::flooded:
       found.id = "E-example-flood";
@@ -87,8 +87,7 @@ std::optional<LocatedText> code_of(const Example& example, const Lesson& lesson,
   const auto file = DiskFiles(root).read(path);
   if (example.code.text.empty() && file) return LocatedText{*file, {}};
   if (file && *file == example.code.text) return example.code;
-  Diagnostic found{"E-example-file", Severity::error,
-                   place_of(*lesson.source, example.file.span()), "", "", {}, ""};
+  Diagnostic found = error_at(place_of(*lesson.source, example.file.span()), "E-example-file", "");
   if (!file) {
     found.message = "cannot read " + file.error();
     found.cure = "save the fence's text as " + path;
@@ -98,11 +97,13 @@ std::optional<LocatedText> code_of(const Example& example, const Lesson& lesson,
     const auto line = 1 + std::count(example.code.text.begin(), ours, '\n');
     const auto at = static_cast<std::size_t>(ours - example.code.text.begin());
     found.message = "the fence and " + path + " differ, first in line " + std::to_string(line);
-    found.notes.push_back({"the lesson has", place_of(*lesson.source, example.code.span(at, at + 1))});
+    found.notes.push_back(
+        {"the lesson has", place_of(*lesson.source, example.code.span(at, at + 1))});
     const SourceText source(path, *file);
     const auto there = static_cast<std::size_t>(theirs - file->begin());
     found.notes.push_back({"the file has", place_of(source, {there, there + 1})});
-    found.cure = "make them the same text: the fence is what a reader sees, the file what a learner builds";
+    found.cure =
+        "make them the same text: the fence is what a reader sees, the file what a learner builds";
   }
   diagnostics.push_back(std::move(found));
   // What the lesson shows is still worth compiling.

@@ -11,9 +11,8 @@ std::optional<FormulaResult> evaluate_formula(const Math& math, const Lesson& le
   if (markup) return FormulaResult{*std::move(markup)};
   const MathError& error = markup.error();
   const std::size_t end = error.offset + std::max<std::size_t>(1, error.length);
-  diagnostics.push_back({"E-math", Severity::error,
-                         place_of(*lesson.source, math.tex.span(error.offset, end)), error.message,
-                         "", {}, error.cure});
+  diagnostics.push_back(error_at(place_of(*lesson.source, math.tex.span(error.offset, end)),
+                                 "E-math", error.message, error.cure));
   return std::nullopt;
 }
 

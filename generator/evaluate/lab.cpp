@@ -1,6 +1,7 @@
 #include "evaluate/lab.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/nearest.h"
@@ -10,9 +11,9 @@
 namespace mjcourse {
 namespace {
 
-constexpr double kRehearsal = 2;      // seconds simulated after each control
-constexpr double kFrame = 1.0 / 60;   // seconds between two readings, as in the page
-constexpr double kScriptLimit = 5;    // seconds of CPU time for one script
+constexpr double kRehearsal = 2;     // seconds simulated after each control
+constexpr double kFrame = 1.0 / 60;  // seconds between two readings, as in the page
+constexpr double kScriptLimit = 5;   // seconds of CPU time for one script
 constexpr PictureSize kPoster{960, 600};
 
 class Rehearsal {
@@ -30,8 +31,8 @@ class Rehearsal {
   bool read_all(World& world);
   std::optional<Poster> draw(Simulation& simulation);
   void error(std::string id, Span span, std::string message, std::string cure = "") {
-    diagnostics_.push_back({std::move(id), Severity::error, place_of(*lesson_.source, span),
-                            std::move(message), "", {}, std::move(cure)});
+    diagnostics_.push_back(error_at(place_of(*lesson_.source, span), std::move(id),
+                                    std::move(message), std::move(cure)));
   }
   bool script_error(const ScriptError& error, const LocatedText& script) {
     diagnostics_.push_back(script_diagnostic(error, script, *lesson_.source));
@@ -93,8 +94,11 @@ bool Rehearsal::press(const Lab::Button& button) {
   if (const auto done = world.run(button.run.text); !done) {
     return script_error(done.error(), button.run);
   }
-  for (double time = 0; time < kRehearsal; time += kFrame) {
-    simulation->advance(kFrame);
+  // A model may take steps longer than a frame.
+  const double pause = std::max(kFrame, simulation->model()->opt.timestep);
+  const int pauses = static_cast<int>(std::ceil(kRehearsal / pause));
+  for (int i = 0; i < pauses; ++i) {
+    simulation->advance(pause);
     if (simulation->trouble()) {
       error("E-lab-simulation", button.run.span(),
             "after \"" + button.label.text + "\": " + *simulation->trouble(),

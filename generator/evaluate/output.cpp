@@ -42,11 +42,12 @@ std::optional<OutputResult> evaluate_output(const Output& output, const ExampleR
     diff << "… and " << changes.size() - kMostLines << " more\n";
   }
   const Span line = output.text.span_at(changes.front().line, 1, 1000);
-  diagnostics.push_back(
-      {"E-output-differs", Severity::error, place_of(*lesson.source, line),
-       "the program prints something else: " + count(stated) + " of the lesson (-), " +
-           count(real) + " of the program (+)",
-       diff.str(), {}, "if the program is right, put its lines here"});
+  Diagnostic differs = error_at(place_of(*lesson.source, line), "E-output-differs",
+                                "the program prints something else: " + count(stated) +
+                                    " of the lesson (-), " + count(real) + " of the program (+)",
+                                "if the program is right, put its lines here");
+  differs.detail = diff.str();
+  diagnostics.push_back(std::move(differs));
   return std::nullopt;
 }
 

@@ -24,9 +24,13 @@ std::vector<std::string_view> split_lines(std::string_view text) {
   return lines;
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
 
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
 
 // The length of the number at the start of `text`: 12, -0.5, 1e-9, 2. ; 0 when there is none.
 std::size_t number_length(std::string_view text) {
@@ -61,7 +65,8 @@ double last_place(std::string_view number) {
   return std::pow(10.0, exponent - static_cast<int>(digits));
 }
 
-bool numbers_agree(std::string_view stated, std::string_view real, std::optional<double> tolerance) {
+bool numbers_agree(std::string_view stated, std::string_view real,
+                   std::optional<double> tolerance) {
   const double a = std::strtod(std::string(stated).c_str(), nullptr);
   const double b = std::strtod(std::string(real).c_str(), nullptr);
   const double allowed = tolerance.value_or(last_place(stated));

@@ -26,17 +26,21 @@ int count_of(const Proof& proof, const std::string& kind) {
   return found == proof.joints.end() ? 0 : found->second;
 }
 
-// "7 hinge, 2 slide and 3 free joints"
+// "7 hinge, 2 slide and 3 free joints", "1 ball joint"
 std::string joints_text(const Proof& proof) {
   std::string text;
   std::size_t left = proof.joints.size();
+  int joints = 0;
   for (const char* kind : {"hinge", "slide", "ball", "free"}) {
-    if (count_of(proof, kind) == 0) continue;
+    const int count = count_of(proof, kind);
+    if (count == 0) continue;
+    joints += count;
     --left;
-    text += std::to_string(count_of(proof, kind)) + " " + kind;
-    text += left > 1 ? ", " : left == 1 ? " and " : " joints";
+    text += std::to_string(count) + " " + kind;
+    if (left > 0) text += left > 1 ? ", " : " and ";
   }
-  return text.empty() ? "no joints" : text;
+  if (joints == 0) return "no joints";
+  return text + (joints == 1 ? " joint" : " joints");
 }
 
 std::string built_text(const Proof& proof) {
@@ -64,9 +68,10 @@ class Examiner {
   }
   void wrong(std::string id, Span span, std::string message, const LocatedText& proved_at,
              const std::string& proof_text) {
-    diagnostics_.push_back({std::move(id), Severity::error, place_of(*lesson_.source, span),
-                            std::move(message), "",
-                            {{proof_text, place_of(*lesson_.source, proved_at.span())}}, ""});
+    Diagnostic found =
+        error_at(place_of(*lesson_.source, span), std::move(id), std::move(message));
+    found.notes.push_back({proof_text, place_of(*lesson_.source, proved_at.span())});
+    diagnostics_.push_back(std::move(found));
   }
 
   const Question& question_;
@@ -98,8 +103,8 @@ bool Examiner::prove_value(const Proof& proof, QuestionResult& result) {
   // Binary doubles hold few decimals exactly: a tolerance of 0 still allows for that.
   const double allowed = question_.tolerance + 1e-12 * std::max(1.0, std::abs(*value));
   if (!(std::abs(*value - expected) <= allowed)) {
-    const std::string found = "`" + proof.value.text + "` is " + number_text(*value) + " for " +
-                              built_text(proof);
+    const std::string found =
+        "`" + proof.value.text + "` is " + number_text(*value) + " for " + built_text(proof);
     if (proof.equals) {
       wrong("E-proof-value", proof.span,
             "the proof expects " + number_text(expected) + ", but finds " + number_text(*value),

@@ -55,8 +55,7 @@ struct QuizResult {
   std::vector<QuestionResult> questions;
 };
 
-using Result =
-    std::variant<FormulaResult, ExampleResult, OutputResult, LabResult, QuizResult>;
+using Result = std::variant<FormulaResult, ExampleResult, OutputResult, LabResult, QuizResult>;
 
 // How much was verified; what failed is not counted.
 struct Tally {

@@ -1,13 +1,39 @@
 #include "evaluate/workshop.h"
 
 #include <algorithm>
+#include <cctype>
+#include <regex>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "base/nearest.h"
 #include "physics/model.h"
 
 namespace mjcourse {
+namespace {
+
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
+
+// What of `line` a model's error is about: the word that MuJoCo quotes last ("unrecognized
+// attribute: 'poss'"), else the whole line without its indentation.
+Span blamed(std::string_view line, const std::string& message) {
+  static const std::regex quoted(R"(.*'(\w+)'[^']*)");
+  std::smatch part;
+  if (std::regex_match(message, part, quoted)) {
+    const std::string word = part[1];
+    for (std::size_t at = 0; (at = line.find(word, at)) != line.npos; ++at) {
+      const std::size_t end = at + word.size();
+      const bool begins = at == 0 || !is_word(line[at - 1]);
+      if (begins && (end == line.size() || !is_word(line[end]))) return {at, end};
+    }
+  }
+  return {std::min(line.find_first_not_of(" \t"), line.size()), line.size()};
+}
+
+}  // namespace
 
 std::string script_bundle(const Files& assets, const std::string& name) {
   tl::expected<std::string, std::string> bytes = assets.read("script/" + name + ".js");
@@ -33,25 +59,31 @@ tl::expected<Renderer*, std::string> Workshop::renderer() {
 void Workshop::report_model_file(const ModelError& error, const std::string& path,
                                  const LocatedText& model, const SourceText& lesson,
                                  Diagnostics& diagnostics) {
-  if (!reported_.insert(path).second) return;
   std::error_code failure;
-  const std::filesystem::path relative =
-      std::filesystem::relative(error.file.empty() ? root_ / path : std::filesystem::path(error.file),
-                                root_, failure);
+  const std::filesystem::path relative = std::filesystem::relative(
+      error.file.empty() ? root_ / path : std::filesystem::path(error.file), root_, failure);
   const std::string file = failure || relative.empty() ? path : relative.string();
+  const Note used{"lesson " + lesson.path() + " uses this model", place_of(lesson, model.span())};
+  const auto known = std::find_if(diagnostics.begin(), diagnostics.end(), [&](const auto& d) {
+    return d.id == "E-model-mjcf" && d.place.file == file;
+  });
+  if (known != diagnostics.end()) {
+    const bool noted = std::any_of(known->notes.begin(), known->notes.end(), [&](const Note& note) {
+      return note.place.file == lesson.path();
+    });
+    if (!noted) known->notes.push_back(used);
+    return;
+  }
   Place place{file, error.line, error.column, 1, ""};
   if (const auto text = DiskFiles(root_).read(file); text && error.line > 0) {
     const SourceText source(file, *text);
-    place.excerpt = source.line(error.line);
-    // Without a column the whole element is meant.
-    const std::size_t first = place.excerpt.find_first_not_of(" \t");
-    if (place.column == 0 && first != std::string::npos) {
-      place.column = static_cast<int>(first) + 1;
-      place.width = static_cast<int>(place.excerpt.size() - first);
-    }
+    const std::size_t start = source.line_start(error.line);
+    const Span span = blamed(source.line(error.line), error.message);
+    place = place_of(source, {start + span.begin, start + span.end});
   }
-  const Note used{"lesson " + lesson.path() + " uses this model", place_of(lesson, model.span())};
-  diagnostics.push_back({"E-model-mjcf", Severity::error, place, error.message, "", {used}, ""});
+  Diagnostic found = error_at(place, "E-model-mjcf", error.message, error.cure);
+  found.notes.push_back(used);
+  diagnostics.push_back(std::move(found));
 }
 
 std::optional<Simulation> Workshop::simulate(const LocatedText& model, const SourceText& lesson,
@@ -60,17 +92,22 @@ std::optional<Simulation> Workshop::simulate(const LocatedText& model, const Sou
     tl::expected<Model, ModelError> loaded = load_model_text(model.text);
     if (loaded) return Simulation(*std::move(loaded));
     const ModelError& error = loaded.error();
-    const Span span = error.line > 0 ? model.span_at(error.line, std::max(1, error.column), 1)
-                                     : model.span();
-    diagnostics.push_back({"E-model-mjcf", Severity::error, place_of(lesson, span), error.message,
-                           "", {}, ""});
+    Span span = model.span();
+    if (error.line > 0) {
+      const SourceText source("", model.text);
+      const std::size_t start = source.line_start(error.line);
+      const Span part = blamed(source.line(error.line), error.message);
+      span = model.span(start + part.begin, start + part.end);
+    }
+    diagnostics.push_back(
+        error_at(place_of(lesson, span), "E-model-mjcf", error.message, error.cure));
     return std::nullopt;
   }
   const std::vector<std::string>& known = course_.models;
   if (std::find(known.begin(), known.end(), model.text) == known.end()) {
-    diagnostics.push_back({"E-model-unknown", Severity::error, place_of(lesson, model.span()),
-                           "there is no model `" + model.text + "` in models/", "", {},
-                           suggest(model.text, known)});
+    diagnostics.push_back(error_at(place_of(lesson, model.span()), "E-model-unknown",
+                                   "there is no model `" + model.text + "` in models/",
+                                   suggest(model.text, known)));
     return std::nullopt;
   }
   const std::string path = "models/" + model.text + ".xml";

@@ -5,7 +5,6 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 
 #include "base/files.h"
@@ -32,21 +31,19 @@ class Workshop {
 
   // A fresh simulation of what `model` says: a model's name, or MJCF where it starts with `<`.
   // Nothing (reported) when there is no such model or it does not compile; a model file's own
-  // mistake is reported once, at its own line.
+  // mistake is reported once, at its own line, with a note for each lesson that uses it.
   std::optional<Simulation> simulate(const LocatedText& model, const SourceText& lesson,
                                      Diagnostics& diagnostics);
 
  private:
-  void report_model_file(const ModelError& error, const std::string& path,
-                         const LocatedText& model, const SourceText& lesson,
-                         Diagnostics& diagnostics);
+  void report_model_file(const ModelError& error, const std::string& path, const LocatedText& model,
+                         const SourceText& lesson, Diagnostics& diagnostics);
 
   const Course& course_;
   std::filesystem::path root_;
   std::string world_bundle_;
   Typesetter typesetter_;
   std::optional<Renderer> renderer_;
-  std::set<std::string> reported_;  // model files whose mistake is known
 };
 
 // Bytes of the bundle script/NAME.js; throws std::runtime_error when the assets were not built.

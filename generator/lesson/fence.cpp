@@ -92,11 +92,16 @@ std::optional<LocatedText> Fence::option(const std::string& name) {
 }
 
 void Fence::finish(const std::string& kind, Reading& reading) {
+  const auto refuse = [&](const LocatedText& name) {
+    reading.error("E-fence-option", name.span(),
+                  "a `" + kind + "` fence has no option `" + name.text + "`",
+                  asked_.empty() ? "" : suggest(name.text, asked_));
+  };
+  const auto of_kind = 1 + std::count(kind.begin(), kind.end(), ' ');
+  for (auto word = words_.begin() + of_kind; word < words_.end(); ++word) refuse(*word);
   for (const Option& option : options_) {
-    const std::string& name = option.name.text;
-    if (std::find(asked_.begin(), asked_.end(), name) != asked_.end()) continue;
-    reading.error("E-fence-option", option.name.span(),
-                  "a `" + kind + "` fence has no option `" + name + "`", suggest(name, asked_));
+    const bool asked = std::find(asked_.begin(), asked_.end(), option.name.text) != asked_.end();
+    if (!asked) refuse(option.name);
   }
 }
 

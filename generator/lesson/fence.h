@@ -28,7 +28,7 @@ class Fence {
 
   // The value of `name=value` or `name="value"`; nothing when it is not there.
   std::optional<LocatedText> option(const std::string& name);
-  // Report the options that nothing asked for; `kind` names the fence in the message.
+  // Report the options that nothing asked for, and the words behind those of `kind` ("lab simlab").
   void finish(const std::string& kind, Reading& reading);
 
  private:

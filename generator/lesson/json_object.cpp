@@ -56,6 +56,9 @@ LocatedText JsonObject::string(const std::string& key) {
 
 LocatedText JsonObject::required_string(const std::string& key) {
   const JsonValue* value = require(key, of_kind(key, JsonValue::Kind::string));
+  if (value != nullptr && value->string.text.empty()) {
+    reading_.error("E-json-missing", value->span, "\"" + key + "\" is empty");
+  }
   return value != nullptr ? value->string : LocatedText{};
 }
 
@@ -103,8 +106,9 @@ void JsonObject::not_yet(const std::string& key) {
     if (member.key.text != key) continue;
     find(key);
     reading_.error("E-not-yet", member.key.span(),
-                   "\"" + key + "\" belongs to the lesson language, but this version of mjcourse "
-                   "cannot do it yet",
+                   "\"" + key +
+                       "\" belongs to the lesson language, but this version of mjcourse "
+                       "cannot do it yet",
                    "leave it out for now");
   }
 }

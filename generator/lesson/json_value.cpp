@@ -1,6 +1,7 @@
 #include "lesson/json_value.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string_view>
@@ -67,7 +68,9 @@ class TreeBuilder {
     result.boolean = value;
     return add(std::move(result));
   }
-  bool number_integer(json::number_integer_t value) { return add_number(static_cast<double>(value)); }
+  bool number_integer(json::number_integer_t value) {
+    return add_number(static_cast<double>(value));
+  }
   bool number_unsigned(json::number_unsigned_t value) {
     return add_number(static_cast<double>(value));
   }
@@ -169,27 +172,58 @@ LocatedText TreeBuilder::decoded(const std::string& value) const {
   return result;
 }
 
-bool TreeBuilder::parse_error(std::size_t position, const std::string& token,
-                              const json::exception& error) {
-  // "… syntax error while parsing object key - invalid literal; last read: '…'; expected string"
-  const std::string_view what(error.what());
-  const std::size_t expected = what.find("; expected ");
-  std::string message = "this is not JSON";
-  if (expected != what.npos) {
-    const std::string wanted(what.substr(expected + 11));
-    // Where a list or an object could end, it could also go on.
-    message += ": expected " + std::string(wanted == "'}'" || wanted == "']'" ? "',' or " : "") + wanted;
+// Where the word that ends before `end` begins: a string, a number, a literal, one other character.
+std::size_t word_begin(std::string_view text, std::size_t end) {
+  const auto is_word = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '+' || c == '-';
+  };
+  if (text[end - 1] == '"' && end > 1) return opening_quote(text, end);
+  std::size_t begin = end - 1;
+  while (begin > 0 && is_word(text[end - 1]) && is_word(text[begin - 1])) --begin;
+  return begin;
+}
+
+// What nlohmann says in its way: "… syntax error while parsing object key - invalid literal; last
+// read: '…'; expected string literal".
+std::string explain(std::string_view what) {
+  const auto between = [&](std::string_view start, std::string_view end) {
+    const std::size_t from = what.find(start);
+    if (from == what.npos) return std::string();
+    const std::string_view rest = what.substr(from + start.size());
+    return std::string(rest.substr(0, rest.find(end)));
+  };
+  if (what.find("control character") != what.npos) {
+    return "a JSON string cannot hold a raw line break or tab";
   }
+  if (what.find("number overflow") != what.npos) return "this number is too large";
+  const std::string wanted = between("; expected ", "\n");
+  // Where a list or an object could end, it could also go on.
+  const bool goes_on = wanted == "'}'" || wanted == "']'";
+  if (!wanted.empty()) {
+    return "this is not JSON: expected " + std::string(goes_on ? "',' or " : "") + wanted;
+  }
+  return "this is not JSON: " + between(" - ", "; last read");
+}
+
+bool TreeBuilder::parse_error(std::size_t position, const std::string&,
+                              const json::exception& error) {
+  const std::string_view what(error.what()), text(text_.text);
   const bool control = what.find("control character") != what.npos;
-  if (control) message = "a JSON string cannot hold a raw line break or tab";
-  const bool ended = position > text_.text.size() || token.find("<EOF>") != token.npos;
-  if (ended) message += ", but the text ends here";
-  const std::size_t length = std::max<std::size_t>(1, std::min(token.size(), position));
-  const std::size_t begin = position >= length ? position - length : 0;
-  const std::size_t start = control || ended ? position - 1 : begin;
-  reading_.error("E-json-syntax", text_.span(start, control || ended ? start + 1 : position), message,
-                 control ? "write \\n, or give the script as a list of lines"
-                         : "look for a missing comma, quote or bracket just before this");
+  const std::string cure = control ? "write \\n, or give the script as a list of lines"
+                                   : "look for a missing comma, quote or bracket just before this";
+  if (position > text.size()) {
+    reading_.error("E-json-syntax", text_.span(text.size(), text.size()),
+                   explain(what) + ", but the text ends here", cure);
+    return false;
+  }
+  // A literal is given up one character behind it.
+  const bool behind = what.find("invalid literal") != what.npos && position > 1 &&
+                      word_begin(text, position) == position - 1 &&
+                      std::isalnum(static_cast<unsigned char>(text[position - 2])) != 0;
+  const std::size_t end = behind ? position - 1 : position;
+  const bool in_string = what.find("invalid string") != what.npos;
+  reading_.error("E-json-syntax", text_.span(in_string ? end - 1 : word_begin(text, end), end),
+                 explain(what), cure);
   return false;
 }
 
@@ -217,9 +251,10 @@ std::optional<JsonValue> parse_json(const LocatedText& text, Reading& reading) {
   std::size_t read = 0;
   TreeBuilder builder(text, read, reading);
   const char* begin = text.text.data();
-  json::sax_parse(CountingIterator(begin, &read),
-                  CountingIterator(begin + text.text.size(), &read), &builder);
-  return builder.take();
+  const bool good =
+      json::sax_parse(CountingIterator(begin, &read),
+                      CountingIterator(begin + text.text.size(), &read), &builder);
+  return good ? builder.take() : std::nullopt;
 }
 
 }  // namespace mjcourse

@@ -30,8 +30,8 @@ struct FrontMatter {
 
 struct Heading {
   int level = 2;
-  std::string id;     // unique in its lesson: the fragment of links to it
-  cmark_node* node;   // in the lesson's document
+  std::string id;    // unique in its lesson: the fragment of links to it
+  cmark_node* node;  // in the lesson's document
 };
 
 struct Link {
@@ -46,7 +46,7 @@ struct Lesson {
   std::string number;  // "1.2"
   FrontMatter front;
   Document document;
-  std::vector<Block> blocks;  // in document order
+  std::vector<Block> blocks;                                    // in document order
   std::unordered_map<const cmark_node*, std::size_t> block_of;  // nodes that a block stands for
   std::vector<Heading> headings;
   std::vector<Link> links;

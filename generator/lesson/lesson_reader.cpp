@@ -1,10 +1,10 @@
 #include "lesson/lesson_reader.h"
 
+#include <cmark-gfm/node.h>
+
 #include <algorithm>
 #include <cctype>
 #include <string_view>
-
-#include <cmark-gfm/node.h>
 
 #include "lesson/callout.h"
 #include "lesson/fence.h"
@@ -61,8 +61,7 @@ void LessonReader::add(cmark_node* node, Block block) {
 void LessonReader::walk(cmark_node* node, Region& region) {
   const cmark_node_type type = cmark_node_get_type(node);
   if (in_document_ && CMARK_NODE_TYPE_BLOCK_P(type) && cmark_node_get_start_line(node) > 0) {
-    region.cursor =
-        std::max(region.cursor, source().line_start(cmark_node_get_start_line(node)));
+    region.cursor = std::max(region.cursor, source().line_start(cmark_node_get_start_line(node)));
   }
   if (type == CMARK_NODE_CODE_BLOCK) return read_code_block(node, region);
   if (type == math_inline_type() || type == math_block_type()) return read_math(node, region);
@@ -88,10 +87,13 @@ LocatedText LessonReader::find(const std::string& text, Region& region) {
   LocatedText found{text, {}};
   for (std::size_t at = 0; at <= text.size();) {
     const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::size_t place =
-        std::min(region.text.text.find(text.substr(at, end - at), region.cursor),
-                 region.text.text.size());
-    if (place < region.text.text.size()) region.cursor = place + (end - at);
+    std::size_t place = region.text.text.find(text.substr(at, end - at), region.cursor);
+    // What cmark changed (an escape in a table's cell) is blamed on where the walk is.
+    if (place == std::string::npos) {
+      place = region.cursor;
+    } else {
+      region.cursor = place + (end - at);
+    }
     for (std::size_t i = 0; i <= end - at; ++i) {
       found.offsets.push_back(region.text.span(place + i, place + i).begin);
     }
@@ -110,6 +112,11 @@ void LessonReader::read_math(cmark_node* node, Region& region) {
   if (!math.closed) {
     reading_.error("E-math-unclosed", {tex.span().begin - 2, tex.span().begin},
                    "this `$$` is never closed", "end the formula with `$$`");
+  }
+  if (!math.behind.empty()) {
+    reading_.error("E-math-behind", find(math.behind, region).span(),
+                   "text stands behind the `$$` that closes the formula",
+                   "begin it on a line of its own");
   }
   add(node, Math{tex, math.display});
 }
@@ -166,15 +173,16 @@ void LessonReader::refuse_inline(cmark_node* node, Region& region) {
     return;
   }
   reading_.error("E-not-yet", find(text, region).span(),
-                 what + " belongs to the lesson language, but this version of mjcourse cannot do "
-                        "it yet",
+                 what +
+                     " belongs to the lesson language, but this version of mjcourse cannot do "
+                     "it yet",
                  "leave it out for now");
 }
 
 void LessonReader::read_code_block(cmark_node* node, Region& region) {
   if (in_document_) return read_fence(node);
-  reading_.error("E-fence-nested", region.text.span(), "Markdown inside JSON cannot hold a code block",
-                 "use a code span: `…`");
+  reading_.error("E-fence-nested", region.text.span(),
+                 "Markdown inside JSON cannot hold a code block", "use a code span: `…`");
 }
 
 }  // namespace mjcourse

@@ -4,6 +4,7 @@
 // and reads the Markdown that stands inside their JSON.
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -43,6 +44,7 @@ class LessonReader {
   void refuse_inline(cmark_node* node, Region& region);
   void read_fence(cmark_node* node);
   void read_output(cmark_node* node, class Fence& fence);
+  std::optional<std::size_t> example_named(const LocatedText& name);
   LocatedText find(const std::string& text, Region& region);
 
   Lesson& lesson_;

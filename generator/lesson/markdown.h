@@ -4,10 +4,10 @@
 // emphasis and no escape has touched.
 #pragma once
 
+#include <cmark-gfm.h>
+
 #include <memory>
 #include <string>
-
-#include <cmark-gfm.h>
 
 namespace mjcourse {
 
@@ -26,7 +26,8 @@ cmark_node_type math_block_type();
 struct MathText {
   std::string tex;
   bool display = false;
-  bool closed = true;  // false for a `$$` block that the text's end cut off
+  bool closed = true;    // false for a `$$` block that the text's end cut off
+  std::string behind{};  // what follows the closing `$$` of a block on its line, and may not
 };
 const MathText& math_text(cmark_node* math);
 

@@ -1,6 +1,7 @@
 #include "lesson/math_syntax.h"
 
 #include <cmark-gfm/parser.h>
+#include <cmark-gfm/syntax_extension.h>
 
 #include <optional>
 #include <string>
@@ -11,7 +12,9 @@
 namespace mjcourse {
 namespace {
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
+bool is_space(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r';
+}
 
 void attach(cmark_node* node, MathText math) {
   cmark_node_set_user_data(node, new MathText(std::move(math)));
@@ -45,16 +48,15 @@ std::optional<InlineMath> scan_inline(std::string_view text) {
   if (text.starts_with("$$")) {
     const std::size_t close = find_unescaped(text, "$$", 2);
     if (close == text.npos || close == 2) return std::nullopt;
-    return InlineMath{{std::string(text.substr(2, close - 2)), true, true}, close + 2};
+    return InlineMath{{std::string(text.substr(2, close - 2)), true}, close + 2};
   }
   if (text.size() < 2 || is_space(text[1])) return std::nullopt;
-  for (std::size_t close = find_unescaped(text, "$", 1); close != text.npos;
-       close = find_unescaped(text, "$", close + 1)) {
-    const bool digit_follows = close + 1 < text.size() && text[close + 1] >= '0' && text[close + 1] <= '9';
-    if (is_space(text[close - 1]) || digit_follows) continue;
-    return InlineMath{{std::string(text.substr(1, close - 1)), false, true}, close + 1};
-  }
-  return std::nullopt;
+  const std::size_t close = find_unescaped(text, "$", 1);
+  if (close == text.npos || is_space(text[close - 1])) return std::nullopt;
+  const bool digit_follows =
+      close + 1 < text.size() && text[close + 1] >= '0' && text[close + 1] <= '9';
+  if (digit_follows) return std::nullopt;
+  return InlineMath{{std::string(text.substr(1, close - 1))}, close + 1};
 }
 
 cmark_node* match_inline(cmark_syntax_extension* self, cmark_parser* parser, cmark_node*,
@@ -103,7 +105,7 @@ cmark_node* open_block(cmark_syntax_extension* self, int indented, cmark_parser*
   if (node == nullptr) return nullptr;
   cmark_node_set_syntax_extension(node, self);
   const bool closed = close != line.npos;
-  attach(node, {std::string(line.substr(2, closed ? close - 2 : line.npos)), true, closed});
+  attach(node, {std::string(line.substr(2, closed ? close - 2 : line.npos)), true, closed, ""});
   consume_line(parser, input, length);
   return node;
 }
@@ -119,6 +121,7 @@ int continue_block(cmark_syntax_extension*, cmark_parser* parser, unsigned char*
   math.closed = close != line.npos;
   math.tex += "\n";
   math.tex += line.substr(0, close);
+  if (math.closed) math.behind = line.substr(close + 2);
   consume_line(parser, input, length);
   return 1;
 }
@@ -127,7 +130,19 @@ const char* type_string(cmark_syntax_extension*, cmark_node* node) {
   return cmark_node_get_type(node) == math_inline_type() ? "math" : "math_block";
 }
 
-int contains_nothing(cmark_syntax_extension*, cmark_node*, cmark_node_type) { return 0; }
+int contains_nothing(cmark_syntax_extension*, cmark_node*, cmark_node_type) {
+  return 0;
+}
+
+// A table's cell refuses what it does not know: let formulas stand wherever text may.
+void teach_tables() {
+  cmark_syntax_extension* table = cmark_find_syntax_extension("table");
+  static const cmark_can_contain_func known = table->can_contain_func;
+  cmark_syntax_extension_set_can_contain_func(
+      table, [](cmark_syntax_extension* self, cmark_node* node, cmark_node_type child) {
+        return known(self, node, child == math_inline_type() ? CMARK_NODE_TEXT : child);
+      });
+}
 
 }  // namespace
 
@@ -141,12 +156,16 @@ cmark_node_type math_block_type() {
   return type;
 }
 
-const MathText& math_text(cmark_node* math) { return math_of(math); }
+const MathText& math_text(cmark_node* math) {
+  return math_of(math);
+}
 
 cmark_syntax_extension* math_syntax() {
   static cmark_syntax_extension* const extension = [] {
     cmark_syntax_extension* made = cmark_syntax_extension_new("math");
     cmark_mem* memory = cmark_get_default_mem_allocator();
+    // A list of characters, in cmark's way of writing one.
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
     const auto dollar = reinterpret_cast<void*>(static_cast<std::uintptr_t>('$'));
     cmark_syntax_extension_set_special_inline_chars(made,
                                                     cmark_llist_append(memory, nullptr, dollar));
@@ -155,6 +174,7 @@ cmark_syntax_extension* math_syntax() {
     cmark_syntax_extension_set_match_block_func(made, continue_block);
     cmark_syntax_extension_set_get_type_string_func(made, type_string);
     cmark_syntax_extension_set_can_contain_func(made, contains_nothing);
+    teach_tables();
     return made;
   }();
   return extension;

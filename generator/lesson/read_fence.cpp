@@ -18,15 +18,17 @@ std::optional<double> read_number(Fence& fence, const std::string& option, Readi
   const char* end = text->text.data() + text->text.size();
   const auto [stop, failure] = std::from_chars(text->text.data(), end, value);
   if (failure == std::errc() && stop == end && value >= 0) return value;
-  reading.error("E-fence-option", text->span(), "`" + option + "` must be a number, not less than 0");
+  reading.error("E-fence-option", text->span(),
+                "`" + option + "` must be a number, not less than 0");
   return std::nullopt;
 }
 
 void refuse_option(Fence& fence, const std::string& option, Reading& reading) {
   if (const auto value = fence.option(option)) {
     reading.error("E-not-yet", value->span(),
-                  "`" + option + "=` belongs to the lesson language, but this version of mjcourse "
-                                 "cannot do it yet");
+                  "`" + option +
+                      "=` belongs to the lesson language, but this version of mjcourse "
+                      "cannot do it yet");
   }
 }
 
@@ -38,17 +40,27 @@ std::optional<Example> read_example(Fence& fence, Reading& reading) {
   for (const char* later : {"snippet", "unchecked"}) {
     if (word(fence, 1) != later) continue;
     reading.error("E-not-yet", fence.words()[1].span(),
-                  "`cpp " + std::string(later) + "` belongs to the lesson language, but this version "
-                  "of mjcourse cannot do it yet", "write a whole program: `cpp file=examples/NAME.cpp`");
+                  "`cpp " + std::string(later) +
+                      "` belongs to the lesson language, but this version "
+                      "of mjcourse cannot do it yet",
+                  "write a whole program: `cpp file=examples/NAME.cpp`");
     return std::nullopt;
   }
   const std::optional<LocatedText> file = fence.option("file");
   if (!file) {
-    reading.error("E-fence-kind", fence.span(), "a plain `cpp` fence would show code that nobody ran",
+    reading.error("E-fence-kind", fence.span(),
+                  "a plain `cpp` fence would show code that nobody ran",
                   "name the program's file: `cpp file=examples/NAME.cpp`");
     return std::nullopt;
   }
   const std::string& path = file->text;
+  if (path.find(".cpp#") != path.npos) {
+    reading.error("E-not-yet", file->span(),
+                  "a region of a file belongs to the lesson language, but this version of mjcourse "
+                  "cannot do it yet",
+                  "show the whole file");
+    return std::nullopt;
+  }
   if (!path.starts_with("examples/") || !path.ends_with(".cpp") || path.find("..") != path.npos) {
     reading.error("E-example-file", file->span(), "an example is a file `examples/NAME.cpp`");
     return std::nullopt;
@@ -74,8 +86,9 @@ std::optional<Io> read_io(Fence& fence, LessonReader& reader) {
       from = std::min(body.text.find_first_not_of(' ', at + start.size()), end);
     }
     if (rows.empty()) {
-      reader.reading().error("E-io-label", body.span(at, end),
-                             "an `io` panel is made of lines `INPUT: …`, `PROCESS: …`, `OUTPUT: …`");
+      reader.reading().error(
+          "E-io-label", body.span(at, end),
+          "an `io` panel is made of lines `INPUT: …`, `PROCESS: …`, `OUTPUT: …`");
       return std::nullopt;
     }
     rows.back().second.append_line({body.text.substr(from, end - from),
@@ -96,8 +109,10 @@ void report_unknown(const Fence& fence, Reading& reading) {
                   "remove the indentation, or use a fence");
   } else if (kind == "xml" || kind == "figure" || kind == "plot") {
     reading.error("E-not-yet", fence.words()[0].span(),
-                  "a `" + kind + "` fence belongs to the lesson language, but this version of "
-                  "mjcourse cannot do it yet", "leave it out for now");
+                  "a `" + kind +
+                      "` fence belongs to the lesson language, but this version of "
+                      "mjcourse cannot do it yet",
+                  "leave it out for now");
   } else if (kind.empty()) {
     reading.error("E-fence-kind", fence.span(), "this fence does not say what it holds",
                   "known: cpp, text, io, lab, quiz");
@@ -140,8 +155,22 @@ void LessonReader::read_fence(cmark_node* node) {
   }
 }
 
-// Find the example whose output this is: the one named, or the one just above (a paragraph
-// "Output:" may stand between).
+// The block of the example `name` above; nothing (reported) when there is none.
+std::optional<std::size_t> LessonReader::example_named(const LocatedText& name) {
+  std::vector<std::string> known;
+  for (std::size_t i = 0; i < lesson_.blocks.size(); ++i) {
+    const auto* example = std::get_if<Example>(&lesson_.blocks[i]);
+    if (example == nullptr) continue;
+    if (example->name() == name.text) return i;
+    known.push_back(example->name());
+  }
+  reading_.error("E-output-stray", name.span(), "there is no example `" + name.text + "` above",
+                 known.empty() ? "write its `cpp file=…` fence first" : suggest(name.text, known));
+  return std::nullopt;
+}
+
+// The example whose output this is: the one named, or the one just above (a paragraph "Output:" may
+// stand between).
 void LessonReader::read_output(cmark_node* node, Fence& fence) {
   const auto index_of = [this](cmark_node* at) -> std::optional<std::size_t> {
     const auto found = at != nullptr ? lesson_.block_of.find(at) : lesson_.block_of.end();
@@ -151,17 +180,13 @@ void LessonReader::read_output(cmark_node* node, Fence& fence) {
                : std::nullopt;
   };
   cmark_node* above = cmark_node_previous(node);
-  cmark_node* label = nullptr;
-  std::optional<std::size_t> example = index_of(above);
-  if (!example && above != nullptr && plain_text(above) == "Output:") {
-    label = above;
-    example = index_of(cmark_node_previous(above));
-  }
+  const bool labelled = above != nullptr && plain_text(above) == "Output:";
+  std::optional<std::size_t> example;
   if (const auto named = fence.option("output")) {
-    for (std::size_t i = 0; i < lesson_.blocks.size() && !example; ++i) {
-      const auto* candidate = std::get_if<Example>(&lesson_.blocks[i]);
-      if (candidate != nullptr && candidate->name() == named->text) example = i;
-    }
+    example = example_named(*named);
+    if (!example) return;
+  } else {
+    example = index_of(labelled ? cmark_node_previous(above) : above);
   }
   if (!example) {
     reading_.error("E-output-stray", fence.span(), "this output belongs to no example",
@@ -173,7 +198,7 @@ void LessonReader::read_output(cmark_node* node, Fence& fence) {
   fence.finish("text", reading_);
   std::get<Example>(lesson_.blocks[*example]).output = lesson_.blocks.size();
   add(node, Output{fence.body(), tolerance, *example, fence.span()});
-  if (label != nullptr) add(label, Shown{});
+  if (labelled) add(above, Shown{});
 }
 
 }  // namespace mjcourse

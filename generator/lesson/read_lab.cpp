@@ -1,5 +1,6 @@
 #include "lesson/read_lab.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -10,7 +11,9 @@
 namespace mjcourse {
 namespace {
 
-Lab::Readout read_readout(const JsonValue& value, const std::string& what, Reading& reading) {
+// Nothing when there is nothing to read.
+std::optional<Lab::Readout> read_readout(const JsonValue& value, const std::string& what,
+                                         Reading& reading) {
   JsonObject object(value, what, reading);
   Lab::Readout readout;
   readout.label = object.required_string("label");
@@ -26,7 +29,7 @@ Lab::Readout read_readout(const JsonValue& value, const std::string& what, Readi
     }
   }
   object.finish();
-  return readout;
+  return readout.expression.text.empty() ? std::nullopt : std::optional(readout);
 }
 
 Lab::Camera read_camera(const JsonValue& value, Reading& reading) {
@@ -37,7 +40,10 @@ Lab::Camera read_camera(const JsonValue& value, Reading& reading) {
   camera.distance = object.number("distance", camera.distance);
   const std::vector<JsonValue>& target = object.list("target");
   for (std::size_t i = 0; i < target.size() && i < 3; ++i) camera.target[i] = target[i].number;
-  if (object.has("target") && target.size() != 3) {
+  const bool numbers = std::all_of(target.begin(), target.end(), [](const JsonValue& item) {
+    return item.kind == JsonValue::Kind::number;
+  });
+  if (object.has("target") && (target.size() != 3 || !numbers)) {
     reading.error("E-json-range", object.find("target")->span,
                   "\"target\" is a point: three numbers, in metres");
   }
@@ -51,8 +57,10 @@ std::optional<Lab::Button> read_control(const JsonValue& value, Reading& reading
   for (const char* later : {"slider", "toggle", "select", "keyframe"}) {
     if (type.text != later) continue;
     reading.error("E-not-yet", type.span(),
-                  "a \"" + type.text + "\" belongs to the lesson language, but this version of "
-                  "mjcourse cannot do it yet", "use a \"button\" for now");
+                  "a \"" + type.text +
+                      "\" belongs to the lesson language, but this version of "
+                      "mjcourse cannot do it yet",
+                  "use a \"button\" for now");
     return std::nullopt;
   }
   if (type.text != "button") {
@@ -75,7 +83,7 @@ Lab::Plot read_plot(const JsonValue& value, Reading& reading) {
   plot.ymin = object.optional_number("ymin");
   plot.ymax = object.optional_number("ymax");
   for (const JsonValue& trace : object.required_list("traces")) {
-    plot.traces.push_back(read_readout(trace, "trace", reading));
+    if (auto read = read_readout(trace, "trace", reading)) plot.traces.push_back(*read);
   }
   object.finish();
   return plot;
@@ -100,7 +108,7 @@ std::vector<Lab::Overlay> read_overlays(const JsonValue* value, Reading& reading
 
 std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
   Reading& reading = reader.reading();
-  fence.finish("lab", reading);
+  fence.finish("lab simlab", reading);
   const std::optional<JsonValue> json = parse_json(fence.body(), reading);
   if (!json) return std::nullopt;
   JsonObject object(*json, "lab", reading);
@@ -109,20 +117,33 @@ std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
   lab.title = object.required_string("title").text;
   lab.model = object.required_string("model");
   lab.dock = object.boolean("dock", lab.dock);
-  lab.height = static_cast<int>(object.number("height", lab.height));
+  const double height = object.number("height", lab.height);
+  if (height >= 1 && height <= 10000) {
+    lab.height = static_cast<int>(height);
+  } else {
+    reading.error("E-json-range", object.find("height")->span,
+                  "\"height\" is a number of pixels: from 1 to 10000");
+  }
   if (const JsonValue* camera = object.find("camera")) lab.camera = read_camera(*camera, reading);
-  for (const JsonValue& toggle : object.list("toggles")) lab.toggles.push_back(toggle.string);
+  for (const JsonValue& toggle : object.list("toggles")) {
+    if (toggle.kind == JsonValue::Kind::string) {
+      lab.toggles.push_back(toggle.string);
+    } else {
+      report_kind("toggles", toggle, "a string", reading);
+    }
+  }
   lab.overlays = read_overlays(object.find("overlays"), reading);
   for (const JsonValue& control : object.list("controls")) {
     if (auto button = read_control(control, reading)) lab.controls.push_back(std::move(*button));
   }
   for (const JsonValue& readout : object.list("readouts")) {
-    lab.readouts.push_back(read_readout(readout, "readout", reading));
+    if (auto read = read_readout(readout, "readout", reading)) lab.readouts.push_back(*read);
   }
   for (const JsonValue& plot : object.list("plots")) lab.plots.push_back(read_plot(plot, reading));
   lab.note = reader.fragment(object.string("note"));
   for (const char* later : {"predict", "goal", "speed", "ghost", "editable"}) object.not_yet(later);
   object.finish();
+  if (lab.model.text.empty()) return std::nullopt;
   return lab;
 }
 

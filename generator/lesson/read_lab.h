@@ -9,7 +9,7 @@
 
 namespace mjcourse {
 
-// Nothing when the body is no JSON; else a lab without what was wrong in it.
+// Nothing when the body is no JSON or names no model; else a lab without what was wrong in it.
 std::optional<Lab> read_lab(Fence& fence, LessonReader& reader);
 
 }  // namespace mjcourse

@@ -24,13 +24,14 @@ void report_invalid_utf8(const std::string& path, std::string bytes, std::size_t
   const SourceText source(path, std::move(bytes));
   Reading(source, diagnostics)
       .error("E-not-utf8", {at, at + 3}, "byte 0x" + code + " is not UTF-8",
-             "save the file as UTF-8 without a byte-order mark of another encoding");
+             "save the file as UTF-8");
 }
 
 // The text for cmark: the front matter becomes blank lines, so that line numbers stay.
 std::string without_front_matter(const SourceText& source, Span front) {
   const std::string_view text = source.text();
-  const auto lines = std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(front.end), '\n');
+  const auto lines =
+      std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(front.end), '\n');
   return std::string(static_cast<std::size_t>(lines) + 1, '\n') +
          std::string(text.substr(std::min(front.end + 4, text.size())));
 }
@@ -50,9 +51,10 @@ std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
   static const std::regex name(R"(content/([^/]+)/((\d+\.\d+)-[^/]+)\.md)");
   std::smatch parts;
   if (!std::regex_match(path, parts, name)) {
-    diagnostics.push_back({"E-lesson-name", Severity::error, {path, 0, 0, 1, ""},
-                           "a lesson's file is named after its number, as `1.2-a-title.md`",
-                           "", {}, "rename the file"});
+    diagnostics.push_back(
+        error_at({path, 0, 0, 1, ""}, "E-lesson-name",
+                 "a lesson's file is named after its number, as `1.2-a-title.md`",
+                 "rename the file"));
     return std::nullopt;
   }
   lesson.folder = parts[1];

@@ -27,7 +27,9 @@ std::map<std::string, int> read_joints(const JsonValue* value, Reading& reading)
   return joints;
 }
 
-Proof read_proof(const JsonValue& value, const Question& question, Reading& reading) {
+// Nothing when it does not say what to do.
+std::optional<Proof> read_proof(const JsonValue& value, const Question& question,
+                                Reading& reading) {
   JsonObject object(value, "proof", reading);
   Proof proof;
   proof.span = value.span;
@@ -47,24 +49,28 @@ Proof read_proof(const JsonValue& value, const Question& question, Reading& read
   object.not_yet("example");
   object.finish();
 
+  if (value.kind != JsonValue::Kind::object) return std::nullopt;
   const Span open{value.span.begin, value.span.begin + 1};
   const int sources = (by_joints ? 1 : 0) + (proof.model.text.empty() ? 0 : 1) +
                       (proof.mjcf.text.empty() ? 0 : 1) + (proof.because.text.empty() ? 0 : 1);
   const bool computes = proof.because.text.empty();
   if (sources != 1) {
-    reading.error("E-proof-form", open, "a proof needs exactly one of \"joints\", \"model\", "
+    reading.error("E-proof-form", open,
+                  "a proof needs exactly one of \"joints\", \"model\", "
                   "\"mjcf\" and \"because\"");
   } else if (computes && proof.value.text.empty() == proof.options.empty()) {
-    reading.error("E-proof-form", open, "a proof needs a \"value\", or \"options\" with one "
+    reading.error("E-proof-form", open,
+                  "a proof needs a \"value\", or \"options\" with one "
                   "expression for each option");
   } else if (!proof.options.empty() && proof.options.size() != question.options.size()) {
     reading.error("E-proof-form", open,
-                  "the proof has " + std::to_string(proof.options.size()) +
-                      " expressions for " + std::to_string(question.options.size()) + " options",
+                  "the proof has " + std::to_string(proof.options.size()) + " expressions for " +
+                      std::to_string(question.options.size()) + " options",
                   "write one expression for each option, in their order");
   } else if (question.kind == Question::Kind::choice && computes && proof.options.empty() &&
              !proof.equals) {
-    reading.error("E-proof-form", open, "a choice is proved by \"options\", one expression each; "
+    reading.error("E-proof-form", open,
+                  "a choice is proved by \"options\", one expression each; "
                   "a \"value\" needs \"equals\"");
   }
   return proof;
@@ -79,8 +85,9 @@ void read_options(JsonObject& object, Question& question, LessonReader& reader) 
     question.options.push_back(reader.fragment(option.string));
   }
   const double last = static_cast<double>(options.size()) - 1;
-  if (!(question.answer >= 0 && question.answer <= last) ||
-      question.answer != std::floor(question.answer)) {
+  const bool is_index = question.answer >= 0 && question.answer <= last &&
+                        question.answer == std::floor(question.answer);
+  if (!is_index) {
     reader.reading().error("E-quiz-form", question.answer_span,
                            "\"answer\" is the index of the right option, counted from 0");
     question.answer = 0;
@@ -92,13 +99,16 @@ std::optional<Question> read_question(const JsonValue& value, LessonReader& read
   JsonObject object(value, "question", reading);
   const LocatedText kind = object.required_string("kind");
   if (kind.text == "multi" || kind.text == "order") {
-    reading.error("E-not-yet", kind.span(), "a question of kind \"" + kind.text + "\" belongs to "
-                  "the lesson language, but this version of mjcourse cannot do it yet");
+    reading.error("E-not-yet", kind.span(),
+                  "a question of kind \"" + kind.text +
+                      "\" belongs to "
+                      "the lesson language, but this version of mjcourse cannot do it yet");
     return std::nullopt;
   }
   if (kind.text != "numeric" && kind.text != "mcq") {
     if (!kind.text.empty()) {
-      reading.error("E-quiz-form", kind.span(), "there is no question of kind \"" + kind.text + "\"",
+      reading.error("E-quiz-form", kind.span(),
+                    "there is no question of kind \"" + kind.text + "\"",
                     suggest(kind.text, {"numeric", "mcq"}));
     }
     return std::nullopt;

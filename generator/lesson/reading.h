@@ -18,10 +18,9 @@ class Reading {
   const SourceText& source() const { return source_; }
 
   // Note a mistake at `span` and go on.
-  void error(std::string id, Span span, std::string message, std::string cure = "",
-             std::string detail = "") {
-    diagnostics_.push_back({std::move(id), Severity::error, place_of(source_, span),
-                            std::move(message), std::move(detail), {}, std::move(cure)});
+  void error(std::string id, Span span, std::string message, std::string cure = "") {
+    diagnostics_.push_back(
+        error_at(place_of(source_, span), std::move(id), std::move(message), std::move(cure)));
   }
 
  private:

@@ -27,9 +27,9 @@ std::optional<YAML::Node> parse_yaml(const LocatedText& text, const std::string&
   }
 }
 
-YamlMap::YamlMap(YAML::Node node, std::string what, std::string id, const LocatedText& text,
+YamlMap::YamlMap(const YAML::Node& node, std::string what, std::string id, const LocatedText& text,
                  Reading& reading)
-    : map_(std::move(node)),
+    : map_(node),
       what_(std::move(what)),
       id_(std::move(id)),
       text_(text),
@@ -115,7 +115,9 @@ std::vector<LocatedText> YamlMap::strings(const std::string& key) {
   return items;
 }
 
-YAML::Node YamlMap::node(const std::string& key) { return find(key); }
+YAML::Node YamlMap::node(const std::string& key) {
+  return find(key);
+}
 
 void YamlMap::finish() {
   for (const auto& member : map_) {

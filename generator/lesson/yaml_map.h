@@ -18,7 +18,7 @@ class YamlMap {
  public:
   // `what` names the mapping in messages ("front matter"); `text` is the YAML that `node` was
   // parsed from. `id` is the id of every error here.
-  YamlMap(YAML::Node node, std::string what, std::string id, const LocatedText& text,
+  YamlMap(const YAML::Node& node, std::string what, std::string id, const LocatedText& text,
           Reading& reading);
 
   LocatedText string(const std::string& key);

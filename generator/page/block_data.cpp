@@ -32,6 +32,14 @@ std::string capitalized(std::string word) {
   return word;
 }
 
+// `text` as a part of an HTML id that any selector can name: "1.2-check" → "1-2-check".
+std::string as_id(std::string text) {
+  for (char& c : text) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
+  }
+  return text;
+}
+
 // What a proof was found on, as a sentence goes on: "a model with 7 hinge joints".
 std::string built_on(const std::string& built, const Course& course) {
   for (const std::string& name : course.models) {
@@ -124,10 +132,8 @@ json PageWriter::data_of(const Question& question, const QuestionResult& result,
     const std::string letter(1, static_cast<char>('A' + i));
     const bool right = static_cast<std::size_t>(question.answer) == i;
     const std::string text = inline_html(question.options[i]);
-    data["options"].push_back({{"id", id + "-" + letter},
-                               {"html", text},
-                               {"letter", letter},
-                               {"right", right}});
+    data["options"].push_back(
+        {{"id", id + "-" + letter}, {"html", text}, {"letter", letter}, {"right", right}});
     if (right) data["answer"] = letter + ". " + text;
   }
   for (const ProofResult& proof : result.proofs) {
@@ -141,7 +147,7 @@ json PageWriter::data_of(const Question& question, const QuestionResult& result,
 json PageWriter::data_of(const Quiz& quiz, std::size_t index) {
   const auto* result = results_.get<QuizResult>(index);
   const std::string title = quiz.title.empty() ? "Knowledge check" : quiz.title;
-  const std::string id = "quiz-" + quiz.id;
+  const std::string id = "quiz-" + as_id(quiz.id);
   json data{{"id", id}, {"title", title}, {"questions", json::array()}};
   for (std::size_t i = 0; i < quiz.questions.size(); ++i) {
     const QuestionResult answer = result != nullptr ? result->questions[i] : QuestionResult{};

@@ -1,15 +1,15 @@
 #include "page/markdown_html.h"
 
+#include <cmark-gfm-core-extensions.h>
+#include <cmark-gfm/node.h>
+#include <cmark-gfm/render.h>
+#include <cmark-gfm/syntax_extension.h>
+
 #include <cstdlib>
 #include <map>
 #include <memory>
 #include <string_view>
 #include <vector>
-
-#include <cmark-gfm-core-extensions.h>
-#include <cmark-gfm/node.h>
-#include <cmark-gfm/render.h>
-#include <cmark-gfm/syntax_extension.h>
 
 namespace mjcourse {
 namespace {

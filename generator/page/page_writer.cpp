@@ -24,7 +24,9 @@ std::string aligned_by_class(std::string table) {
 }
 
 // The way from one lesson's page to a file below the site's root: pages lie one folder deep.
-std::string from_lesson(const std::string& path) { return "../" + path; }
+std::string from_lesson(const std::string& path) {
+  return "../" + path;
+}
 
 }  // namespace
 
@@ -37,7 +39,9 @@ std::string render_template(Templates& templates, const std::string& name,
                            ": " + error.message);
 }
 
-std::string page_path(const Lesson& lesson) { return lesson.folder + "/" + lesson.slug + ".html"; }
+std::string page_path(const Lesson& lesson) {
+  return lesson.folder + "/" + lesson.slug + ".html";
+}
 
 std::string poster_path(const Lesson& lesson, int lab) {
   return lesson.folder + "/" + lesson.slug + "/lab-" + std::to_string(lab);
@@ -50,7 +54,9 @@ PageWriter::PageWriter(const Course& course, const Lesson& lesson, const LessonR
   writer_.write = [this](cmark_node* node, const std::string& inner) { return write(node, inner); };
 }
 
-std::string PageWriter::body() { return html(lesson_.document); }
+std::string PageWriter::body() {
+  return html(lesson_.document);
+}
 
 std::string PageWriter::render(const std::string& name, const nlohmann::json& data) {
   return render_template(press_.templates, name, data);
@@ -58,8 +64,8 @@ std::string PageWriter::render(const std::string& name, const nlohmann::json& da
 
 bool PageWriter::takes(cmark_node* node) const {
   const cmark_node_type type = cmark_node_get_type(node);
-  return lesson_.block(node) != nullptr || type == CMARK_NODE_HEADING ||
-         type == CMARK_NODE_LINK || std::string(cmark_node_get_type_string(node)) == "table";
+  return lesson_.block(node) != nullptr || type == CMARK_NODE_HEADING || type == CMARK_NODE_LINK ||
+         std::string(cmark_node_get_type_string(node)) == "table";
 }
 
 std::string PageWriter::write(cmark_node* node, const std::string& inner) {

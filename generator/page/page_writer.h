@@ -24,8 +24,7 @@ struct Press {
 
 class PageWriter {
  public:
-  PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results,
-             Press press);
+  PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results, Press press);
 
   std::string body();
   // The headings as a two-level list; complete once body() was written.

@@ -38,9 +38,8 @@ json verified_data(const Tally& tally) {
 }
 
 json reference_to(const Lesson& lesson) {
-  return {{"number", lesson.number},
-          {"title", lesson.front.title.text},
-          {"href", page_path(lesson)}};
+  return {
+      {"number", lesson.number}, {"title", lesson.front.title.text}, {"href", page_path(lesson)}};
 }
 
 class SiteWriter {
@@ -72,8 +71,8 @@ class SiteWriter {
   void copy_examples();
   json levels_data(const Lesson* current) const;
   std::string frame(const std::string& kind, const std::string& title,
-                    const std::string& description, const std::string& root,
-                    const Lesson* current, const std::string& body);
+                    const std::string& description, const std::string& root, const Lesson* current,
+                    const std::string& body);
 
   const Course& course_;
   const Evaluation& evaluation_;
@@ -104,21 +103,23 @@ json SiteWriter::levels_data(const Lesson* current) const {
 std::string SiteWriter::frame(const std::string& kind, const std::string& title,
                               const std::string& description, const std::string& root,
                               const Lesson* current, const std::string& body) {
-  const std::string mark = "\x02" "body\x03";
-  std::string html = render_template(
-      templates_, "page",
-      {{"course",
-        {{"title", course_.title},
-         {"description", course_.description},
-         {"language", course_.language}}},
-       {"page", {{"title", title}, {"description", description}, {"kind", kind}}},
-       {"root", root},
-       {"assets",
-        {{"css", manifest_.at("site.css")},
-         {"js", manifest_.at("site.js")},
-         {"favicon", manifest_.at("favicon.svg")}}},
-       {"levels", levels_data(current)},
-       {"body", mark}});
+  const std::string mark =
+      "\x02"
+      "body\x03";
+  std::string html =
+      render_template(templates_, "page",
+                      {{"course",
+                        {{"title", course_.title},
+                         {"description", course_.description},
+                         {"language", course_.language}}},
+                       {"page", {{"title", title}, {"description", description}, {"kind", kind}}},
+                       {"root", root},
+                       {"assets",
+                        {{"css", manifest_.at("site.css")},
+                         {"js", manifest_.at("site.js")},
+                         {"favicon", manifest_.at("favicon.svg")}}},
+                       {"levels", levels_data(current)},
+                       {"body", mark}});
   return html.replace(html.find(mark), mark.size(), body);
 }
 
@@ -126,7 +127,9 @@ void SiteWriter::write_lesson(std::size_t index) {
   const Lesson& lesson = course_.lessons[index];
   const LessonResults& results = evaluation_.lessons[index];
   PageWriter writer(course_, lesson, results, {templates_, highlighter_});
-  const std::string mark = "\x02" "prose\x03";
+  const std::string mark =
+      "\x02"
+      "prose\x03";
   const std::string prose = writer.body();
   json objectives = json::array(), prerequisites = json::array();
   for (const Document& objective : lesson.front.objectives) {
@@ -161,9 +164,8 @@ void SiteWriter::write_lesson(std::size_t index) {
   body.replace(body.find(mark), mark.size(), prose);
   const Document& summary = lesson.front.summary;
   const std::string description = summary ? plain_text(summary.get()) : course_.description;
-  directory_.write(page_path(lesson),
-                   frame("lesson", lesson.number + " " + lesson.front.title.text, description,
-                         "../", &lesson, body));
+  directory_.write(page_path(lesson), frame("lesson", lesson.number + " " + lesson.front.title.text,
+                                            description, "../", &lesson, body));
   write_posters(index);
 }
 
@@ -206,7 +208,7 @@ void SiteWriter::write_home() {
     for (const std::size_t index : level.lessons) {
       const Lesson& lesson = course_.lessons[index];
       const LessonResults& results = evaluation_.lessons[index];
-      PageWriter writer(course_, lesson, results, {templates_, highlighter_});
+      const PageWriter writer(course_, lesson, results, {templates_, highlighter_});
       total += results.tally;
       json card = reference_to(lesson);
       card["summary"] = writer.inline_html(lesson.front.summary);
@@ -218,20 +220,20 @@ void SiteWriter::write_home() {
                       {"title", level.title},
                       {"lessons", std::move(lessons)}});
   }
-  const std::string body = render_template(
-      templates_, "home",
-      {{"course", {{"title", course_.title}, {"description", course_.description}}},
-       {"root", ""},
-       {"levels", levels},
-       {"verified", verified_data(total)}});
+  const std::string body =
+      render_template(templates_, "home",
+                      {{"course", {{"title", course_.title}, {"description", course_.description}}},
+                       {"root", ""},
+                       {"levels", levels},
+                       {"verified", verified_data(total)}});
   directory_.write("index.html",
                    frame("home", course_.title, course_.description, "", nullptr, body));
 }
 
 void SiteWriter::copy_examples() {
   std::set<std::string> files;
-  for (std::size_t l = 0; l < course_.lessons.size(); ++l) {
-    for (const Block& block : course_.lessons[l].blocks) {
+  for (const Lesson& lesson : course_.lessons) {
+    for (const Block& block : lesson.blocks) {
       if (const auto* example = std::get_if<Example>(&block)) files.insert(example->file.text);
     }
   }

@@ -1,11 +1,11 @@
 #include "page/site_directory.h"
 
 #include <fcntl.h>
-#include <stdio.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdio>
 #include <stdexcept>
 #include <system_error>
 
@@ -32,7 +32,8 @@ SiteDirectory::SiteDirectory(const fs::path& site) : site_(fs::weakly_canonical(
   staging_ = beside(site_, ".building");
   if (fs::exists(site_) && !fs::exists(site_ / kMark) &&
       !(fs::is_directory(site_) && fs::is_empty(site_))) {
-    throw std::runtime_error(site_.string() + " holds something that no build made; it would be "
+    throw std::runtime_error(site_.string() +
+                             " holds something that no build made; it would be "
                              "replaced. Name an empty or a new folder.");
   }
   fs::create_directories(site_.parent_path());

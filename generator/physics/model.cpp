@@ -86,7 +86,7 @@ tl::expected<Model, ModelError> load_model_file(const std::string& path) {
 }
 
 tl::expected<Model, ModelError> load_model_text(const std::string& mjcf) {
-  // MuJoCo ends the process over an empty virtual file.
+  // MuJoCo takes an empty virtual file for a mistake of the program, not of the author.
   if (mjcf.empty()) return tl::unexpected(ModelError{"", 0, 0, "the model is empty"});
   install_mujoco_guard();
   const std::string name = "model.xml";

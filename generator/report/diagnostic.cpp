@@ -1,10 +1,20 @@
 #include "report/diagnostic.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/utf8.h"
 
 namespace mjcourse {
+
+Diagnostic error_at(Place place, std::string id, std::string message, std::string cure) {
+  Diagnostic error;
+  error.id = std::move(id);
+  error.place = std::move(place);
+  error.message = std::move(message);
+  error.cure = std::move(cure);
+  return error;
+}
 
 bool has_errors(const Diagnostics& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(),

@@ -33,13 +33,16 @@ struct Diagnostic {
   std::string id;  // stable, for search engines and `explain`: "E-output-differs"
   Severity severity = Severity::error;
   Place place;
-  std::string message;      // one line: what is wrong, with the values that show it
-  std::string detail;       // more lines where they help: a diff, the compiler's own words
+  std::string message;  // one line: what is wrong, with the values that show it
+  std::string detail;   // more lines where they help: a diff, the compiler's own words
   std::vector<Note> notes;
-  std::string cure;         // what to do about it; empty when there is nothing to suggest
+  std::string cure;  // what to do about it; empty when there is nothing to suggest
 };
 
 using Diagnostics = std::vector<Diagnostic>;
+
+// An error with what every error has; set the rest where there is more to say.
+Diagnostic error_at(Place place, std::string id, std::string message, std::string cure = "");
 
 bool has_errors(const Diagnostics& diagnostics);
 

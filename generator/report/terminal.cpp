@@ -70,7 +70,8 @@ void Writer::excerpt(const Place& place) {
   }
   out_ << "  " << number << " | " << line << '\n';
   const int rest = std::max(1, count_characters(line) - before);
-  const std::string marks = "^" + std::string(std::clamp(place.width, 1, rest) - 1u, '~');
+  const int tail = std::clamp(place.width, 1, rest) - 1;
+  const std::string marks = "^" + std::string(static_cast<std::size_t>(tail), '~');
   out_ << "  " << std::string(number.size(), ' ') << " | "
        << std::string(static_cast<std::size_t>(before), ' ');
   coloured(kGreen, marks);

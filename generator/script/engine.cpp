@@ -1,5 +1,7 @@
 #include "script/engine.h"
 
+#include <jsc/jsc.h>
+
 #include <sstream>
 #include <stdexcept>
 
@@ -35,6 +37,18 @@ constexpr const char* fixed_surroundings = R"js(
   };
 )js";
 
+// JavaScriptCore's options, which hold for the process and must be set before its first realm. Code
+// that runs asks by itself whether its time is up: as it comes, JavaScriptCore patches the running
+// machine code instead, and now and then an endless loop is never told. And calls in tail position
+// keep their frames, for without one an error has no place.
+JSContextGroupRef make_group() {
+  [[maybe_unused]] static const bool once = [] {
+    return jsc_options_set_boolean("usePollingTraps", TRUE) &&
+           jsc_options_set_boolean("useTailCalls", FALSE);
+  }();
+  return JSContextGroupCreate();
+}
+
 std::string in_seconds(double seconds) {
   std::ostringstream text;
   text << seconds << " s";
@@ -44,7 +58,7 @@ std::string in_seconds(double seconds) {
 }  // namespace
 
 Engine::Engine(double time_limit)
-    : group_(JSContextGroupCreate()),
+    : group_(make_group()),
       context_(JSGlobalContextCreateInGroup(group_, nullptr)),
       time_limit_(time_limit) {
   load(std::string("{") + fixed_surroundings + "}", "surroundings.js");

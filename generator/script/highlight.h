@@ -1,4 +1,4 @@
-// Highlighter: source code to HTML whose `hljs-…` classes the stylesheet colours, by highlight.js.
+// Highlighter: source code to HTML by highlight.js; the stylesheet colours its `hljs-…` classes.
 #pragma once
 
 #include <string>

@@ -1,11 +1,11 @@
-// Makes MuJoCo's errors and warnings fit for programs that nobody watches. Linked into
-// every example; there is nothing to call.
+// Makes MuJoCo's errors and warnings fit for programs that nobody watches.
+// Linked into every example; there is nothing to call.
 //
-// By itself, MuJoCo 2.2.2 answers a fatal error by writing MUJOCO_LOG.TXT and waiting
-// for somebody to press Enter, and a warning by writing to that log. Here both go to
-// stderr, and an error ends the program with status 70 (EX_SOFTWARE of sysexits.h): an
-// error handler must never return, and an exception could not travel back through
-// MuJoCo's C code.
+// By itself, MuJoCo 2.2.2 answers a fatal error by writing MUJOCO_LOG.TXT and
+// waiting for somebody to press Enter, and a warning by writing to that log.
+// Here both go to stderr, and an error ends the program with status 70
+// (EX_SOFTWARE of sysexits.h): an error handler must never return, and an
+// exception could not travel back through MuJoCo's C code.
 #include <mujoco/mujoco.h>
 
 #include <cstdio>
