@@ -52,6 +52,7 @@ Compiled Compiler::compile(const std::filesystem::path& source,
   if (std::filesystem::exists(handlers)) command.arguments.push_back(handlers.string());
   command.arguments.push_back("-lmujoco");
   command.folder = folder.string();
+  command.environment = {"TMPDIR=" + folder.string()};  // a compiler that is killed leaves files
   command.seconds = kSeconds;
   const Outcome outcome = run(command);
 

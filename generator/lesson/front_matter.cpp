@@ -13,6 +13,11 @@ constexpr const char* kId = "E-front-matter";
 
 std::optional<Span> find_front_matter(Reading& reading) {
   const SourceText& source = reading.source();
+  if (source.text().starts_with("\uFEFF")) {
+    reading.error(kId, {0, 3}, "the file begins with a byte-order mark",
+                  "save it as UTF-8 without one");
+    return std::nullopt;
+  }
   if (source.line(1) != "---") {
     reading.error(kId, {0, source.line(1).size()}, "a lesson begins with its front matter",
                   "begin the file with `---`, `title: …`, `---`");
@@ -35,7 +40,7 @@ FrontMatter read_front_matter(Span span, LessonReader& reader) {
   YamlMap map(*yaml, "front matter", kId, text, reading);
   front.title = map.required_string("title");
   front.summary = reader.fragment(map.string("summary"));
-  if (const auto minutes = map.number("minutes")) front.minutes = static_cast<int>(*minutes);
+  front.minutes = map.count("minutes");
   front.prerequisites = map.strings("prerequisites");
   for (const LocatedText& objective : map.strings("objectives")) {
     front.objectives.push_back(reader.fragment(objective));

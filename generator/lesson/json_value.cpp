@@ -208,20 +208,22 @@ std::string explain(std::string_view what) {
 bool TreeBuilder::parse_error(std::size_t position, const std::string&,
                               const json::exception& error) {
   const std::string_view what(error.what()), text(text_.text);
-  const bool control = what.find("control character") != what.npos;
-  const std::string cure = control ? "write \\n, or give the script as a list of lines"
-                                   : "look for a missing comma, quote or bracket just before this";
+  const auto speaks_of = [&](std::string_view words) { return what.find(words) != what.npos; };
+  std::string cure = "look for a missing comma, quote or bracket just before this";
+  if (speaks_of("control character")) cure = "write \\n, or give the script as a list of lines";
+  if (speaks_of("after backslash")) cure = "in JSON a backslash is written twice: \\\\alpha";
+  if (speaks_of("number overflow")) cure = "";
   if (position > text.size()) {
     reading_.error("E-json-syntax", text_.span(text.size(), text.size()),
                    explain(what) + ", but the text ends here", cure);
     return false;
   }
   // A literal is given up one character behind it.
-  const bool behind = what.find("invalid literal") != what.npos && position > 1 &&
+  const bool behind = speaks_of("invalid literal") && position > 1 &&
                       word_begin(text, position) == position - 1 &&
                       std::isalnum(static_cast<unsigned char>(text[position - 2])) != 0;
   const std::size_t end = behind ? position - 1 : position;
-  const bool in_string = what.find("invalid string") != what.npos;
+  const bool in_string = speaks_of("invalid string");
   reading_.error("E-json-syntax", text_.span(in_string ? end - 1 : word_begin(text, end), end),
                  explain(what), cure);
   return false;
@@ -251,9 +253,8 @@ std::optional<JsonValue> parse_json(const LocatedText& text, Reading& reading) {
   std::size_t read = 0;
   TreeBuilder builder(text, read, reading);
   const char* begin = text.text.data();
-  const bool good =
-      json::sax_parse(CountingIterator(begin, &read),
-                      CountingIterator(begin + text.text.size(), &read), &builder);
+  const bool good = json::sax_parse(CountingIterator(begin, &read),
+                                    CountingIterator(begin + text.text.size(), &read), &builder);
   return good ? builder.take() : std::nullopt;
 }
 

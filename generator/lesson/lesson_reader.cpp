@@ -66,7 +66,7 @@ void LessonReader::walk(cmark_node* node, Region& region) {
   if (type == CMARK_NODE_CODE_BLOCK) return read_code_block(node, region);
   if (type == math_inline_type() || type == math_block_type()) return read_math(node, region);
   if (type == CMARK_NODE_BLOCK_QUOTE) read_callout(node);
-  if (type == CMARK_NODE_HEADING) read_heading(node);
+  if (type == CMARK_NODE_HEADING) read_heading(node, region);
   if (type == CMARK_NODE_LINK) read_link(node, region);
   refuse_inline(node, region);
   // The title of a callout was moved out of the tree, and is walked with it.
@@ -128,7 +128,12 @@ void LessonReader::read_link(cmark_node* node, Region& region) {
   lesson_.links.push_back({node, find(target, ahead)});
 }
 
-void LessonReader::read_heading(cmark_node* node) {
+void LessonReader::read_heading(cmark_node* node, const Region& region) {
+  if (!in_document_) {
+    reading_.error("E-heading-nested", region.text.span(),
+                   "Markdown inside JSON cannot hold a heading", "use bold text: `**…**`");
+    return;
+  }
   const int level = cmark_node_get_heading_level(node);
   if (level == 1) {
     const std::size_t start = source().line_start(cmark_node_get_start_line(node));

@@ -38,7 +38,7 @@ class LessonReader {
   void add(cmark_node* node, Block block);
   void read_code_block(cmark_node* node, Region& region);
   void read_callout(cmark_node* node);
-  void read_heading(cmark_node* node);
+  void read_heading(cmark_node* node, const Region& region);
   void read_math(cmark_node* node, Region& region);
   void read_link(cmark_node* node, Region& region);
   void refuse_inline(cmark_node* node, Region& region);

@@ -1,6 +1,5 @@
 #include "lesson/read_lesson.h"
 
-#include <algorithm>
 #include <regex>
 #include <string_view>
 #include <utility>
@@ -29,11 +28,9 @@ void report_invalid_utf8(const std::string& path, std::string bytes, std::size_t
 
 // The text for cmark: the front matter becomes blank lines, so that line numbers stay.
 std::string without_front_matter(const SourceText& source, Span front) {
-  const std::string_view text = source.text();
-  const auto lines =
-      std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(front.end), '\n');
-  return std::string(static_cast<std::size_t>(lines) + 1, '\n') +
-         std::string(text.substr(std::min(front.end + 4, text.size())));
+  const int closing = source.position(front.end).line;
+  return std::string(static_cast<std::size_t>(closing), '\n') +
+         std::string(source.text().substr(source.line_start(closing + 1)));
 }
 
 }  // namespace

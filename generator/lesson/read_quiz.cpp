@@ -54,29 +54,26 @@ std::optional<Proof> read_proof(const JsonValue& value, const Question& question
   const int sources = (by_joints ? 1 : 0) + (proof.model.text.empty() ? 0 : 1) +
                       (proof.mjcf.text.empty() ? 0 : 1) + (proof.because.text.empty() ? 0 : 1);
   const bool computes = proof.because.text.empty();
+  std::string wrong, cure;
   if (sources != 1) {
-    reading.error("E-proof-form", open,
-                  "a proof needs exactly one of \"joints\", \"model\", "
-                  "\"mjcf\" and \"because\"");
+    wrong = "a proof needs exactly one of \"joints\", \"model\", \"mjcf\" and \"because\"";
   } else if (computes && proof.value.text.empty() == proof.options.empty()) {
-    reading.error("E-proof-form", open,
-                  "a proof needs a \"value\", or \"options\" with one "
-                  "expression for each option");
+    wrong = "a proof needs a \"value\", or \"options\" with one expression for each option";
   } else if (!proof.options.empty() && proof.options.size() != question.options.size()) {
-    reading.error("E-proof-form", open,
-                  "the proof has " + std::to_string(proof.options.size()) + " expressions for " +
-                      std::to_string(question.options.size()) + " options",
-                  "write one expression for each option, in their order");
+    wrong = "the proof has " + std::to_string(proof.options.size()) + " expressions for " +
+            std::to_string(question.options.size()) + " options";
+    cure = "write one expression for each option, in their order";
   } else if (question.kind == Question::Kind::choice && computes && proof.options.empty() &&
              !proof.equals) {
-    reading.error("E-proof-form", open,
-                  "a choice is proved by \"options\", one expression each; "
-                  "a \"value\" needs \"equals\"");
+    wrong = "a choice is proved by \"options\", one expression each; a \"value\" needs \"equals\"";
   }
-  return proof;
+  if (wrong.empty()) return proof;
+  reading.error("E-proof-form", open, wrong, cure);
+  return std::nullopt;
 }
 
-void read_options(JsonObject& object, Question& question, LessonReader& reader) {
+// Whether there are options and the answer is one of them.
+bool read_options(JsonObject& object, Question& question, LessonReader& reader) {
   const std::vector<JsonValue>& options = object.required_list("options");
   for (const JsonValue& option : options) {
     if (option.kind != JsonValue::Kind::string) {
@@ -87,11 +84,12 @@ void read_options(JsonObject& object, Question& question, LessonReader& reader) 
   const double last = static_cast<double>(options.size()) - 1;
   const bool is_index = question.answer >= 0 && question.answer <= last &&
                         question.answer == std::floor(question.answer);
-  if (!is_index) {
+  if (!options.empty() && !is_index) {
     reader.reading().error("E-quiz-form", question.answer_span,
                            "\"answer\" is the index of the right option, counted from 0");
-    question.answer = 0;
+    return false;
   }
+  return !options.empty();
 }
 
 std::optional<Question> read_question(const JsonValue& value, LessonReader& reader) {
@@ -118,25 +116,27 @@ std::optional<Question> read_question(const JsonValue& value, LessonReader& read
   question.kind = kind.text == "mcq" ? Question::Kind::choice : Question::Kind::numeric;
   question.text = reader.fragment(object.required_string("q"));
   question.explanation = reader.fragment(object.string("explain"));
-  if (const std::optional<double> answer = object.optional_number("answer")) {
+  const std::optional<double> answer = object.optional_number("answer");
+  if (answer) {
     question.answer = *answer;
     question.answer_span = object.find("answer")->span;
   } else if (!object.has("answer")) {
     reading.error("E-json-missing", {value.span.begin, value.span.begin + 1},
                   "this question has no \"answer\"", "add \"answer\": …");
   }
+  bool answered = answer.has_value();
   if (question.kind == Question::Kind::choice) {
-    read_options(object, question, reader);
+    answered = read_options(object, question, reader) && answered;
   } else {
     question.tolerance = object.number("tol", 0);
     question.unit = object.string("unit").text;
   }
   for (const JsonValue& proof : object.list("verify")) {
-    question.proofs.push_back(read_proof(proof, question, reading));
+    if (auto read = read_proof(proof, question, reading)) question.proofs.push_back(*read);
   }
   object.not_yet("hint");
   object.finish();
-  return question;
+  return answered ? std::optional(std::move(question)) : std::nullopt;
 }
 
 }  // namespace

@@ -1,6 +1,8 @@
 #include "lesson/yaml_map.h"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
 #include <utility>
 
 #include "base/nearest.h"
@@ -29,12 +31,9 @@ std::optional<YAML::Node> parse_yaml(const LocatedText& text, const std::string&
 
 YamlMap::YamlMap(const YAML::Node& node, std::string what, std::string id, const LocatedText& text,
                  Reading& reading)
-    : map_(node),
-      what_(std::move(what)),
-      id_(std::move(id)),
-      text_(text),
-      reading_(reading) {
-  if (!map_.IsMap()) {
+    : map_(node), what_(std::move(what)), id_(std::move(id)), text_(text), reading_(reading) {
+  is_map_ = map_.IsMap();
+  if (!is_map_) {
     error(map_, "the " + what_ + " must be a mapping: `key: value` lines");
     map_ = YAML::Node(YAML::NodeType::Map);
   }
@@ -49,11 +48,18 @@ YAML::Node YamlMap::find(const std::string& key) {
 LocatedText YamlMap::scalar(const YAML::Node& node) const {
   LocatedText result{node.Scalar(), {}};
   const Span span = span_of(node.Mark(), 1, text_);
-  // A quoted or folded value does not stand byte for byte in the file: its start must do.
+  // A folded value, or one with escapes, does not stand byte for byte in the file: its start must
+  // do. A quoted one stands behind its quote.
+  const auto stands_at = [&](std::size_t at) {
+    return at < text_.text.size() && text_.text.compare(at, result.text.size(), result.text) == 0;
+  };
   const auto mark = static_cast<std::size_t>(node.Mark().pos);
-  const bool verbatim = text_.text.compare(mark, result.text.size(), result.text) == 0;
+  const bool quoted =
+      mark < text_.text.size() && (text_.text[mark] == '"' || text_.text[mark] == '\'');
+  const std::size_t start = quoted ? mark + 1 : mark;
+  const bool verbatim = stands_at(start);
   for (std::size_t i = 0; i <= result.text.size(); ++i) {
-    result.offsets.push_back(verbatim ? text_.span(mark + i, mark + i).begin : span.begin);
+    result.offsets.push_back(verbatim ? text_.span(start + i, start + i).begin : span.begin);
   }
   return result;
 }
@@ -73,18 +79,23 @@ LocatedText YamlMap::string(const std::string& key) {
 
 LocatedText YamlMap::required_string(const std::string& key) {
   LocatedText value = string(key);
-  if (value.text.empty()) {
+  if (value.text.empty() && is_map_) {
     error(map_, "the " + what_ + " has no `" + key + "`", "add a line `" + key + ": …`");
   }
   return value;
 }
 
-std::optional<double> YamlMap::number(const std::string& key) {
+std::optional<int> YamlMap::count(const std::string& key) {
   const YAML::Node value = find(key);
   if (!value.IsDefined()) return std::nullopt;
   double number = 0;
-  if (value.IsScalar() && YAML::convert<double>::decode(value, number)) return number;
-  error(value, "`" + key + "` must be a number");
+  if (!value.IsScalar() || !YAML::convert<double>::decode(value, number)) {
+    error(value, "`" + key + "` must be a number");
+  } else if (!(number >= 0 && number <= 1e6) || number != std::floor(number)) {
+    error(value, "`" + key + "` must be a whole number, not less than 0");
+  } else {
+    return static_cast<int>(number);
+  }
   return std::nullopt;
 }
 
@@ -120,8 +131,10 @@ YAML::Node YamlMap::node(const std::string& key) {
 }
 
 void YamlMap::finish() {
+  std::set<std::string> seen;
   for (const auto& member : map_) {
     const std::string key = member.first.IsScalar() ? member.first.Scalar() : "";
+    if (!seen.insert(key).second) error(member.first, "the key `" + key + "` stands twice");
     if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
     error(member.first, "the " + what_ + " has no key `" + key + "`", suggest(key, asked_));
   }

@@ -23,7 +23,8 @@ class YamlMap {
 
   LocatedText string(const std::string& key);
   LocatedText required_string(const std::string& key);
-  std::optional<double> number(const std::string& key);
+  // A whole number, not less than 0.
+  std::optional<int> count(const std::string& key);
   bool boolean(const std::string& key, bool otherwise);
   // A list of plain values.
   std::vector<LocatedText> strings(const std::string& key);
@@ -38,6 +39,7 @@ class YamlMap {
   void error(const YAML::Node& node, const std::string& message, const std::string& cure = "");
 
   YAML::Node map_;
+  bool is_map_ = true;
   std::string what_;
   std::string id_;
   const LocatedText& text_;

@@ -1,5 +1,6 @@
 #include "script/author_text.h"
 
+#include <algorithm>
 #include <cctype>
 #include <optional>
 #include <string_view>
@@ -62,6 +63,7 @@ void AuthorText::point_at(const Exception& exception, int line, ScriptError& err
     error.column = 1 + count_characters(text.substr(0, begin));
     error.width = std::max(1, count_characters(marked));
   };
+  if (line < 1) return;
   if (line > lines_.line_count()) {
     const Position stop = lines_.position(end());
     error.line = stop.line;

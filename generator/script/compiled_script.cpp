@@ -11,10 +11,11 @@ namespace {
 
 constexpr const char* url = "lesson.js";
 
+// around an expression, on lines of their own
 constexpr const char* before_value = "return (\n";
 constexpr const char* after_value = "\n);";
 
-// The function that `body` makes; JavaScriptCore refuses a body whose braces leave it.
+// Does `text` parse by itself? As a function's body it cannot close the wrapper's own braces.
 tl::expected<void, ScriptError> check(const Engine& engine, const AuthorText& text, bool is_value,
                                       const CompiledScript::Names& names) {
   constexpr int lines_before = 3;  // "function anonymous(", ") {", and ours

@@ -2,6 +2,7 @@
 
 #include <jsc/jsc.h>
 
+#include <array>
 #include <sstream>
 #include <stdexcept>
 
@@ -37,10 +38,10 @@ constexpr const char* fixed_surroundings = R"js(
   };
 )js";
 
-// JavaScriptCore's options, which hold for the process and must be set before its first realm. Code
-// that runs asks by itself whether its time is up: as it comes, JavaScriptCore patches the running
-// machine code instead, and now and then an endless loop is never told. And calls in tail position
-// keep their frames, for without one an error has no place.
+// JavaScriptCore's options hold for the process and must be set before its first realm. With
+// usePollingTraps running code asks by itself whether its time is up; the default, to patch its
+// machine code from another thread, now and then misses an endless loop. Without useTailCalls every
+// call keeps its frame, and so every error its place.
 JSContextGroupRef make_group() {
   [[maybe_unused]] static const bool once = [] {
     return jsc_options_set_boolean("usePollingTraps", TRUE) &&
@@ -78,10 +79,14 @@ tl::expected<std::string, ScriptError> Engine::call(const std::string& function,
                                                     const std::vector<std::string>& arguments) {
   JSObjectRef global = JSContextGetGlobalObject(context_);
   JSObjectRef callee = object_in(context_, property(context_, global, function));
-  if (callee == nullptr) throw std::runtime_error("no bundle defines " + function + "()");
-  std::vector<JSValueRef> values;
-  for (const std::string& argument : arguments) values.push_back(make_text(context_, argument));
-  const auto result = call(callee, values);
+  if (callee == nullptr) throw std::logic_error("no bundle defines " + function + "()");
+  // on the stack, where the garbage collector sees them; it does not look into a std::vector
+  std::array<JSValueRef, max_arguments> values{};
+  if (arguments.size() > values.size()) throw std::logic_error(function + ": too many arguments");
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    values[i] = make_text(context_, arguments[i]);
+  }
+  const auto result = call(callee, std::span(values).first(arguments.size()));
   if (!result) return tl::unexpected(describe(result.error()));
   return text_of(context_, *result);
 }

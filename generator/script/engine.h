@@ -32,7 +32,9 @@ class Engine {
   // Run `source`, which sets globals. Throws std::runtime_error when it fails: a bundle is ours.
   void load(const std::string& source, const std::string& name);
 
-  // The text that the global `function` returns.
+  static constexpr std::size_t max_arguments = 8;
+
+  // The text that the global `function` returns. Throws std::logic_error when no bundle defines it.
   tl::expected<std::string, ScriptError> call(const std::string& function,
                                               const std::vector<std::string>& arguments);
 

@@ -20,8 +20,8 @@ JSValueRef make_text(JSContextRef context, const std::string& text) {
   return JSValueMakeString(context, JsString(text));
 }
 
-JSObjectRef make_array(JSContextRef context, const std::vector<JSValueRef>& elements) {
-  return JSObjectMakeArray(context, elements.size(), elements.data(), nullptr);
+JSObjectRef make_empty_array(JSContextRef context) {
+  return JSObjectMakeArray(context, 0, nullptr, nullptr);
 }
 
 std::string text_of(JSContextRef context, JSValueRef value) {

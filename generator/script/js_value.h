@@ -7,7 +7,6 @@
 #include <JavaScriptCore/JavaScript.h>
 
 #include <string>
-#include <vector>
 
 namespace mjcourse {
 
@@ -42,7 +41,7 @@ class Protected {
 };
 
 JSValueRef make_text(JSContextRef context, const std::string& text);
-JSObjectRef make_array(JSContextRef context, const std::vector<JSValueRef>& elements);
+JSObjectRef make_empty_array(JSContextRef context);
 
 // What String(value) gives; "" where that throws.
 std::string text_of(JSContextRef context, JSValueRef value);

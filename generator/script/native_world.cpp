@@ -2,12 +2,12 @@
 
 #include <mujoco/mujoco.h>
 
-#include <array>
+#include <span>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 #include "physics/field_table.h"
+#include "physics/object_count.h"
 #include "physics/simulation.h"
 #include "script/js_value.h"
 #include "script/mujoco_functions.h"
@@ -46,7 +46,7 @@ JSObjectRef view_of(JSContextRef context, const mjcField& field) {
 }
 
 JSObjectRef make_fields(JSContextRef context, const std::vector<mjcField>& fields) {
-  JSObjectRef result = make_array(context, {});
+  JSObjectRef result = make_empty_array(context);
   unsigned next = 0;
   for (const mjcField& field : fields) {
     if (field.type == mjcFIELD_CHAR) continue;
@@ -75,21 +75,12 @@ std::vector<mjcField> data_fields(const mjModel* model, mjData* data) {
 }
 
 JSObjectRef make_names(JSContextRef context, const Model& model) {
-  const std::array<std::pair<mjtObj, int>, 8> kinds = {{
-      {mjOBJ_BODY, model->nbody},
-      {mjOBJ_XBODY, model->nbody},
-      {mjOBJ_JOINT, model->njnt},
-      {mjOBJ_GEOM, model->ngeom},
-      {mjOBJ_SITE, model->nsite},
-      {mjOBJ_CAMERA, model->ncam},
-      {mjOBJ_ACTUATOR, model->nu},
-      {mjOBJ_SENSOR, model->nsensor},
-  }};
   JSObjectRef names = JSObjectMake(context, nullptr, nullptr);
-  for (const auto& [kind, count] : kinds) {
-    JSObjectRef of_kind = make_array(context, {});
+  for (const mjtObj kind : {mjOBJ_BODY, mjOBJ_XBODY, mjOBJ_JOINT, mjOBJ_GEOM, mjOBJ_SITE,
+                            mjOBJ_CAMERA, mjOBJ_ACTUATOR, mjOBJ_SENSOR}) {
+    JSObjectRef of_kind = make_empty_array(context);
     JSObjectSetPropertyAtIndex(context, names, static_cast<unsigned>(kind), of_kind, nullptr);
-    for (int id = 0; id < count; ++id) {
+    for (int id = 0; id < object_count(*model.get(), kind); ++id) {
       JSValueRef name = make_text(context, model.name(kind, id));
       JSObjectSetPropertyAtIndex(context, of_kind, static_cast<unsigned>(id), name, nullptr);
     }

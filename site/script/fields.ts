@@ -9,18 +9,26 @@ import {
 } from "./strict-struct.js";
 
 /** The struct `label` over `fields`, with the structs inside it. */
-export function structOf(label: string, fields: readonly Field[], owner = ""): object {
-  const members: PropertyDescriptorMap = {};
+export function structOf(label: string, fields: readonly Field[]): object {
+  const groups = new Map<string, Field[]>();
   for (const field of fields) {
-    if (field.owner === owner) {
-      members[field.name] = memberOf(field, `${label}.${field.name}`);
-      continue;
-    }
-    const inner = innerStruct(field.owner, owner);
+    const group = groups.get(field.owner);
+    if (group === undefined) groups.set(field.owner, [field]);
+    else group.push(field);
+  }
+  return build(label, "", groups);
+}
+
+function build(label: string, owner: string, groups: ReadonlyMap<string, Field[]>): object {
+  const members: PropertyDescriptorMap = {};
+  for (const field of groups.get(owner) ?? []) {
+    members[field.name] = memberOf(field, `${label}.${field.name}`);
+  }
+  for (const path of groups.keys()) {
+    const inner = innerStruct(path, owner);
     if (inner === "" || inner in members) continue;
     const innerLabel = `${label}.${inner}`;
-    const path = owner === "" ? inner : `${owner}.${inner}`;
-    const struct = structOf(innerLabel, fields, path);
+    const struct = build(innerLabel, owner === "" ? inner : `${owner}.${inner}`, groups);
     members[inner] = fixedMember(struct, innerLabel, "assign its members one by one");
   }
   return strictStruct(label, members);

@@ -79,23 +79,19 @@ function byName(
   noun: string,
   type: number,
   make: (id: number, label: string) => unknown,
-): (name: string) => unknown {
-  const made = new Map<string, unknown>();
+): (name: unknown) => unknown {
+  const made = new Map<unknown, unknown>();
   const names = native.names[type]!;
   return (name) => {
     const known = made.get(name);
     if (known !== undefined) return known;
-    const id = name === "" ? -1 : names.indexOf(name);
+    const text = String(name);
+    const id = text === "" ? -1 : names.indexOf(text);
     if (id < 0) {
-      const message = `no ${noun} is named \`${String(name)}\``;
-      throw new Fault(
-        "E-script-name",
-        message,
-        [String(name), lookup],
-        suggest(String(name), names),
-      );
+      const message = `no ${noun} is named \`${text}\``;
+      throw new Fault("E-script-name", message, [text, lookup], suggest(text, names));
     }
-    const value = make(id, `${lookup}('${name}')`);
+    const value = make(id, `${lookup}('${text}')`);
     made.set(name, value);
     return value;
   };

@@ -44,9 +44,9 @@ export interface Native {
    */
   readonly names: Readonly<Record<number, readonly string[]>>;
   /** One mj_step. */
-  step(): void;
-  forward(): void;
-  reset(): void;
+  readonly step: () => void;
+  readonly forward: () => void;
+  readonly reset: () => void;
   /** The functions that mujoco-functions.ts lists. */
   readonly functions: Readonly<Record<string, NativeFunction>>;
 }

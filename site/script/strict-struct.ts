@@ -37,7 +37,12 @@ export function fixedMember(value: unknown, label: string, why: string): Propert
 
 export function arrayMember(view: Numbers, label: string): PropertyDescriptor {
   const why = `it is an array: ${label}[0] = …, or ${label}.set([…])`;
-  return fixedMember(strictArray(view, label), label, why);
+  let array: Numbers | undefined; // made when first read: a model has hundreds of fields
+  return {
+    enumerable: true,
+    get: () => (array ??= strictArray(view, label)),
+    set: () => refuseWrite(label, why),
+  };
 }
 
 /** The number at `view[index]`, as MuJoCo has it now. */

@@ -17,17 +17,33 @@ class Mistake extends Error {
   }
 }
 
+/** Strict mode alone lets pass a name that a condition or a loop is given: `{{#if titel}}`. */
+class StrictEverywhere extends Handlebars.Visitor {
+  override PathExpression(path: hbs.AST.PathExpression): void {
+    Object.assign(path, { strict: true });
+  }
+}
+
 function addTemplate(name: string, source: string): string {
-  const template = handlebars.compile(source, { strict: true });
+  const template = lazily(() => {
+    const program = handlebars.parse(source);
+    new StrictEverywhere().accept(program);
+    return handlebars.compile(program, { strict: true });
+  });
   const tagged: Handlebars.TemplateDelegate = (data: unknown, options) => {
     try {
-      return template(data, options);
+      return template()(data, options);
     } catch (error) {
       throw error instanceof Mistake ? error : mistakeIn(name, error as HandlebarsError);
     }
   };
   handlebars.registerPartial(name, tagged);
   return "";
+}
+
+function lazily<T>(make: () => T): () => T {
+  let made: T | undefined;
+  return () => (made ??= make());
 }
 
 /** What Handlebars and its parser throw. */
@@ -37,11 +53,10 @@ interface HandlebarsError {
 }
 
 function mistakeIn(name: string, { message, lineNumber }: HandlebarsError): Mistake {
-  // the parser tells its line only in words, and draws the place over several lines
-  const inWords = /^(?:Parse|Lexical) error on line (\d+)[.:]\s*/.exec(message);
+  // the parser tells its line only in words, and draws the place before it says what it expected
+  const inWords = /^(?:Parse|Lexical) error on line (\d+)/.exec(message);
   const line = lineNumber ?? Number(inWords?.[1] ?? 0);
-  const text = message
-    .slice(inWords?.[0].length ?? 0)
+  const text = (inWords === null ? message : message.split("\n").at(-1)!)
     .replace(/ - \d+:\d+$/, "")
     .replace(/ not defined in \[object Object\]$/, " is not in the data");
   return new Mistake(name, text, line);

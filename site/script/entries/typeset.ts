@@ -15,7 +15,7 @@ function typeset(tex: string, display: string, macros: string): string {
     return JSON.stringify({ html: katex.renderToString(tex, options) });
   } catch (error) {
     if (!(error instanceof katex.ParseError)) throw error;
-    return JSON.stringify(describe(tex, error as ParseError, options.macros));
+    return JSON.stringify(describe(tex, error, options.macros));
   }
 }
 
@@ -33,7 +33,9 @@ function describe(tex: string, error: ParseError, macros: Record<string, string>
   // a command out of a macro's text is placed in that text, which the author does not see here
   if (unknown !== undefined && !tex.startsWith(unknown, position)) [position, length] = [0, 0];
   return {
-    message: error.rawMessage,
+    message: error.rawMessage
+      .replace("LaTeX-incompatible input and strict mode is set to 'error': ", "not LaTeX: ")
+      .replace(/ \[\w+\]$/, ""),
     offset: bytes(tex.slice(0, position)),
     length: bytes(tex.slice(position, position + length)),
     cure: unknown === undefined ? "" : suggestCommand(unknown, macros),
@@ -60,7 +62,7 @@ function suggestCommand(name: string, macros: Record<string, string>): string {
 
 /** Names one edit away, likeliest first: letters swapped, one missing, one wrong, one too many. */
 function slips(name: string): string[] {
-  const letters = [..."abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"];
+  const letters = Array.from("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ");
   const places = Array.from({ length: name.length + 1 }, (_, place) => place);
   const replace = (place: number, count: number, text: string) =>
     name.slice(0, place) + text + name.slice(place + count);
