@@ -108,15 +108,9 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics) 
   if (const LocatedText language = map.string("language"); !language.text.empty()) {
     course.language = language.text;
   }
-  if (const YAML::Node macros = map.node("macros"); macros.IsDefined() && macros.IsMap()) {
-    for (const auto& macro : macros) {
-      course.macros[macro.first.as<std::string>()] = macro.second.as<std::string>();
-    }
-  }
-  if (const YAML::Node levels = map.node("levels"); levels.IsDefined()) {
-    for (const YAML::Node& level : levels) {
-      read_level(files, level, text, reading, course, diagnostics);
-    }
+  course.macros = map.texts("macros");
+  for (const YAML::Node& level : map.required_items("levels")) {
+    read_level(files, level, text, reading, course, diagnostics);
   }
   map.finish();
   for (const std::string& name : files.list("models")) {

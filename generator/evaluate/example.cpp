@@ -16,22 +16,30 @@ namespace {
 namespace fs = std::filesystem;
 
 // The last lines of what a program wrote, for a person to see why it ended.
-std::string tail(const std::string& text) {
-  constexpr std::size_t lines = 8;
+std::string tail(std::string_view text) {
+  constexpr int lines = 8;
+  const std::size_t last = text.find_last_not_of(" \n");
+  text = text.substr(0, last == text.npos ? 0 : last + 1);
   std::size_t begin = text.size();
-  for (std::size_t n = 0; n <= lines && begin != 0 && begin != std::string::npos; ++n) {
-    begin = begin == 0 ? 0 : text.rfind('\n', begin - 1);
+  for (int n = 0; n < lines && begin != text.npos && begin > 0; ++n) {
+    begin = text.rfind('\n', begin - 1);
   }
-  return begin == std::string::npos || begin == 0 ? text : text.substr(begin + 1);
+  text = begin == text.npos ? text : text.substr(begin);
+  return std::string(text.substr(std::min(text.find_first_not_of('\n'), text.size())));
 }
 
-// What an uncaught exception left on stderr: "std::runtime_error: no such model".
-std::string uncaught_exception(const std::string& err) {
+// What an uncaught exception left on stderr: "std::runtime_error: no such model", and the lines of
+// its what() behind the first.
+struct UncaughtException {
+  std::string first_line, more;
+};
+std::optional<UncaughtException> find_uncaught_exception(const std::string& err) {
   static const std::regex form(
-      R"(terminate called after throwing an instance of '([^']*)'(?:\s+what\(\):\s*([^\n]*))?)");
+      R"(terminate called after throwing an instance of '([^']*)'(?:\s+what\(\):\s*([^\n]*)\n?)?)");
   std::smatch part;
-  if (!std::regex_search(err, part, form)) return "";
-  return part[1].str() + (part[2].matched ? ": " + part[2].str() : "");
+  if (!std::regex_search(err, part, form)) return std::nullopt;
+  return UncaughtException{part[1].str() + (part[2].matched ? ": " + part[2].str() : ""),
+                           part.suffix()};
 }
 
 std::string seconds_text(double seconds) {
@@ -52,9 +60,10 @@ std::optional<Diagnostic> judge(const Outcome& outcome, const Example& example) 
     case Outcome::End::killed_by_signal:
       found.id = "E-example-signal";
       found.message = std::string("the program was killed: ") + strsignal(outcome.code);
-      if (const std::string thrown = uncaught_exception(outcome.err); !thrown.empty()) {
+      if (const auto thrown = find_uncaught_exception(outcome.err)) {
         found.id = "E-example-throws";
-        found.message = "the program threw " + thrown;
+        found.message = "the program threw " + thrown->first_line;
+        found.detail = tail(thrown->more);
         found.cure = "catch it, or mend what it complains about";
         return found;
       }

@@ -13,6 +13,11 @@ std::string_view trimmed_right(std::string_view text) {
   return text.substr(0, last == text.npos ? 0 : last + 1);
 }
 
+// `text` from its first character that is no space.
+std::string_view without_spaces(std::string_view text) {
+  return text.substr(std::min(text.find_first_not_of(' '), text.size()));
+}
+
 std::vector<std::string_view> split_lines(std::string_view text) {
   text = trimmed_right(text);
   std::vector<std::string_view> lines;
@@ -98,10 +103,15 @@ class LineMatch {
   // Take what agrees next from both; false when nothing does.
   bool step() {
     if (stated_.empty() || real_.empty()) return false;
-    // A column of numbers may shift by a sign or a digit: any space matches any space.
-    if (stated_[0] == ' ' && real_[0] == ' ') {
-      stated_.remove_prefix(std::min(stated_.find_first_not_of(' '), stated_.size()));
-      real_.remove_prefix(std::min(real_.find_first_not_of(' '), real_.size()));
+    // A column of numbers may shift by a sign or a digit: any space matches any space, and none
+    // where only the first column shifts (" 0.1" and "-0.0").
+    const std::string_view stated_word = without_spaces(stated_), real_word = without_spaces(real_);
+    const bool spaces = stated_[0] == ' ' || real_[0] == ' ';
+    const bool first_column =
+        !after_word_ && number_length(stated_word) > 0 && number_length(real_word) > 0;
+    if (spaces && (stated_[0] == real_[0] || first_column)) {
+      stated_ = stated_word;
+      real_ = real_word;
       after_word_ = false;
       return true;
     }

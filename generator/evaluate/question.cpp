@@ -68,16 +68,25 @@ class Examiner {
   }
   void wrong(std::string id, Span span, std::string message, const LocatedText& proved_at,
              const std::string& proof_text) {
+    Note proof{proof_text, place_of(*lesson_.source, proved_at.span())};
+    // Several proofs that find the same other answer are one mistake.
+    Diagnostic* last = diagnostics_.empty() ? nullptr : &diagnostics_.back();
+    if (reported_ && last != nullptr && last->id == id && last->message == message) {
+      last->notes.push_back(std::move(proof));
+      return;
+    }
     Diagnostic found =
         error_at(place_of(*lesson_.source, span), std::move(id), std::move(message));
-    found.notes.push_back({proof_text, place_of(*lesson_.source, proved_at.span())});
+    found.notes.push_back(std::move(proof));
     diagnostics_.push_back(std::move(found));
+    reported_ = true;
   }
 
   const Question& question_;
   const Lesson& lesson_;
   Workshop& workshop_;
   Diagnostics& diagnostics_;
+  bool reported_ = false;  // a wrong answer of this question
 };
 
 std::optional<Simulation> Examiner::build(const Proof& proof) {

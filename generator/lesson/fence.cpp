@@ -22,6 +22,16 @@ bool closes(std::string_view line, int length, char mark) {
   return only_prefix && static_cast<int>(last - first) + 1 >= length;
 }
 
+// Does a fence with an info string open on this line? Inside another of its length it can only mean
+// that the other was never closed.
+bool opens(std::string_view line, int length, char mark) {
+  const std::size_t first = line.find_first_not_of(" \t>");
+  if (first == line.npos || line[first] != mark) return false;
+  const std::size_t word = line.find_first_not_of(mark, first);
+  return word != line.npos && static_cast<int>(word - first) >= length && line[word] >= 'a' &&
+         line[word] <= 'z';
+}
+
 }  // namespace
 
 Fence::Fence(cmark_node* node, const SourceText& source) {
@@ -36,6 +46,9 @@ Fence::Fence(cmark_node* node, const SourceText& source) {
   span_ = {start + fence, start + line.size()};
   if (indented_) return;
   closed_ = last > first && closes(source.line(last), length, mark);
+  for (int inside = first + 1; inside < last; ++inside) {
+    if (opens(source.line(inside), length, mark)) closed_ = false;
+  }
   const std::size_t info = std::min(line.find_first_not_of(mark, fence), line.size());
   read_info(source, start + info, start + line.size());
   read_body(node, source);

@@ -18,7 +18,7 @@ class Fence {
 
   // The opening fence with its info string.
   Span span() const { return span_; }
-  // False when the lesson ended before the fence did.
+  // False when the lesson ended before the fence did, or when another fence opens inside it.
   bool closed() const { return closed_; }
   // An indented block, which has no fence at all.
   bool indented() const { return indented_; }

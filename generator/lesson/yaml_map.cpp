@@ -126,8 +126,35 @@ std::vector<LocatedText> YamlMap::strings(const std::string& key) {
   return items;
 }
 
-YAML::Node YamlMap::node(const std::string& key) {
-  return find(key);
+std::map<std::string, std::string> YamlMap::texts(const std::string& key) {
+  const YAML::Node value = find(key);
+  std::map<std::string, std::string> texts;
+  if (!value.IsDefined()) return texts;
+  if (!value.IsMap()) {
+    error(value, "`" + key + "` must be a mapping: `name: text` lines");
+    return texts;
+  }
+  for (const auto& member : value) {
+    if (member.first.IsScalar() && member.second.IsScalar()) {
+      texts[member.first.Scalar()] = member.second.Scalar();
+    } else {
+      error(member.first, "each of `" + key + "` must be a plain value");
+    }
+  }
+  return texts;
+}
+
+std::vector<YAML::Node> YamlMap::required_items(const std::string& key) {
+  const YAML::Node value = find(key);
+  if (value.IsDefined() && value.IsSequence() && value.size() > 0) {
+    return {value.begin(), value.end()};
+  }
+  if (value.IsDefined()) {
+    error(value, "`" + key + "` must be a list with at least one item");
+  } else if (is_map_) {
+    error(map_, "the " + what_ + " has no `" + key + "`", "add a line `" + key + ":` and a list");
+  }
+  return {};
 }
 
 void YamlMap::finish() {

@@ -5,6 +5,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,8 +29,10 @@ class YamlMap {
   bool boolean(const std::string& key, bool otherwise);
   // A list of plain values.
   std::vector<LocatedText> strings(const std::string& key);
-  // The node itself, for what is nested.
-  YAML::Node node(const std::string& key);
+  // A mapping of names to plain values.
+  std::map<std::string, std::string> texts(const std::string& key);
+  // A list of what is nested; one without items is an error.
+  std::vector<YAML::Node> required_items(const std::string& key);
 
   void finish();
 

@@ -12,6 +12,7 @@
 
 #include <JavaScriptCore/JavaScript.h>
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <tl/expected.hpp>
@@ -38,8 +39,8 @@ class Engine {
   tl::expected<std::string, ScriptError> call(const std::string& function,
                                               const std::vector<std::string>& arguments);
 
-  // For the classes that bind C++ to scripts. Values live as long as a JavaScript variable, this
-  // stack or JSValueProtect holds them.
+  // The rest is for classes that bind C++ to scripts. A value lives as long as a JavaScript
+  // variable, the C++ stack or a Protected (js_value.h) holds it; a container does not.
 
   JSGlobalContextRef context() const { return context_; }
 

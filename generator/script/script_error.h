@@ -19,12 +19,11 @@ namespace mjcourse {
 struct ScriptError {
   std::string id;
   std::string message;
-  std::string cure;  // empty when there is nothing to suggest
-  int line = 0;      // from 1; 0 when the place is not known
-  int column = 0;    // from 1, in characters; 0 when the place is not known
-  int width = 1;     // characters to underline
-  bool in_value =
-      false;  // the place is in an expression, not in a script (Program: value, not run)
+  std::string cure;       // empty when there is nothing to suggest
+  int line = 0;           // from 1; 0 when the place is not known
+  int column = 0;         // from 1, in characters; 0 when the place is not known
+  int width = 1;          // characters to underline
+  bool in_value = false;  // of a Program: the place is in its value, not in its run
 };
 
 }  // namespace mjcourse

@@ -7,7 +7,7 @@
 //
 // The names and their strictness are made by site/script/world.ts, the same code that runs in the
 // page; this class gives it the native half (native_world.h) and finds an error's place in the
-// author's text (author_text.h). A text is compiled once, so sampling one expression at every frame
+// author's text (author_text.h). An expression is compiled once, so sampling it at every frame
 // costs a call and no parse.
 #pragma once
 
@@ -49,8 +49,7 @@ class World {
   tl::expected<bool, ScriptError> truth(std::string_view expression);
   tl::expected<bool, ScriptError> truth(const Program& program);
 
-  // A finite number, a boolean, a string, or an array of these. (Callers include
-  // nlohmann/json.hpp.)
+  // A finite number, a boolean, a string, or an array of these. Callers include nlohmann/json.hpp.
   tl::expected<nlohmann::json, ScriptError> value(std::string_view expression);
   tl::expected<nlohmann::json, ScriptError> value(const Program& program);
 

@@ -10,12 +10,11 @@ import { arrayMember, numberMember, strictStruct } from "./strict-struct.js";
 import { suggest } from "./suggest.js";
 
 /** Fields of mjData with a row for each body or joint, which their names do not tell. */
-const rowsOf = {
-  body: [
-    ...["xfrc_applied", "xpos", "xquat", "xmat", "xipos", "ximat", "subtree_com", "cinert", "crb"],
-    ...["cvel", "subtree_linvel", "subtree_angmom", "cacc", "cfrc_int", "cfrc_ext"],
-  ],
-  jnt: ["xanchor", "xaxis"],
+const rowsOf: Readonly<Record<string, string>> = {
+  body:
+    "xfrc_applied xpos xquat xmat xipos ximat subtree_com cinert crb " +
+    "cvel subtree_linvel subtree_angmom cacc cfrc_int cfrc_ext",
+  jnt: "xanchor xaxis",
 };
 
 /** Numbers in qpos and in qvel, by mjtJoint. */
@@ -100,7 +99,7 @@ function byName(
 /** Row `id` of every field that has a row for each object of the kind, without the kind's prefix. */
 function rowMembers(native: Native, prefix: string, id: number, label: string) {
   const members: PropertyDescriptorMap = {};
-  const alsoRows: readonly string[] = prefix === "body" || prefix === "jnt" ? rowsOf[prefix] : [];
+  const alsoRows = (rowsOf[prefix] ?? "").split(" ");
   for (const { owner, name, view, columns } of [...native.modelFields, ...native.dataFields]) {
     const prefixed = name.startsWith(`${prefix}_`);
     if (owner !== "" || !(prefixed || alsoRows.includes(name))) continue;

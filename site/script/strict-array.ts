@@ -97,7 +97,7 @@ function checkSet(view: Numbers, label: string, source: unknown, offset: unknown
   const start = Number(offset ?? 0);
   numbers.forEach((value, index) => checkWrite(view, value, `${label}[${start + index}]`, label));
   if (start >= 0 && start + numbers.length <= view.length) return;
-  const message = `${label}.set: ${numbers.length} numbers from ${start} on do not fit into ${view.length}`;
+  const message = `${label}.set: ${numbers.length} numbers from ${start} on pass its end, ${view.length}`;
   throw new Fault("E-script-range", message, [`${label}.set`, label]);
 }
 
