@@ -1,5 +1,7 @@
 #include "evaluate/evaluate.h"
 
+#include <mujoco/mujoco.h>
+
 #include <algorithm>
 #include <atomic>
 #include <optional>
@@ -170,6 +172,7 @@ Evaluation evaluate(const Course& course, const std::filesystem::path& root, con
                     Progress& progress) {
   Evaluation evaluation;
   evaluation.lessons.resize(course.lessons.size());
+  evaluation.mujoco = mj_versionString();
   progress.plan(count_tasks(course));
   ExampleCrew crew(course, root, progress);
   Workshop workshop(course, root, assets);

@@ -29,6 +29,7 @@ class Progress {
 struct Evaluation {
   std::vector<LessonResults> lessons;  // one for each lesson of the course
   Diagnostics diagnostics;
+  std::string mujoco;  // the version that everything was found with: "2.2.2"
 };
 
 // `root` is the course's folder, `assets` what the site's build made.

@@ -1,7 +1,5 @@
 #include "page/site.h"
 
-#include <mujoco/mujoco.h>
-
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -26,7 +24,7 @@ std::map<std::string, std::string> read_templates(const DiskFiles& assets) {
   return sources;
 }
 
-json verified_data(const Tally& tally) {
+json verified_data(const Tally& tally, const std::string& mujoco) {
   return {{"programs", tally.programs},
           {"outputs", tally.outputs},
           {"answers_proved", tally.answers_proved},
@@ -34,7 +32,7 @@ json verified_data(const Tally& tally) {
           {"labs", tally.labs},
           {"pictures", tally.pictures},
           {"formulas", tally.formulas},
-          {"mujoco", mj_versionString()}};
+          {"mujoco", mujoco}};
 }
 
 json reference_to(const Lesson& lesson) {
@@ -156,7 +154,7 @@ void SiteWriter::write_lesson(std::size_t index) {
        {"tags", lesson.front.tags},
        {"contents", writer.contents()},
        {"body", mark},
-       {"verified", verified_data(results.tally)},
+       {"verified", verified_data(results.tally, evaluation_.mujoco)},
        {"previous", neighbour(index - 1)},
        {"next", neighbour(index + 1)},
        {"level", {{"title", level_title}}},
@@ -225,7 +223,7 @@ void SiteWriter::write_home() {
                       {{"course", {{"title", course_.title}, {"description", course_.description}}},
                        {"root", ""},
                        {"levels", levels},
-                       {"verified", verified_data(total)}});
+                       {"verified", verified_data(total, evaluation_.mujoco)}});
   directory_.write("index.html",
                    frame("home", course_.title, course_.description, "", nullptr, body));
 }
