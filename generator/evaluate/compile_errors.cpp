@@ -90,6 +90,9 @@ void report_compile_messages(const Compiled& compiled, const CompiledText& text,
       const std::string file = std::filesystem::path(message.file).lexically_normal().string();
       found.detail = "in " + file + ":" + std::to_string(message.line) + "\n";
     }
+    if (text.code.offsets.empty()) {
+      found.notes.push_back({"the lesson shows this file", place_of(*lesson.source, text.fence)});
+    }
     diagnostics.push_back(std::move(found));
   }
   if (compiled.succeeded || errors > 0) return;

@@ -117,7 +117,7 @@ std::optional<Poster> Rehearsal::draw(Simulation& simulation) {
     return std::nullopt;
   }
   const mjStatistic& extent = simulation.model()->stat;
-  Lab::Camera camera = lab_.camera.value_or(Lab::Camera{
+  const Lab::Camera camera = lab_.camera.value_or(Lab::Camera{
       90, -45, 1.5 * extent.extent, {extent.center[0], extent.center[1], extent.center[2]}});
   Overlays overlays;
   for (const Lab::Overlay& overlay : lab_.overlays) overlays[overlay.name.text] = overlay.on;

@@ -75,8 +75,7 @@ class Examiner {
       last->notes.push_back(std::move(proof));
       return;
     }
-    Diagnostic found =
-        error_at(place_of(*lesson_.source, span), std::move(id), std::move(message));
+    Diagnostic found = error_at(place_of(*lesson_.source, span), std::move(id), std::move(message));
     found.notes.push_back(std::move(proof));
     diagnostics_.push_back(std::move(found));
     reported_ = true;
@@ -167,7 +166,8 @@ bool Examiner::prove(const Proof& proof, QuestionResult& result) {
   }
   const bool proved =
       proof.options.empty() ? prove_value(proof, result) : prove_options(proof, result);
-  result.proved = result.proved || proved;
+  // What is held against `equals` says nothing of the answer.
+  result.proved = result.proved || (proved && !proof.equals);
   return proved;
 }
 

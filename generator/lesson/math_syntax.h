@@ -8,8 +8,8 @@
 
 namespace mjcourse {
 
-// The one extension object, made at first use, when the table's is registered, and kept for the life
-// of the program.
+// The one extension object, made at first use, when the table's is registered, and kept for the
+// life of the program.
 cmark_syntax_extension* math_syntax();
 
 }  // namespace mjcourse

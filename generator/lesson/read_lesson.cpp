@@ -48,10 +48,9 @@ std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
   static const std::regex name(R"(content/([^/]+)/((\d+\.\d+)-[^/]+)\.md)");
   std::smatch parts;
   if (!std::regex_match(path, parts, name)) {
-    diagnostics.push_back(
-        error_at({path, 0, 0, 1, ""}, "E-lesson-name",
-                 "a lesson's file is named after its number, as `1.2-a-title.md`",
-                 "rename the file"));
+    diagnostics.push_back(error_at({path, 0, 0, 1, ""}, "E-lesson-name",
+                                   "a lesson's file is named after its number, as `1.2-a-title.md`",
+                                   "rename the file"));
     return std::nullopt;
   }
   lesson.folder = parts[1];

@@ -91,10 +91,10 @@ std::optional<int> YamlMap::count(const std::string& key) {
   double number = 0;
   if (!value.IsScalar() || !YAML::convert<double>::decode(value, number)) {
     error(value, "`" + key + "` must be a number");
-  } else if (!(number >= 0 && number <= 1e6) || number != std::floor(number)) {
-    error(value, "`" + key + "` must be a whole number, not less than 0");
-  } else {
+  } else if (number >= 0 && number <= 1e6 && number == std::floor(number)) {
     return static_cast<int>(number);
+  } else {
+    error(value, "`" + key + "` must be a whole number, not less than 0");
   }
   return std::nullopt;
 }

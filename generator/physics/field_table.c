@@ -61,11 +61,11 @@ static void add_settings(Table* table, mjModel* model) {
 #define X(name, size) add(table, array("opt", #name, TYPE_mjtNum, model->opt.name, size, 1));
   MJOPTION_VECTORS
 #undef X
-#define ADD(owner, name, field)                                                      \
-  {                                                                                  \
-    mjcField added = array(owner, name, TYPE_OF(field), &field, COUNT_OF(field), 1); \
-    added.scalar = IS_SCALAR(field);                                                 \
-    add(table, added);                                                               \
+#define ADD(owner, name, field)                                                        \
+  {                                                                                    \
+    mjcField added = array(owner, name, TYPE_OF(field), &(field), COUNT_OF(field), 1); \
+    added.scalar = IS_SCALAR(field);                                                   \
+    add(table, added);                                                                 \
   }
 #define X(group, name) ADD("vis." #group, #name, model->vis.group.name)
   MJC_VISUAL_FIELDS

@@ -13,6 +13,7 @@
 extern "C" {
 #endif
 
+/* NOLINTBEGIN(modernize-use-using): C has no other way */
 typedef enum mjcFieldType_ {
   mjcFIELD_DOUBLE = 0, /* mjtNum */
   mjcFIELD_FLOAT,
@@ -30,6 +31,7 @@ typedef struct mjcField_ {
   int columns;
   int scalar; /* 1 when the field is a number and not an array */
 } mjcField;
+/* NOLINTEND(modernize-use-using) */
 
 /* Write up to `capacity` fields of `model` to `fields` and return how many there are. */
 int mjc_model_fields(mjModel* model, mjcField* fields, int capacity);

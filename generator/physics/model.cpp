@@ -21,7 +21,7 @@ std::string content_of(const std::string& path) {
 // What mj_loadXML makes of `path`, which is in `vfs` or, without one, on the disk: the model and
 // its warnings, or MuJoCo's answer.
 tl::expected<Model, std::string> load(const std::string& path, const mjVFS* vfs) {
-  WarningLog log;
+  const WarningLog log;
   std::array<char, 1000> answer{};
   try {
     mjModel* model = mj_loadXML(path.c_str(), vfs, answer.data(), static_cast<int>(answer.size()));

@@ -115,7 +115,7 @@ std::optional<ModelError> include_error(const std::string& answer, const std::st
   const std::string path = (std::filesystem::path(file).parent_path() / name).string();
   const std::optional<ModelError> inner = parse_error(found[1], path);
   if (!inner) return std::nullopt;
-  if (inner->line > 0 && !name.empty()) return inner;
+  if (inner->line > 0 && !name.empty()) return *inner;
   const std::string which = name.empty() ? "an included file" : "included file '" + name + "'";
   return ModelError{file, line, 0, which + ": " + inner->message};
 }

@@ -12,6 +12,7 @@
 extern "C" {
 #endif
 
+/* NOLINTBEGIN(modernize-use-using): C has no other way */
 typedef enum mjcOverlayKind_ {
   mjcOVERLAY_FLAG = 0, /* one of mjvOption.flags; any number may be on */
   mjcOVERLAY_FRAME,    /* a value of mjvOption.frame: at most one is on */
@@ -23,6 +24,7 @@ typedef struct mjcOverlay_ {
   mjcOverlayKind kind;
   int value; /* mjtVisFlag, mjtFrame or mjtLabel */
 } mjcOverlay;
+/* NOLINTEND(modernize-use-using) */
 
 /* The overlays, `*count` of them. */
 const mjcOverlay* mjc_overlays(int* count);

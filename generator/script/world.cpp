@@ -129,7 +129,7 @@ tl::expected<JSValueRef, ScriptError> World::Parts::resume(const CompiledScript&
   JSContextRef context = engine.context();
   const JSValueRef target = iterator;
   const auto step = call(script, object_in(context, member("next")), {&target, 1});
-  if (!step) return step;
+  if (!step) return tl::unexpected(step.error());
   return property(context, object_in(context, *step), "value");
 }
 

@@ -160,6 +160,15 @@ TEST(Simulation, ReportsAWarningAndGoesOn) {
   EXPECT_GT(simulation.data()->time, 0);
 }
 
+TEST(Simulation, ReportsWhatElseMujocoWarnsOf) {
+  Simulation simulation = simulate(falling);
+  mjcb_passive = [](const mjModel*, mjData*) { mju_warning("it is slippery"); };
+  simulation.step();
+  mjcb_passive = nullptr;
+  EXPECT_TRUE(says(simulation, "MuJoCo warns: it is slippery"));
+  EXPECT_FALSE(simulation.stopped());
+}
+
 TEST(Simulation, TurnsAnErrorOfMujocosIntoTrouble) {
   Model model = load_model_text(falling).value();
   model->nstack = 1;  // mj_forward needs more

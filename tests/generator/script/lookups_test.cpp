@@ -47,13 +47,22 @@ TEST_F(LookupsTest, SensorsAndControls) {
 TEST_F(LookupsTest, UnknownNamesAreErrors) {
   EXPECT_EQ(value_error("1 + qpos('hingee')[0]"),
             "E-script-name 1:11+6 no joint is named `hingee` | did you mean `hinge`?");
-  EXPECT_EQ(value_error("body('nothing').xpos[0]"), "");
-  EXPECT_EQ(value_error("ctrl('moto')"), "");
-  EXPECT_EQ(value_error("sensor('')"), "");
-  EXPECT_EQ(value_error("body('box').xpso"), "");
-  EXPECT_EQ(value_error("qpos('hinge')[1]"), "");
-  EXPECT_EQ(run_error("body('box').mass = NaN"), "");
-  EXPECT_EQ(run_error("body('box').xpos = [1, 2, 3]"), "");
+  EXPECT_EQ(value_error("body('nothing').xpos[0]"),
+            "E-script-name 1:7+7 no body is named `nothing` | known: world, box, bob, cart, wheel");
+  EXPECT_EQ(value_error("ctrl('moto')"),
+            "E-script-name 1:7+4 no actuator is named `moto` | did you mean `motor`?");
+  EXPECT_EQ(value_error("sensor('')"),
+            "E-script-name 1:1+6 no sensor is named `` | known: angle, place");
+  EXPECT_EQ(
+      value_error("body('box').xpso"),
+      "E-script-name 1:13+4 body('box').xpso does not exist | did you mean `body('box').xpos`?");
+  EXPECT_EQ(value_error("qpos('hinge')[1]"),
+            "E-script-range 1:1+16 qpos('hinge')[1] is out of range 0..0 | ");
+  EXPECT_EQ(run_error("body('box').mass = NaN"),
+            "E-script-value 1:1+16 body('box').mass = NaN: not a finite number | ");
+  EXPECT_EQ(run_error("body('box').xpos = [1, 2, 3]"),
+            "E-script-value 1:1+16 body('box').xpos cannot be assigned | it is an array: "
+            "body('box').xpos[0] = …, or body('box').xpos.set([…])");
 }
 
 // mjxmacro.h tells the fields with a row for each body or joint; the TypeScript names them.

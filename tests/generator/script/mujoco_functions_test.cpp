@@ -69,19 +69,27 @@ TEST_F(MujocoFunctionsTest, ObjectVelocity) {
 }
 
 TEST_F(MujocoFunctionsTest, ArgumentsAreChecked) {
-  EXPECT_EQ(run_error("mj_differentiatePos(model, [], 0.1, data.qpos, data.qpos)"), "");
-  EXPECT_EQ(run_error("mj_differentiatePos(model, data.qvel, 0.1, data.qvel, data.qpos)"), "");
-  EXPECT_EQ(run_error("mj_step(data, model)"), "");
-  EXPECT_EQ(run_error("mju_negQuat([0, 0, 0, 0])"), "");
-  EXPECT_EQ(run_error("mju_negQuat([0, 0, 0, 0], [1, 0, NaN, 0])"), "");
-  EXPECT_EQ(run_error("mju_negQuat(5, [1, 0, 0, 0])"), "");
-  EXPECT_EQ(run_error("mju_quatIntegrate([1, 0, 0, 0], [0, 0, 1], '1')"), "");
+  EXPECT_EQ(run_error("mj_differentiatePos(model, [], 0.1, data.qpos, data.qpos)"),
+            "E-script-range 1:1+19 mj_differentiatePos: qvel has 0 numbers, expected nv = 11 | ");
+  EXPECT_EQ(run_error("mj_differentiatePos(model, data.qvel, 0.1, data.qvel, data.qpos)"),
+            "E-script-range 1:1+19 mj_differentiatePos: qpos1 has 11 numbers, expected nq = 13 | ");
+  EXPECT_EQ(run_error("mj_step(data, model)"),
+            "E-script-value 1:1+7 mj_step: its model must be `model`, not an object | ");
+  EXPECT_EQ(run_error("mju_negQuat([0, 0, 0, 0])"),
+            "E-script-value 1:1+11 mju_negQuat: wants 2 (res, quat) arguments, not 1 | ");
+  EXPECT_EQ(run_error("mju_negQuat([0, 0, 0, 0], [1, 0, NaN, 0])"),
+            "E-script-value 1:1+11 mju_negQuat: quat[2] is NaN, not a finite number | ");
+  EXPECT_EQ(run_error("mju_negQuat(5, [1, 0, 0, 0])"),
+            "E-script-value 1:1+11 mju_negQuat: res must be an array, not 5 | ");
+  EXPECT_EQ(run_error("mju_quatIntegrate([1, 0, 0, 0], [0, 0, 1], '1')"),
+            "E-script-value 1:1+17 mju_quatIntegrate: scale must be a finite number, not \"1\" | ");
   EXPECT_EQ(run_error("mj_objectVelocity(model, data, mjOBJ_BODY, 5, new Array(6).fill(0), 0)"),
-            "");
+            "E-script-range 1:1+17 mj_objectVelocity: objid is 5: out of range 0..4 | ");
   EXPECT_EQ(run_error("mj_objectVelocity(model, data, mjOBJ_JOINT, 0, new Array(6).fill(0), 0)"),
-            "");
+            "E-script-value 1:1+17 mj_objectVelocity: objtype must be mjOBJ_BODY, _XBODY, _GEOM, "
+            "_SITE or _CAMERA | ");
   EXPECT_EQ(run_error("mj_objectVelocity(model, data, mjOBJ_BODY, 0.5, [0, 0, 0, 0, 0, 0], 0)"),
-            "");
+            "E-script-value 1:1+17 mj_objectVelocity: objid must be a whole number, not 0.5 | ");
 }
 
 }  // namespace mjcourse

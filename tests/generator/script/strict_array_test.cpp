@@ -40,17 +40,25 @@ TEST_F(StrictArrayTest, RefusesWhatJavaScriptLetsPass) {
             "E-script-range 1:1+14 data.qpos[0.5] is out of range 0..12 | ");
   EXPECT_EQ(value_error("data.qpos.at(13)"),
             "E-script-range 1:1+9 data.qpos[13] is out of range 0..12 | ");
-  EXPECT_EQ(value_error("data.qpos.lenght"), "");
-  EXPECT_EQ(run_error("data.qvel.fill(NaN)"), "");
-  EXPECT_EQ(run_error("data.qvel.set([1, 0 / 0], 3)"), "");
-  EXPECT_EQ(run_error("data.qvel.set([1, 2], 10)"), "");
-  EXPECT_EQ(run_error("data.qpos[undefined] = 1"), "");
-  EXPECT_EQ(run_error("data.qpos[13] = 1"), "");
+  EXPECT_EQ(value_error("data.qpos.lenght"),
+            "E-script-name 1:11+6 data.qpos has no `lenght` | did you mean `data.qpos.length`?");
+  EXPECT_EQ(run_error("data.qvel.fill(NaN)"),
+            "E-script-value 1:1+9 every number of data.qvel = NaN: not a finite number | ");
+  EXPECT_EQ(run_error("data.qvel.set([1, 0 / 0], 3)"),
+            "E-script-value 1:1+9 data.qvel[4] = NaN: not a finite number | ");
+  EXPECT_EQ(run_error("data.qvel.set([1, 2], 10)"),
+            "E-script-range 1:1+13 data.qvel.set: 2 numbers from 10 on pass its end, 11 | ");
+  EXPECT_EQ(run_error("data.qpos[undefined] = 1"),
+            "E-script-name 1:11+9 data.qpos has no `undefined` | ");
+  EXPECT_EQ(run_error("data.qpos[13] = 1"),
+            "E-script-range 1:1+13 data.qpos[13] is out of range 0..12 | ");
 }
 
 TEST_F(StrictArrayTest, WholeNumbersStayWhole) {
-  EXPECT_EQ(run_error("model.jnt_type[0] = 1.5"), "");
-  EXPECT_EQ(run_error("model.jnt_limited[0] = 300"), "");
+  EXPECT_EQ(run_error("model.jnt_type[0] = 1.5"),
+            "E-script-value 1:1+17 model.jnt_type[0] = 1.5: not a whole number | ");
+  EXPECT_EQ(run_error("model.jnt_limited[0] = 300"),
+            "E-script-value 1:1+20 model.jnt_limited[0] = 300: not a whole number in 0..255 | ");
   ASSERT_TRUE(world_.run("model.jnt_limited[0] = 1"));
   EXPECT_EQ(simulation_.model()->jnt_limited[0], 1);
 }
@@ -58,7 +66,9 @@ TEST_F(StrictArrayTest, WholeNumbersStayWhole) {
 TEST_F(StrictArrayTest, OneNumberStandsForItselfAndMoreDoNot) {
   ASSERT_TRUE(world_.run("qpos('hinge')[0] = 0.5"));
   EXPECT_EQ(number("2 * qpos('hinge')"), 1);
-  EXPECT_EQ(value_error("2 * qpos('free')"), "");
+  EXPECT_EQ(value_error("2 * qpos('free')"),
+            "E-script-value 1:5+12 qpos('free') is an array of length 7, not a number | take one "
+            "of its numbers: qpos('free')[0]");
   EXPECT_EQ(world_.value("`at ${qpos('free').slice(0, 3)}`").value(), "at 1, 2, 3");
 }
 

@@ -38,14 +38,17 @@ TEST_F(TemplatesTest, TemplatesIncludeEachOther) {
 }
 
 TEST_F(TemplatesTest, AMissingNameIsAnErrorInItsOwnTemplate) {
-  EXPECT_EQ(render("page", {{"titel", "t"}}), "");
-  EXPECT_EQ(render("page", {{"title", "t"}, {"parts", {{{"bold", true}}}}}), "");
-  EXPECT_EQ(render("page", {{"title", "t"}, {"parts", {{{"name", "x"}}}}}), "");
+  EXPECT_EQ(render("page", {{"titel", "t"}}), "page:1: \"title\" is not in the data");
+  EXPECT_EQ(render("page", {{"title", "t"}, {"parts", {{{"bold", true}}}}}),
+            "part:2: \"name\" is not in the data");
+  EXPECT_EQ(render("page", {{"title", "t"}, {"parts", {{{"name", "x"}}}}}),
+            "part:2: \"bold\" is not in the data");
 }
 
 TEST_F(TemplatesTest, BrokenTemplatesAreErrors) {
-  EXPECT_EQ(render("broken", {{"a", 1}}), "");
-  EXPECT_EQ(render("lost", {{"a", 1}}), "");
+  EXPECT_EQ(render("broken", {{"a", 1}}),
+            "broken:3: Expecting 'OPEN_INVERSE_CHAIN', 'INVERSE', 'OPEN_ENDBLOCK', got 'EOF'");
+  EXPECT_EQ(render("lost", {{"a", 1}}), "lost:0: The partial nowhere could not be found");
   EXPECT_EQ(render("absent", {{"a", 1}}), "absent:0: there is no such template");
 }
 

@@ -13,16 +13,23 @@ namespace mjcourse {
 
 inline constexpr const char* robot = R"(
 <mujoco>
-  <option gravity="0 0 -10" timestep="0.002"><flag contact="disable"/></option>
+  <option gravity="0 0 -10" timestep="0.002">
+    <flag contact="disable" energy="enable"/>
+  </option>
   <worldbody>
-    <body name="box" pos="1 2 3"><freejoint name="free"/><geom name="side" size="0.1" mass="2"/>
-      <site name="tip" pos="0 0 0.5"/></body>
+    <body name="box" pos="1 2 3">
+      <freejoint name="free"/>
+      <geom name="side" size="0.1" mass="2"/>
+      <site name="tip" pos="0 0 0.5"/>
+    </body>
     <body name="bob"><joint name="ball" type="ball"/><geom size="0.1" pos="0 0 -1"/></body>
     <body name="cart"><joint name="slide" type="slide"/><geom size="0.1"/></body>
     <body name="wheel"><joint name="hinge" axis="0 1 0"/><geom size="0.1"/></body>
   </worldbody>
   <actuator><motor name="motor" joint="hinge"/></actuator>
-  <sensor><jointpos name="angle" joint="hinge"/><framepos name="place" objtype="site" objname="tip"/>
+  <sensor>
+    <jointpos name="angle" joint="hinge"/>
+    <framepos name="place" objtype="site" objname="tip"/>
   </sensor>
 </mujoco>)";
 

@@ -131,7 +131,8 @@ TEST_F(WorldTest, IndicesStayInRange) {
             "E-script-range 1:16+13 data.qpos[13] is out of range 0..12 | ");
   EXPECT_EQ(run_error("for (let i = 0; i <= model.nv; i++) data.qvel[i] = 0;"),
             "E-script-range 1:37+9 data.qvel[11] is out of range 0..10 | ");
-  EXPECT_EQ(value_error("data.act[0]"), "E-script-range 1:1+11 data.act[0]: data.act is empty | ");
+  EXPECT_EQ(value_error("data.act[0]"),
+            "E-script-range 1:1+11 data.act[0] does not exist: data.act is empty | ");
 }
 
 TEST_F(WorldTest, WritesAreFiniteNumbers) {
@@ -174,7 +175,7 @@ TEST_F(WorldTest, ThrownErrorsKeepTheirPlace) {
   EXPECT_EQ(run_error("\nthrow new Error('no luck')"), "E-script-throw 2:11+5 no luck | ");
   EXPECT_EQ(run_error("throw 'a word'"), "E-script-throw 0:0+1 a word | ");
   EXPECT_EQ(run_error("const s = {}; // é𝄞\n/* é𝄞 */ s.run()"),
-            "E-script-throw 2:10+5 TypeError: s.run is not a function. (In 's.run()', 's.run' is "
+            "E-script-throw 2:10+7 TypeError: s.run is not a function. (In 's.run()', 's.run' is "
             "undefined) | ");
 }
 

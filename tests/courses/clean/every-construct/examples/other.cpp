@@ -1,0 +1,5 @@
+#include <cstdio>
+
+int main() {
+  std::printf("%g\n", 3.0);
+}

@@ -1,0 +1,6 @@
+#include <cstdio>
+
+int main() {
+  const char* name = 5;
+  std::puts(name)
+}

@@ -1,0 +1,5 @@
+int count();
+
+int main() {
+  return count();
+}

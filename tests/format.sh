@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# Every source is formatted, and eslint finds nothing in the scripts.
+#
+#   tests/format.sh NODE
+set -uo pipefail
+cd "$(dirname "$0")/.."
+node=$1
+failed=0
+
+find generator tests examples -name '*.cpp' -o -name '*.hpp' -o -name '*.h' -o -name '*.c' |
+  xargs clang-format-16 --dry-run -Werror || failed=1
+"$node" site/node_modules/prettier/bin/prettier.cjs --check --log-level warn \
+  --config site/.prettierrc.json --ignore-path site/.prettierignore \
+  site 'tests/**/*.mjs' || failed=1
+"$node" site/node_modules/eslint/bin/eslint.js --config site/eslint.config.mjs site tests || failed=1
+exit $failed

@@ -1,0 +1,53 @@
+#include "base/nearest.h"
+
+#include <gtest/gtest.h>
+
+namespace mjcourse {
+namespace {
+
+const std::vector<std::string> kFields{"qpos", "qvel", "xfrc_applied", "time"};
+
+TEST(Nearest, FindsTheNameThatWasMeant) {
+  EXPECT_EQ(nearest("qpso", kFields), "qpos");           // two letters swapped
+  EXPECT_EQ(nearest("qpo", kFields), "qpos");            // one left out
+  EXPECT_EQ(nearest("xfrc_aplied", kFields), "xfrc_applied");
+  EXPECT_EQ(nearest("qvel", kFields), "qvel");
+}
+
+TEST(Nearest, TakesTheFirstOfTwoThatAreEquallyNear) {
+  EXPECT_EQ(nearest("bat", {"cat", "hat"}), "cat");
+}
+
+TEST(Nearest, GivesALongNameAThirdOfItself) {
+  EXPECT_EQ(nearest("generalised_cordinate", {"generalized_coordinates"}),
+            "generalized_coordinates");
+  EXPECT_EQ(nearest("abcdefghi", {"abcdefxyz"}), "abcdefxyz");  // three of nine
+  EXPECT_EQ(nearest("abcdefghi", {"abcdewxyz"}), "");           // four of nine
+}
+
+TEST(Nearest, DoesNotMakeOneShortWordOutOfAnother) {
+  EXPECT_EQ(nearest("ab", {"xy"}), "");
+  EXPECT_EQ(nearest("a", {"b"}), "");
+  EXPECT_EQ(nearest("", {"a", "ab"}), "");
+}
+
+TEST(Suggest, AsksWhenSomethingIsNear) {
+  EXPECT_EQ(suggest("qpso", kFields), "did you mean `qpos`?");
+}
+
+TEST(Suggest, ListsWhatThereIsWhenNothingIsNear) {
+  EXPECT_EQ(suggest("acceleration", kFields), "known: qpos, qvel, xfrc_applied, time");
+}
+
+TEST(Suggest, ListsTheFirstDozen) {
+  std::vector<std::string> many;
+  for (char c = 'a'; c <= 'm'; ++c) many.emplace_back(1, c);
+  EXPECT_EQ(suggest("acceleration", many), "known: a, b, c, d, e, f, g, h, i, j, k, l, …");
+}
+
+TEST(Suggest, SaysWhenThereIsNothingToChooseFrom) {
+  EXPECT_EQ(suggest("anything", {}), "there is none yet");
+}
+
+}  // namespace
+}  // namespace mjcourse

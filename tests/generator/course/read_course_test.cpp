@@ -1,0 +1,251 @@
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "course/course.h"
+#include "report/terminal.h"
+
+namespace mjcourse {
+namespace {
+
+// A course in memory, and what reading it found.
+struct CourseOf {
+  using FileMap = std::map<std::string, std::string>;
+  explicit CourseOf(FileMap files)
+      : course(read_course(MemoryFiles(std::move(files)), diagnostics)) {}
+
+  std::string mistakes() const {
+    std::string text;
+    for (const Diagnostic& diagnostic : diagnostics) text += format_for_terminal(diagnostic);
+    return text;
+  }
+
+  Diagnostics diagnostics;
+  std::optional<Course> course;
+};
+
+std::string lesson(const std::string& body, const std::string& front = "") {
+  return "---\ntitle: T\n" + front + "---\n" + body;
+}
+
+const std::string kTwo = R"(title: C
+levels:
+  - folder: 1-a
+    title: First
+    lessons: [1.1-x, 1.2-y]
+)";
+
+// A course of two lessons with these bodies; the first has `front` in its front matter.
+CourseOf course_of(const std::string& x, const std::string& y, const std::string& front = "") {
+  return CourseOf({{"content/course.yaml", kTwo},
+                   {"content/1-a/1.1-x.md", lesson(x, front)},
+                   {"content/1-a/1.2-y.md", lesson(y)}});
+}
+
+TEST(Course, IsReadInItsOwnOrder) {
+  const CourseOf found({{"content/course.yaml", R"(title: C
+description: D
+language: de
+macros: {\R: '\mathbb{R}', \half: 0.5}
+levels:
+  - {folder: 2-b, title: Second, lessons: [2.1-z]}
+  - {folder: 1-a, title: First, lessons: [1.2-y, 1.1-x]}
+)"},
+                        {"content/1-a/1.1-x.md", lesson("")},
+                        {"content/1-a/1.2-y.md", lesson("")},
+                        {"content/2-b/2.1-z.md", lesson("")},
+                        {"models/zoo.xml", ""},
+                        {"models/zoo.txt", ""},
+                        {"models/arm/arm.xml", ""}});
+  EXPECT_EQ(found.mistakes(), "");
+  const Course& course = *found.course;
+  EXPECT_EQ(course.title + course.description + course.language, "CDde");
+  EXPECT_EQ(course.macros,
+            (std::map<std::string, std::string>{{"\\R", "\\mathbb{R}"}, {"\\half", "0.5"}}));
+  ASSERT_EQ(course.lessons.size(), 3u);
+  EXPECT_EQ(course.lessons[0].number, "2.1");
+  EXPECT_EQ(course.lessons[1].number, "1.2");
+  EXPECT_EQ(course.levels[1].lessons, (std::vector<std::size_t>{1, 2}));
+  EXPECT_EQ(course.find_lesson("1.1"), &course.lessons[2]);
+  EXPECT_EQ(course.find_lesson("1.3"), nullptr);
+  EXPECT_EQ(course.models, std::vector<std::string>{"zoo"});
+}
+
+TEST(Course, NeedsItsFile) {
+  const CourseOf found(CourseOf::FileMap{{"content/1-a/1.1-x.md", lesson("")}});
+  EXPECT_FALSE(found.course);
+  EXPECT_EQ(
+      found.mistakes(),
+      "content/course.yaml: error: cannot read content/course.yaml: No such file or directory "
+      "[E-course-yaml]\n"
+      "  cure: a course is a folder with content/course.yaml; name it with --course DIR\n");
+}
+
+TEST(Course, NeedsATitleAndLevels) {
+  EXPECT_EQ(CourseOf(CourseOf::FileMap{{"content/course.yaml", "language: en\n"}}).mistakes(),
+            R"(content/course.yaml:1:1: error: the course file has no `title` [E-course-yaml]
+  1 | language: en
+    | ^
+  cure: add a line `title: …`
+content/course.yaml:1:1: error: the course file has no `levels` [E-course-yaml]
+  1 | language: en
+    | ^
+  cure: add a line `levels:` and a list
+)");
+}
+
+// "line:column id message | cure" of each mistake in a course file.
+std::string mistakes_in(const std::string& yaml) {
+  const CourseOf found({{"content/course.yaml", yaml}, {"content/1-a/1.1-x.md", lesson("")}});
+  std::string text;
+  for (const Diagnostic& d : found.diagnostics) {
+    text += std::to_string(d.place.line) + ":" + std::to_string(d.place.column) + " " + d.id + " " +
+            d.message + (d.cure.empty() ? "" : " | " + d.cure) + "\n";
+  }
+  return text;
+}
+
+TEST(Course, RefusesWhatItDoesNotKnow) {
+  const std::string level = "levels: [{folder: 1-a, title: L, lessons: [1.1-x]}]\n";
+  EXPECT_EQ(mistakes_in("title: C\n" + level), "");
+  EXPECT_EQ(mistakes_in("title: C\nlanguag: de\n" + level),
+            "2:1 E-course-yaml the course file has no key `languag` | did you mean `language`?\n");
+  EXPECT_EQ(mistakes_in("title: C\nlevels: [{folder: 1-a, titel: L, title: L}]\n"),
+            "2:24 E-course-yaml the level has no key `titel` | did you mean `title`?\n");
+}
+
+TEST(Course, RefusesValuesOfTheWrongType) {
+  const std::string level = "levels: [{folder: 1-a, title: L, lessons: [1.1-x]}]\n";
+  EXPECT_EQ(mistakes_in("title: C\nmacros: [a]\n" + level),
+            "2:9 E-course-yaml `macros` must be a mapping: `name: text` lines\n");
+  EXPECT_EQ(mistakes_in("title: C\nmacros: {a: [b]}\n" + level),
+            "2:10 E-course-yaml each of `macros` must be a plain value\n");
+  EXPECT_EQ(mistakes_in("title: C\nlevels: 1-a\n"),
+            "2:9 E-course-yaml `levels` must be a list with at least one item\n");
+  EXPECT_EQ(mistakes_in("title: C\nlevels: [1-a]\n"),
+            "2:10 E-course-yaml the level must be a mapping: `key: value` lines\n");
+  EXPECT_EQ(mistakes_in("title: C\nlevels: [{folder: 1-a, title: L, lessons: 1.1-x}]\n"),
+            "2:43 E-course-yaml `lessons` must be a list: [a, b]\n");
+  EXPECT_EQ(
+      mistakes_in("title: [\n"),
+      "2:1 E-course-yaml the course file is not YAML: end of sequence flow not found | quote a "
+      "value that holds `: ` or starts with a special character\n");
+}
+
+TEST(Course, SuggestsTheLessonThatWasMeant) {
+  const CourseOf found({{"content/course.yaml", kTwo},
+                        {"content/1-a/1.1-x.md", lesson("")},
+                        {"content/1-a/1.2-z.md", lesson("")},
+                        {"content/1-a/notes.txt", ""}});
+  EXPECT_EQ(found.course->lessons.size(), 1u);
+  EXPECT_EQ(
+      found.mistakes(),
+      R"(content/course.yaml:5:22: error: there is no file content/1-a/1.2-y.md [E-lesson-missing]
+  5 |     lessons: [1.1-x, 1.2-y]
+    |                      ^~~~~
+  cure: did you mean `1.2-z`?
+)");
+}
+
+TEST(Course, TakesEachNumberOnce) {
+  const CourseOf found({{"content/course.yaml",
+                         "title: C\nlevels:\n  - folder: 1-a\n    title: L\n"
+                         "    lessons: [1.1-x, 1.1-other]\n"},
+                        {"content/1-a/1.1-x.md", lesson("")},
+                        {"content/1-a/1.1-other.md", lesson("")}});
+  EXPECT_EQ(
+      found.mistakes(),
+      R"(content/course.yaml:5:22: error: the number 1.1 is taken by a lesson above [E-lesson-number]
+  5 |     lessons: [1.1-x, 1.1-other]
+    |                      ^~~~~~~~~
+  cure: number each lesson once
+)");
+}
+
+TEST(Course, ReadsOnAfterALessonThatCannotBeRead) {
+  const CourseOf found({{"content/course.yaml", kTwo},
+                        {"content/1-a/1.1-x.md", "no front matter"},
+                        {"content/1-a/1.2-y.md", lesson("> [!nte] x\n")}});
+  ASSERT_EQ(found.diagnostics.size(), 2u);
+  EXPECT_EQ(found.diagnostics[0].id, "E-front-matter");
+  EXPECT_EQ(found.diagnostics[1].place.file, "content/1-a/1.2-y.md");
+  EXPECT_EQ(found.course->lessons.size(), 1u);
+}
+
+TEST(Links, LeadToLessonsHeadingsAndTheWeb) {
+  EXPECT_EQ(course_of("## One\n[a](1.2) [b](1.2#two) [c](#one) [d](https://a.example/#x) "
+                      "[e](mailto:a@b.example)\n",
+                      "## Two\n")
+                .mistakes(),
+            "");
+}
+
+TEST(Links, MustLeadToALessonThatIsThere) {
+  EXPECT_EQ(
+      course_of("See [it](1.3).\n", "").mistakes(),
+      R"(content/1-a/1.1-x.md:4:10: error: there is no lesson `1.3` in this course [E-link-dead]
+  4 | See [it](1.3).
+    |          ^~~
+  cure: did you mean `1.2`?
+)");
+  EXPECT_EQ(course_of("See [it](other.md).\n", "").mistakes(),
+            R"(content/1-a/1.1-x.md:4:10: error: `other.md` leads nowhere [E-link-dead]
+  4 | See [it](other.md).
+    |          ^~~~~~~~
+  cure: a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of its own page (`#heading`) or to the web (`https://…`)
+)");
+}
+
+TEST(Links, MustLeadToAHeadingThatIsThere) {
+  EXPECT_EQ(course_of("See [it](1.2#tow).\n", "## Two\n## Three\n").mistakes(),
+            R"(content/1-a/1.1-x.md:4:10: error: lesson 1.2 has no heading `#tow` [E-link-anchor]
+  4 | See [it](1.2#tow).
+    |          ^~~~~~~
+  cure: did you mean `two`?
+)");
+  EXPECT_EQ(course_of("See [it](#one).\n", "## One\n").mistakes(),
+            R"(content/1-a/1.1-x.md:4:10: error: lesson 1.1 has no heading `#one` [E-link-anchor]
+  4 | See [it](#one).
+    |          ^~~~
+  cure: there is none yet
+)");
+}
+
+TEST(Links, AreFoundInsideBlocksToo) {
+  const CourseOf found = course_of(
+      "```quiz\n{\"id\": \"q\", \"questions\": [{\"kind\": \"numeric\", \"answer\": 1,\n"
+      "  \"q\": \"As in [1.2](9.9)?\"}]}\n```\n",
+      "");
+  EXPECT_EQ(
+      found.mistakes(),
+      R"(content/1-a/1.1-x.md:6:21: error: there is no lesson `9.9` in this course [E-link-dead]
+  6 |   "q": "As in [1.2](9.9)?"}]}
+    |                     ^~~
+  cure: did you mean `1.2`?
+)");
+}
+
+TEST(Links, SayWhatThisVersionCannotDoYet) {
+  EXPECT_EQ(
+      course_of("[a](model:zoo)\n", "").mistakes(),
+      R"(content/1-a/1.1-x.md:4:5: error: links to `model:` belong to the lesson language, but this version of mjcourse cannot do them yet [E-not-yet]
+  4 | [a](model:zoo)
+    |     ^~~~~~~~~
+  cure: write the name as code for now
+)");
+  EXPECT_EQ(course_of("[a](api:mj_step)\n", "").diagnostics.at(0).id, "E-not-yet");
+}
+
+TEST(Prerequisites, MustBeLessonsOfTheCourse) {
+  EXPECT_EQ(course_of("", "", "prerequisites: [1.2]\n").mistakes(), "");
+  EXPECT_EQ(
+      course_of("", "", "prerequisites: [1.2, 0.1]\n").mistakes(),
+      R"(content/1-a/1.1-x.md:3:22: error: there is no lesson `0.1` in this course [E-link-dead]
+  3 | prerequisites: [1.2, 0.1]
+    |                      ^~~
+  cure: did you mean `1.2`?
+)");
+}
+
+}  // namespace
+}  // namespace mjcourse

@@ -1,0 +1,176 @@
+#include "evaluate/example.h"
+
+#include <gtest/gtest.h>
+
+#include "evaluation_of.h"
+
+namespace mjcourse {
+namespace {
+
+std::string fence(const std::string& code, const std::string& options = "") {
+  return "```cpp file=examples/a.cpp" + options + "\n" + code + "```\n";
+}
+
+// A lesson whose example's file says the same as its fence; `more` stands below it.
+EvaluationOf example(const std::string& code, const std::string& options = "",
+                     const std::string& more = "") {
+  return EvaluationOf(fence(code, options) + more, {{"examples/a.cpp", code}});
+}
+
+// What is wrong with the run of a program, from its message on: the fence is always the place.
+std::string run_mistake(const std::string& code, const std::string& options = "") {
+  const std::string text = example(code, options).mistakes();
+  const std::string place = "content/1-a/1.1-x.md:4:1: error: ";
+  const std::string excerpt = "\n  4 | ```cpp file=examples/a.cpp" + options +
+                              "\n    | ^~~~~~~~~~~~~~~~~~~~~~~~~~" +
+                              std::string(options.size(), '~') + "\n";
+  const std::size_t end = text.find(excerpt);
+  if (!text.starts_with(place) || end == std::string::npos) return text;
+  return text.substr(place.size(), end + 1 - place.size()) + text.substr(end + excerpt.size());
+}
+
+TEST(Example, IsCompiledAndRun) {
+  const std::string code = "#include <cstdio>\nint main() { std::puts(\"hello\"); }\n";
+  const EvaluationOf found = example(code);
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_EQ(found.result<ExampleResult>().output, "hello\n");
+  EXPECT_EQ(found.result<ExampleResult>().code, code);
+  EXPECT_EQ(found.tally().programs, 1);
+}
+
+TEST(Example, ReadsNothingAndRunsInAnEmptyFolder) {
+  EXPECT_EQ(
+      example("#include <cstdio>\n#include <filesystem>\nint main() {\n"
+              "  std::printf(\"%d %d\\n\", std::getchar(), std::filesystem::is_empty(\".\"));\n}\n")
+          .result<ExampleResult>()
+          .output,
+      "-1 1\n");
+}
+
+TEST(Example, FindsTheCoursesModels) {
+  EXPECT_EQ(example("#include <cstdio>\n#include <cstdlib>\n#include <fstream>\n#include <string>\n"
+                    "int main() {\n  std::ifstream f(std::getenv(\"MJCOURSE_MODELS\") + "
+                    "std::string(\"/ball.xml\"));\n  std::string line;\n  std::getline(f, line);\n"
+                    "  std::puts(line.c_str());\n}\n")
+                .result<ExampleResult>()
+                .output,
+            "<mujoco>\n");
+}
+
+TEST(Example, MayBeShownFromItsFile) {
+  const std::string code = "#include <cstdio>\nint main() { std::puts(\"file\"); }\n";
+  const EvaluationOf found(fence(""), {{"examples/a.cpp", code}});
+  EXPECT_EQ(found.result<ExampleResult>().output, "file\n");
+  EXPECT_EQ(found.result<ExampleResult>().code, code);
+}
+
+TEST(Example, MustBeTheSameTextInLessonAndFile) {
+  EXPECT_EQ(
+      evaluated_mistakes(fence("int main() {\n}\n"), {{"examples/a.cpp", "int main() {\n\n}\n"}}),
+      R"(content/1-a/1.1-x.md:4:13: error: the fence and examples/a.cpp differ, first in line 2 [E-example-file]
+  4 | ```cpp file=examples/a.cpp
+    |             ^~~~~~~~~~~~~~
+  note: content/1-a/1.1-x.md:6:1: the lesson has
+  6 | }
+    | ^
+  note: examples/a.cpp:2:1: the file has
+  2 | 
+    | ^
+  cure: make them the same text: the fence is what a reader sees, the file what a learner builds
+)");
+}
+
+TEST(Example, MustHaveAFile) {
+  EXPECT_EQ(
+      evaluated_mistakes(fence("int main() {}\n")),
+      R"(content/1-a/1.1-x.md:4:13: error: cannot read examples/a.cpp: No such file or directory [E-example-file]
+  4 | ```cpp file=examples/a.cpp
+    |             ^~~~~~~~~~~~~~
+  cure: save the fence's text as examples/a.cpp
+)");
+}
+
+TEST(Example, MustCompile) {
+  EXPECT_EQ(
+      example("int main() { return undeclared; }\n").mistakes(),
+      R"(content/1-a/1.1-x.md:5:21: error: use of undeclared identifier 'undeclared' [E-example-compile]
+  5 | int main() { return undeclared; }
+    |                     ^~~~~~~~~~
+)");
+  EXPECT_EQ(run_mistake("void lost();\nint main() { lost(); }\n"),
+            "the program does not link [E-example-compile]\n    undefined reference to `lost()'\n");
+}
+
+TEST(Example, MayBeWarnedOf) {
+  const EvaluationOf found = example("int main() { int unused; }\n");
+  EXPECT_EQ(found.diagnostics().at(0).id, "W-example-compile");
+  EXPECT_EQ(found.tally().programs, 1);
+}
+
+TEST(Example, MustExitWithZero) {
+  EXPECT_EQ(run_mistake("#include <cstdio>\nint main() {\n  for (int i = 1; i < 12; ++i) "
+                        "std::fprintf(stderr, \"line %d\\n\", i);\n  return 3;\n}\n"),
+            "the program exited with code 3 [E-example-exit]\n"
+            "    line 4\n    line 5\n    line 6\n    line 7\n    line 8\n    line 9\n    line 10\n"
+            "    line 11\n");
+}
+
+TEST(Example, MustNotThrow) {
+  EXPECT_EQ(
+      run_mistake("#include <stdexcept>\nint main() { throw std::runtime_error(\"lost\"); }\n"),
+      "the program threw std::runtime_error: lost [E-example-throws]\n"
+      "  cure: catch it, or mend what it complains about\n");
+}
+
+TEST(Example, MustNotCrash) {
+  EXPECT_EQ(run_mistake("#include <csignal>\nint main() { std::raise(SIGSEGV); }\n"),
+            "the program was killed: Segmentation fault [E-example-signal]\n");
+}
+
+TEST(Example, MustEnd) {
+  EXPECT_EQ(
+      run_mistake("int main() {\n  for (volatile int i = 0; i == 0;) {\n  }\n}\n", " timeout=0.5"),
+      "the program still ran after 0.5 s, and was stopped [E-example-timeout]\n"
+      "  cure: look for a loop without an end; a program that needs longer says "
+      "`timeout=SECONDS`\n");
+}
+
+TEST(Example, MustNotFlood) {
+  EXPECT_EQ(run_mistake("#include <cstdio>\nint main() {\n  for (;;) std::puts(\"flood\");\n}\n"),
+            "the program printed more than 1 MiB, and was stopped [E-example-flood]\n"
+            "  cure: print what a reader wants to read\n");
+}
+
+const std::string kPrints = "#include <cstdio>\nint main() { std::puts(\"a 0.25\\nb\\nc\"); }\n";
+
+TEST(Output, IsWhatTheProgramPrints) {
+  const EvaluationOf found = example(kPrints, "", "```text\na 0.26\nb\n[..]\n```\n");
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_EQ(found.result<OutputResult>().lines, 3);
+  EXPECT_EQ(found.tally().outputs, 1);
+}
+
+TEST(Output, ThatDiffersIsShownLineByLine) {
+  const EvaluationOf found = example(kPrints, "", "\nOutput:\n\n```text\na 0.29\nb\n```\n");
+  EXPECT_EQ(
+      found.mistakes(),
+      R"(content/1-a/1.1-x.md:12:1: error: the program prints something else: 1 line of the lesson (-), 2 lines of the program (+) [E-output-differs]
+  12 | a 0.29
+     | ^~~~~~
+    12 - a 0.29
+       + a 0.25
+       + c
+  cure: if the program is right, put its lines here
+)");
+  EXPECT_EQ(found.tally().outputs, 0);
+  EXPECT_EQ(found.tally().programs, 1);
+}
+
+TEST(Output, ThatIsEmptyIsNotWhatAProgramPrints) {
+  EXPECT_EQ(
+      example(kPrints, "", "```text\n```\n").diagnostics().at(0).message,
+      "the program prints something else: 0 lines of the lesson (-), 3 lines of the program (+)");
+}
+
+}  // namespace
+}  // namespace mjcourse

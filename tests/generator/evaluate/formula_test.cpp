@@ -1,0 +1,40 @@
+#include "evaluate/formula.h"
+
+#include <gtest/gtest.h>
+
+#include "evaluation_of.h"
+
+namespace mjcourse {
+namespace {
+
+TEST(Formula, BecomesMarkup) {
+  const EvaluationOf found("Inline $x^2$.\n");
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_NE(found.result<FormulaResult>().markup.find("katex"), std::string::npos);
+  EXPECT_EQ(found.tally().formulas, 1);
+}
+
+TEST(Formula, UsesTheCoursesMacros) {
+  const std::string yaml =
+      "title: C\nmacros: {\\half: '\\frac{1}{2}'}\n"
+      "levels: [{folder: 1-a, title: A, lessons: [1.1-x]}]\n";
+  EXPECT_EQ(evaluated_mistakes("$\\half$\n", {{"content/course.yaml", yaml}}), "");
+  EXPECT_NE(evaluated_mistakes("$\\half$\n"), "");
+}
+
+TEST(Formula, ShowsItsMistakeWhereItStands) {
+  const EvaluationOf found("> Of é $a + \\alhpa$ and\n> $$\n> b \\\\\n> \\frc{1}{2}\n> $$\n");
+  EXPECT_EQ(found.tally().formulas, 0);
+  ASSERT_EQ(found.diagnostics().size(), 2u);
+  const Place inline_place = found.diagnostics()[0].place,
+              block_place = found.diagnostics()[1].place;
+  EXPECT_EQ(found.diagnostics()[0].id, "E-math");
+  EXPECT_EQ(inline_place.line, 4);
+  EXPECT_EQ(inline_place.column, 13);
+  EXPECT_EQ(inline_place.width, 6);
+  EXPECT_EQ(block_place.line, 7);
+  EXPECT_EQ(block_place.column, 3);
+}
+
+}  // namespace
+}  // namespace mjcourse

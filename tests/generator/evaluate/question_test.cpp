@@ -1,0 +1,177 @@
+#include "evaluate/question.h"
+
+#include <gtest/gtest.h>
+
+#include "evaluation_of.h"
+
+namespace mjcourse {
+namespace {
+
+// A quiz of one question; its proofs stand in line 6.
+std::string number(const std::string& answer, const std::string& proofs) {
+  return "```quiz\n{\"id\": \"q\", \"questions\": [{\"kind\": \"numeric\", \"answer\": " + answer +
+         ", \"q\": \"?\", \"verify\": [\n" + proofs + "]}]}\n```\n";
+}
+std::string choice(const std::string& answer, const std::string& proofs) {
+  return "```quiz\n{\"id\": \"q\", \"questions\": [{\"kind\": \"mcq\", \"answer\": " + answer +
+         ", \"q\": \"?\", \"options\": [\"one\", \"$two$\"], \"verify\": [\n" + proofs +
+         "]}]}\n```\n";
+}
+
+// "built | expression | value" of each proof of the only question.
+std::string proofs_of(const EvaluationOf& evaluation) {
+  std::string text = evaluation.mistakes();
+  for (const ProofResult& proof : evaluation.result<QuizResult>().questions.at(0).proofs) {
+    text += proof.built + " | " + proof.expression + " | " + proof.value + "\n";
+  }
+  return text;
+}
+
+TEST(Question, IsProvedByBuildingWhatItDescribes) {
+  const EvaluationOf found(number("8", R"(
+    {"model": "ball", "value": "model.nq"},
+    {"joints": {"hinge": 1, "free": 1}, "value": "model.nq"},
+    {"joints": {"ball": 2}, "value": "model.nq"},
+    {"mjcf": ["<mujoco>", "</mujoco>"], "run": ["const a = 3;"], "value": "a + 5"},
+    {"model": "ball", "value": "model.nv", "equals": 7})"));
+  EXPECT_EQ(proofs_of(found),
+            "ball | model.nq | 8\n"
+            "1 hinge and 1 free joints | model.nq | 8\n"
+            "2 ball joints | model.nq | 8\n"
+            "the model in the question | a + 5 | 8\n"
+            "ball | model.nv | 7\n");
+  EXPECT_TRUE(found.result<QuizResult>().questions[0].proved);
+  EXPECT_EQ(found.tally().answers_proved, 1);
+}
+
+TEST(Question, MayRunAScriptAndTheClockFirst) {
+  EXPECT_EQ(proofs_of(EvaluationOf(number(
+                "2.5", R"({"model": "ball", "run": "data.qvel[0] = 2; model.opt.gravity[2] = 0",
+                           "seconds": 1.25, "value": "qpos('free')[0]"})"))),
+            "ball | qpos('free')[0] | 2.5\n");
+}
+
+TEST(Question, AllowsForItsToleranceAndForBinary) {
+  EXPECT_EQ(evaluated_mistakes(number("0.1", R"j({"model": "ball", "value": "0.3 - 0.2"})j")), "");
+  const std::string tolerant = R"j("tol": 0.5, )j";
+  std::string question = number("8.5", R"j({"model": "ball", "value": "model.nq"})j");
+  question.insert(question.find("\"q\": \"?\""), tolerant);
+  EXPECT_EQ(evaluated_mistakes(question), "");
+}
+
+TEST(Question, WithAWrongAnswerIsAnError) {
+  const EvaluationOf found(number("9", R"({"model": "ball", "value": "model.nq"})"));
+  EXPECT_EQ(
+      found.mistakes(),
+      R"(content/1-a/1.1-x.md:5:57: error: the answer is given as 9, but the build finds 8 [E-quiz-answer]
+  5 | {"id": "q", "questions": [{"kind": "numeric", "answer": 9, "q": "?", "verify": [
+    |                                                         ^
+  note: content/1-a/1.1-x.md:6:29: `model.nq` is 8 for ball
+  6 | {"model": "ball", "value": "model.nq"}]}]}
+    |                             ^~~~~~~~
+)");
+  EXPECT_FALSE(found.result<QuizResult>().questions[0].proved);
+  EXPECT_EQ(found.tally().answers_proved + found.tally().answers_asserted, 0);
+}
+
+TEST(Question, WithAProofThatFindsSomethingElseIsAnError) {
+  EXPECT_EQ(
+      evaluated_mistakes(number("8", R"({"model": "ball", "value": "model.nv", "equals": 6})")),
+      R"(content/1-a/1.1-x.md:6:1: error: the proof expects 6, but finds 7 [E-proof-value]
+  6 | {"model": "ball", "value": "model.nv", "equals": 6}]}]}
+    | ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+  note: content/1-a/1.1-x.md:6:29: `model.nv` is 7 for ball
+  6 | {"model": "ball", "value": "model.nv", "equals": 6}]}]}
+    |                             ^~~~~~~~
+)");
+}
+
+TEST(Question, IsOnlyAssertedWithoutAProofOfItsAnswer) {
+  for (const std::string proofs : {"", R"({"because": "a convention"})",
+                                   R"({"model": "ball", "value": "model.nv", "equals": 7})"}) {
+    const EvaluationOf found(number("8", proofs));
+    EXPECT_EQ(found.mistakes(), "");
+    EXPECT_FALSE(found.result<QuizResult>().questions[0].proved) << proofs;
+    EXPECT_EQ(found.tally().answers_asserted, 1);
+  }
+}
+
+TEST(Choice, IsProvedWhenOnlyTheRightOptionHolds) {
+  EXPECT_EQ(proofs_of(EvaluationOf(
+                choice("1", R"({"model": "ball", "options": ["false", "model.nq == 8"]})"))),
+            "ball |  | two\n");
+}
+
+TEST(Choice, OfWhichTwoOptionsHoldIsAnError) {
+  EXPECT_EQ(
+      evaluated_mistakes(choice("1", R"({"model": "ball", "options": ["true", "true"]})")),
+      R"(content/1-a/1.1-x.md:5:53: error: the answer is given as option 1 ("two"), but the build finds 0 ("one") and 1 ("two") [E-quiz-answer]
+  5 | …"questions": [{"kind": "mcq", "answer": 1, "q": "?", "options": ["one", "$two$"], "verify": [
+    |                                          ^
+  note: content/1-a/1.1-x.md:6:32: this holds for ball
+  6 | {"model": "ball", "options": ["true", "true"]}]}]}
+    |                                ^~~~
+)");
+}
+
+TEST(Choice, OfWhichNoOptionHoldsIsAnError) {
+  EXPECT_EQ(
+      evaluated_mistakes(choice("1", R"({"model": "ball", "options": ["false", "false"]})")),
+      R"(content/1-a/1.1-x.md:5:53: error: the answer is given as option 1 ("two"), but the build finds no option [E-quiz-answer]
+  5 | …"questions": [{"kind": "mcq", "answer": 1, "q": "?", "options": ["one", "$two$"], "verify": [
+    |                                          ^
+  note: content/1-a/1.1-x.md:6:41: this does not hold for ball
+  6 | {"model": "ball", "options": ["false", "false"]}]}]}
+    |                                         ^~~~~
+)");
+}
+
+TEST(Choice, StartsAfreshForEachOption) {
+  EXPECT_EQ(evaluated_mistakes(
+                choice("1", R"j({"model": "ball", "run": "step(1)", "options": ["data.time > 0.003",
+                                                                       "data.time > 0.001"]})j")),
+            "");
+}
+
+TEST(Proof, ShowsAMistakeInItsScriptAtItsLine) {
+  EXPECT_EQ(evaluated_mistakes(number("8", R"({"model": "ball", "value": "model.nq", "run": [
+  "step(1);",
+  "  data.qpso[0] = 1;"]})")),
+            R"(content/1-a/1.1-x.md:8:11: error: data.qpso does not exist [E-script-name]
+  8 |   "  data.qpso[0] = 1;"]}]}]}
+    |           ^~~~
+  cure: did you mean `data.qpos`?
+)");
+}
+
+TEST(Proof, ShowsAMistakeInItsValueThere) {
+  EXPECT_EQ(
+      evaluated_mistakes(
+          number("8", R"j({"model": "ball", "run": "step(1)", "value": "data.\u0071pos[99]"})j")),
+      R"j(content/1-a/1.1-x.md:6:47: error: data.qpos[99] is out of range 0..7 [E-script-range]
+  6 | {"model": "ball", "run": "step(1)", "value": "data.\u0071pos[99]"}]}]}
+    |                                               ^~~~~~~~~~~~~~~~~~
+)j");
+}
+
+TEST(Proof, FindsAFiniteNumber) {
+  EXPECT_EQ(
+      evaluated_mistakes(number("8", R"({"model": "ball", "value": "0/0"})")),
+      R"(content/1-a/1.1-x.md:6:29: error: the value is NaN, not a finite number [E-script-value]
+  6 | {"model": "ball", "value": "0/0"}]}]}
+    |                             ^~~
+)");
+}
+
+TEST(Proof, DoesNotTrustASimulationThatDiverged) {
+  EXPECT_EQ(
+      evaluated_mistakes(number(
+          "8", R"({"model": "ball", "run": "data.qvel[2] = 1e300", "seconds": 1, "value": "8"})")),
+      R"(content/1-a/1.1-x.md:6:27: error: the simulation diverged at t = 0.002 s: qvel[2] of joint `free` is infinite, not a number, or huge [E-script-mujoco]
+  6 | {"model": "ball", "run": "data.qvel[2] = 1e300", "seconds": 1, "value": "8"}]}]}
+    |                           ^~~~~~~~~~~~~~~~~~~~
+)");
+}
+
+}  // namespace
+}  // namespace mjcourse

@@ -1,0 +1,171 @@
+#include "lesson/fence.h"
+
+#include <gtest/gtest.h>
+
+#include "reading_of.h"
+
+namespace mjcourse {
+namespace {
+
+TEST(Fence, IsAProgram) {
+  const ReadingOf reading =
+      reading_of("```cpp file=\"examples/a b.cpp\" timeout=0.5\nint main() {}\n```\n");
+  EXPECT_EQ(reading.mistakes(), "");
+  const auto& example = reading.only<Example>();
+  EXPECT_EQ(example.file.text, "examples/a b.cpp");
+  EXPECT_EQ(example.name(), "a b");
+  EXPECT_EQ(example.code.text, "int main() {}\n");
+  EXPECT_EQ(example.seconds, 0.5);
+}
+
+TEST(Fence, MayBeEmpty) {
+  const ReadingOf reading = reading_of("```cpp file=examples/a.cpp\n```\n");
+  EXPECT_EQ(reading.mistakes(), "");
+  EXPECT_EQ(reading.only<Example>().code.text, "");
+}
+
+TEST(Fence, KnowsWhereEachByteOfItsBodyStood) {
+  const ReadingOf reading =
+      reading_of("> - ```cpp file=examples/a.cpp\n>   é;\n>\n>     x;\n>   ```\n");
+  const LocatedText& code = reading.only<Example>().code;
+  EXPECT_EQ(code.text, "é;\n\n  x;\n");
+  EXPECT_EQ(reading.place(code, 0), "5:5");
+  EXPECT_EQ(reading.place(code, 2), "5:6");
+  EXPECT_EQ(reading.place(code, 7), "7:7");
+}
+
+TEST(Fence, KnowsItsPlacesInAFileFromWindows) {
+  const ReadingOf reading = reading_of_file(
+      "---\r\ntitle: T\r\n---\r\n> ```cpp file=examples/a.cpp\r\n>   x;\r\n> ```\r\n");
+  EXPECT_EQ(reading.mistakes(), "");
+  EXPECT_EQ(reading.only<Example>().code.text, "  x;\n");
+  EXPECT_EQ(reading.place(reading.only<Example>().code, 2), "5:5");
+}
+
+TEST(Fence, ClosesWithAsManyMarksAsItOpened) {
+  EXPECT_EQ(reading_of("````cpp file=examples/a.cpp\n```\n````\n").only<Example>().code.text,
+            "```\n");
+  EXPECT_EQ(reading_of("~~~cpp file=examples/a.cpp\n```\n~~~\n").only<Example>().code.text,
+            "```\n");
+}
+
+TEST(Fence, MustBeClosed) {
+  EXPECT_EQ(mistakes_in("text\n\n```cpp file=examples/a.cpp\nint x;\n"),
+            R"(content/1-a/1.1-x.md:6:1: error: this fence is never closed [E-fence-unclosed]
+  6 | ```cpp file=examples/a.cpp
+    | ^~~~~~~~~~~~~~~~~~~~~~~~~~
+  cure: end it with a line of as many backticks
+)");
+}
+
+TEST(Fence, IsNotClosedByTheEndOfItsQuote) {
+  EXPECT_EQ(mistakes_in("> ```quiz\n> {}\n\nafter\n"),
+            R"(content/1-a/1.1-x.md:4:3: error: this fence is never closed [E-fence-unclosed]
+  4 | > ```quiz
+    |   ^~~~~~~
+  cure: end it with a line of as many backticks
+)");
+}
+
+TEST(Fence, MustSayWhatItHolds) {
+  EXPECT_EQ(mistakes_in("```\nx\n```\n"),
+            R"(content/1-a/1.1-x.md:4:1: error: this fence does not say what it holds [E-fence-kind]
+  4 | ```
+    | ^~~
+  cure: known: cpp, text, io, lab, quiz
+)");
+  EXPECT_EQ(
+      mistakes_in("    int x;\n"),
+      R"(content/1-a/1.1-x.md:4:1: error: an indented block is code that nobody ran [E-fence-kind]
+  4 |     int x;
+    | ^~~~~~~~~~
+  cure: remove the indentation, or use a fence
+)");
+}
+
+TEST(Fence, SuggestsTheKindThatWasMeant) {
+  EXPECT_EQ(mistakes_in("```quizz\n{}\n```\n"),
+            R"(content/1-a/1.1-x.md:4:4: error: there is no fence `quizz` [E-fence-kind]
+  4 | ```quizz
+    |    ^~~~~
+  cure: did you mean `quiz`?
+)");
+  EXPECT_EQ(mistakes_in("```lab\n{}\n```\n"),
+            R"(content/1-a/1.1-x.md:4:1: error: a lab says of which kind it is [E-fence-kind]
+  4 | ```lab
+    | ^~~~~~
+  cure: write `lab simlab`
+)");
+}
+
+TEST(Fence, RefusesOptionsThatNobodyKnows) {
+  EXPECT_EQ(
+      mistakes_in("```cpp file=examples/a.cpp tiemout=2\n```\n"),
+      R"(content/1-a/1.1-x.md:4:28: error: a `cpp` fence has no option `tiemout` [E-fence-option]
+  4 | ```cpp file=examples/a.cpp tiemout=2
+    |                            ^~~~~~~
+  cure: did you mean `timeout`?
+)");
+  EXPECT_EQ(mistakes_in("```io wide\nINPUT: a\n```\n"),
+            R"(content/1-a/1.1-x.md:4:7: error: a `io` fence has no option `wide` [E-fence-option]
+  4 | ```io wide
+    |       ^~~~
+)");
+}
+
+TEST(Fence, RefusesATimeoutThatIsNoTime) {
+  for (const std::string value : {"-1", "soon", "5s", ""}) {
+    const std::string fence = "```cpp file=examples/a.cpp timeout=" + value;
+    const std::string marks = value.empty() ? "" : std::string(value.size() - 1, '~');
+    EXPECT_EQ(mistakes_in(fence + "\n```\n"),
+              "content/1-a/1.1-x.md:4:36: error: `timeout` must be a number, not less than 0 "
+              "[E-fence-option]\n"
+              "  4 | " +
+                  fence + "\n    |" + std::string(36, ' ') + "^" + marks + "\n");
+  }
+}
+
+TEST(Fence, RefusesAProgramThatNobodyRan) {
+  EXPECT_EQ(
+      mistakes_in("```cpp\nint x;\n```\n"),
+      R"(content/1-a/1.1-x.md:4:1: error: a plain `cpp` fence would show code that nobody ran [E-fence-kind]
+  4 | ```cpp
+    | ^~~~~~
+  cure: name the program's file: `cpp file=examples/NAME.cpp`
+)");
+}
+
+TEST(Fence, KeepsExamplesInTheirFolder) {
+  for (const std::string file : {"other/a.cpp", "examples/../a.cpp", "examples/a.py"}) {
+    EXPECT_EQ(mistakes_in("```cpp file=" + file + "\n```\n"),
+              "content/1-a/1.1-x.md:4:13: error: an example is a file `examples/NAME.cpp` "
+              "[E-example-file]\n"
+              "  4 | ```cpp file=" +
+                  file + "\n    |             ^" + std::string(file.size() - 1, '~') + "\n");
+  }
+}
+
+// The ids of what is wrong with `body`, each with the text it underlines.
+std::string blamed(const std::string& body) {
+  std::string text;
+  for (const Diagnostic& d : reading_of(body).diagnostics) {
+    const std::size_t start = static_cast<std::size_t>(d.place.column - 1);
+    text +=
+        d.id + " " + d.place.excerpt.substr(start, static_cast<std::size_t>(d.place.width)) + "\n";
+  }
+  return text;
+}
+
+TEST(Fence, SaysWhatThisVersionCannotDoYet) {
+  EXPECT_EQ(blamed("```cpp snippet model=a\n```\n"), "E-not-yet snippet\n");
+  EXPECT_EQ(blamed("```cpp unchecked\n```\n"), "E-not-yet unchecked\n");
+  EXPECT_EQ(blamed("```cpp file=examples/a.cpp#main\n```\n"), "E-not-yet examples/a.cpp#main\n");
+  EXPECT_EQ(blamed("```cpp file=examples/a.cpp expect=exit:1 args=\"a b\"\n```\n"),
+            "E-not-yet exit:1\nE-not-yet a b\n");
+  for (const std::string kind : {"xml", "figure", "plot"}) {
+    EXPECT_EQ(blamed("```" + kind + " model=a\n```\n"), "E-not-yet " + kind + "\n");
+  }
+}
+
+}  // namespace
+}  // namespace mjcourse

@@ -1,0 +1,158 @@
+#include "lesson/read_lesson.h"
+
+#include <gtest/gtest.h>
+
+#include "reading_of.h"
+
+namespace mjcourse {
+namespace {
+
+TEST(Lesson, TakesItsNumberFromItsFilesName) {
+  const ReadingOf reading =
+      reading_of_file("---\ntitle: T\n---", "content/1-state/1.12-generalized-coordinates.md");
+  EXPECT_EQ(reading.lesson->folder, "1-state");
+  EXPECT_EQ(reading.lesson->slug, "1.12-generalized-coordinates");
+  EXPECT_EQ(reading.lesson->number, "1.12");
+}
+
+TEST(Lesson, MustHaveANumber) {
+  for (const std::string name : {"intro.md", "1-intro.md", "1.2.md", "1.2-.md"}) {
+    const ReadingOf reading = reading_of_file("---\ntitle: T\n---\n", "content/a/" + name);
+    EXPECT_FALSE(reading.lesson);
+    EXPECT_EQ(reading.mistakes(), "content/a/" + name +
+                                      ": error: a lesson's file is named after its number, as "
+                                      "`1.2-a-title.md` [E-lesson-name]\n"
+                                      "  cure: rename the file\n");
+  }
+}
+
+TEST(Lesson, MustBeUtf8) {
+  const ReadingOf reading = reading_of("Caf\xE9 and \xFF\n");
+  EXPECT_FALSE(reading.lesson);
+  EXPECT_EQ(reading.mistakes(),
+            "content/1-a/1.1-x.md:4:4: error: byte 0xE9 is not UTF-8 [E-not-utf8]\n"
+            "  4 | Caf\uFFFD and \uFFFD\n"
+            "    |    ^\n"
+            "  cure: save the file as UTF-8\n");
+}
+
+TEST(Lesson, KnowsItsLinesInAFileFromWindows) {
+  EXPECT_EQ(reading_of_file("---\r\ntitle: T\r\n---\r\nText\r\n\r\n> [!nte] x\r\n").mistakes(),
+            R"(content/1-a/1.1-x.md:6:5: error: there is no callout `nte` [E-callout-kind]
+  6 | > [!nte] x
+    |     ^~~
+  cure: did you mean `note`?
+)");
+}
+
+std::string ids(const std::string& body) {
+  const ReadingOf reading = reading_of(body);
+  std::string text;
+  for (const Heading& heading : reading.lesson->headings) {
+    text += std::to_string(heading.level) + " " + heading.id + "\n";
+  }
+  return text;
+}
+
+TEST(Heading, HasAnIdOfItsOwn) {
+  EXPECT_EQ(ids("## Why four numbers?\n### `qpos` & $q_w$ – É\n## ?!\n"),
+            "2 why-four-numbers\n3 qpos-qw-–-É\n2 section\n");
+  EXPECT_EQ(ids("## A\n## A\n## A 2\n## A\n> ## A\n"), "2 a\n2 a-2\n2 a-2-2\n2 a-3\n2 a-4\n");
+}
+
+TEST(Heading, IsNotTheLessonsTitle) {
+  EXPECT_EQ(
+      mistakes_in("text\n\n# One\n"),
+      R"(content/1-a/1.1-x.md:6:1: error: a lesson's own headings begin at the second level (`##`) [E-heading-level]
+  6 | # One
+    | ^
+  cure: the page's first heading is the `title` of the front matter
+)");
+}
+
+TEST(Link, KnowsWhereItsTargetStands) {
+  const ReadingOf reading = reading_of(
+      "[one](1.3) and [**b** `c`](1.3#x \"title\")\n\n"
+      "> [d][ref] <https://a.example>\n\n[ref]: 1.9\n");
+  std::string links;
+  for (const Link& link : reading.lesson->links) {
+    links += link.target.text + " " + reading.place(link.target) + "\n";
+  }
+  EXPECT_EQ(links, "1.3 4:7\n1.3#x 4:28\n1.9 8:8\nhttps://a.example 6:13\n");
+}
+
+TEST(Lesson, SaysWhatThisVersionCannotDoYet) {
+  EXPECT_EQ(
+      mistakes_in("See ![img](x.png).\n"),
+      R"(content/1-a/1.1-x.md:4:12: error: an image belongs to the lesson language, but this version of mjcourse cannot do it yet [E-not-yet]
+  4 | See ![img](x.png).
+    |            ^~~~~
+  cure: leave it out for now
+)");
+  EXPECT_EQ(
+      mistakes_in("| a |\n|---|\n| [[term]] |\n"),
+      R"(content/1-a/1.1-x.md:6:3: error: a glossary term belongs to the lesson language, but this version of mjcourse cannot do it yet [E-not-yet]
+  6 | | [[term]] |
+    |   ^~~~~~~~
+  cure: leave it out for now
+)");
+  EXPECT_EQ(
+      mistakes_in("But `{x}` and `{zoo} model.nq`.\n"),
+      R"(content/1-a/1.1-x.md:4:16: error: an inline value belongs to the lesson language, but this version of mjcourse cannot do it yet [E-not-yet]
+  4 | But `{x}` and `{zoo} model.nq`.
+    |                ^~~~~~~~~~~~~~
+  cure: leave it out for now
+)");
+}
+
+TEST(Io, IsAPanelOfRows) {
+  const ReadingOf reading = reading_of("```io\nINPUT: a\n  more $x$\nPROCESS:b\nOUTPUT:\n```\n");
+  EXPECT_EQ(reading.mistakes(), "");
+  std::string rows;
+  for (const Io::Row& row : reading.only<Io>().rows) {
+    rows += row.label + "=" + (row.text ? plain_text(row.text.get()) : "") + "\n";
+  }
+  EXPECT_EQ(rows, "INPUT=a more x\nPROCESS=b\nOUTPUT=\n");
+  EXPECT_EQ(reading.place(reading.only<Math>().tex), "6:9");
+}
+
+TEST(Io, BeginsWithALabel) {
+  EXPECT_EQ(
+      mistakes_in("```io\na row\nINPUT: b\n```\n"),
+      R"(content/1-a/1.1-x.md:5:1: error: an `io` panel is made of lines `INPUT: …`, `PROCESS: …`, `OUTPUT: …` [E-io-label]
+  5 | a row
+    | ^~~~~
+)");
+}
+
+TEST(Lesson, ShowsAllItsMistakesInOneRun) {
+  const ReadingOf reading = reading_of_file(R"(---
+titel: T
+---
+> [!nte] a
+
+```cpp
+```
+
+```lab simlab
+{"title": "T", "model": "m", "dok": true}
+```
+
+```quiz
+{
+```
+
+# One
+$$
+)");
+  std::string found;
+  for (const Diagnostic& d : reading.diagnostics) {
+    found += std::to_string(d.place.line) + " " + d.id + "\n";
+  }
+  EXPECT_EQ(found,
+            "2 E-front-matter\n2 E-front-matter\n4 E-callout-kind\n6 E-fence-kind\n10 E-json-key\n"
+            "15 E-json-syntax\n17 E-heading-level\n18 E-math-unclosed\n");
+}
+
+}  // namespace
+}  // namespace mjcourse

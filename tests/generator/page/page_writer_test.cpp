@@ -1,0 +1,109 @@
+#include "page/page_writer.h"
+
+#include <gtest/gtest.h>
+
+#include "base/files.h"
+#include "evaluate/workshop.h"
+#include "reading_of.h"
+
+namespace mjcourse {
+namespace {
+
+// The page of a lesson in a course of two, written without results.
+class PageWriterTest : public testing::Test {
+ protected:
+  PageWriterTest() {
+    const DiskFiles assets(MJCOURSE_ASSETS);
+    std::map<std::string, std::string> sources;
+    for (const std::string& name : assets.list("templates")) {
+      sources[name.substr(0, name.rfind('.'))] = assets.read("templates/" + name).value();
+    }
+    templates_.emplace(script_bundle(assets, "templates"), sources);
+    highlighter_.emplace(script_bundle(assets, "highlight"));
+  }
+
+  std::string body(const std::string& markdown) {
+    course_.lessons.clear();
+    course_.lessons.push_back(std::move(reading_of(markdown).lesson.value()));
+    course_.lessons.push_back(
+        std::move(reading_of_file("---\ntitle: Two\n---\n## There\n", "content/1-a/1.2-y.md")
+                      .lesson.value()));
+    PageWriter writer(course_, course_.lessons[0], results_, {*templates_, *highlighter_});
+    const std::string html = writer.body();
+    contents_ = writer.contents();
+    EXPECT_EQ(
+        PageWriter(course_, course_.lessons[0], results_, {*templates_, *highlighter_}).body(),
+        html);
+    return html;
+  }
+
+  std::optional<Templates> templates_;
+  std::optional<Highlighter> highlighter_;
+  Course course_;
+  LessonResults results_;
+  nlohmann::json contents_;
+};
+
+TEST_F(PageWriterTest, GivesHeadingsTheirAnchors) {
+  EXPECT_EQ(body("## A *b*\n### C\n## A b\n"),
+            "<h2 id=\"a-b\"><a class=\"anchor\" href=\"#a-b\">A <em>b</em></a></h2>\n"
+            "<h3 id=\"c\"><a class=\"anchor\" href=\"#c\">C</a></h3>\n"
+            "<h2 id=\"a-b-2\"><a class=\"anchor\" href=\"#a-b-2\">A b</a></h2>\n");
+  ASSERT_EQ(contents_.size(), 2u);
+  EXPECT_EQ(contents_[0]["title"], "A <em>b</em>");
+  EXPECT_EQ(contents_[0]["children"][0]["id"], "c");
+  EXPECT_EQ(contents_[1]["id"], "a-b-2");
+}
+
+TEST_F(PageWriterTest, LeadsLinksToTheirPages) {
+  EXPECT_EQ(
+      body("[a](1.2) [b](1.2#there)\n"),
+      "<p><a href=\"../1-a/1.2-y.html\">a</a> <a href=\"../1-a/1.2-y.html#there\">b</a></p>\n");
+  EXPECT_TRUE(body("[c](#d)\n## D\n").starts_with("<p><a href=\"#d\">c</a></p>\n"));
+  EXPECT_EQ(body("[e](https://f.example/?g&h)\n"),
+            "<p><a class=\"external\" href=\"https://f.example/?g&amp;h\">e</a></p>\n");
+}
+
+TEST_F(PageWriterTest, AlignsTheCellsOfATableByClass) {
+  const std::string table = body("| a | b | c |\n|:--|:-:|--:|\n| 1 | 2 | 3 |\n");
+  EXPECT_TRUE(table.starts_with("<div class=\"table\"><table>")) << table;
+  EXPECT_NE(table.find("<th>a</th>\n<th class=\"center\">b</th>\n<th class=\"end\">c</th>"),
+            std::string::npos)
+      << table;
+  EXPECT_NE(table.find("<td>1</td>\n<td class=\"center\">2</td>\n<td class=\"end\">3</td>"),
+            std::string::npos)
+      << table;
+  EXPECT_TRUE(table.ends_with("</table>\n</div>\n")) << table;
+}
+
+TEST_F(PageWriterTest, ShowsAFormulaWithoutResultAsItsTeX) {
+  EXPECT_EQ(body("a $x < y$\n"), "<p>a <span class=\"math\">x &lt; y</span></p>\n");
+}
+
+TEST_F(PageWriterTest, PutsAFormulasMarkupInItsPlace) {
+  results_.of_block[0] = FormulaResult{"<i>x</i>"};
+  EXPECT_EQ(body("a $x$\n"), "<p>a <span class=\"math\"><i>x</i></span></p>\n");
+  const std::string table = body("| a |\n|---|\n| $x$ |\n");
+  EXPECT_NE(table.find("<td><span class=\"math\"><i>x</i></span></td>"), std::string::npos)
+      << table;
+}
+
+TEST_F(PageWriterTest, WritesWhatACalloutHoldsIntoIt) {
+  const std::string html = body("> [!pitfall] Of $q$\n> The *body*.\n");
+  EXPECT_NE(html.find("Of <span class=\"math\">q</span>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<p>The <em>body</em>.</p>"), std::string::npos) << html;
+  EXPECT_EQ(html.find("<blockquote>"), std::string::npos) << html;
+}
+
+TEST_F(PageWriterTest, ShowsAnOutputOnlyWithItsExample) {
+  results_.of_block[0] = ExampleResult{"int main() {}\n", "the real output\n"};
+  const std::string html =
+      body("```cpp file=examples/a.cpp\n```\n\nOutput:\n\n```text\nstated\n```\n\nAfter.\n");
+  EXPECT_NE(html.find("the real output"), std::string::npos) << html;
+  EXPECT_EQ(html.find("stated"), std::string::npos) << html;
+  EXPECT_EQ(html.find("<p>Output:</p>"), std::string::npos) << html;
+  EXPECT_TRUE(html.ends_with("<p>After.</p>\n")) << html;
+}
+
+}  // namespace
+}  // namespace mjcourse

@@ -1,0 +1,44 @@
+#include "report/diagnostic.h"
+
+#include <gtest/gtest.h>
+
+namespace mjcourse {
+namespace {
+
+std::string shown(const Place& place) {
+  return place.file + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) + "+" +
+         std::to_string(place.width) + " " + place.excerpt;
+}
+
+const SourceText kSource("a.md", "first\n→ second line\r\nthird");
+
+TEST(PlaceOf, CountsInCharacters) {
+  EXPECT_EQ(shown(place_of(kSource, {0, 5})), "a.md:1:1+5 first");
+  EXPECT_EQ(shown(place_of(kSource, {10, 16})), "a.md:2:3+6 → second line");
+  EXPECT_EQ(shown(place_of(kSource, {6, 9})), "a.md:2:1+1 → second line");
+}
+
+TEST(PlaceOf, CutsAtTheEndOfTheFirstLine) {
+  EXPECT_EQ(shown(place_of(kSource, {17, 28})), "a.md:2:10+4 → second line");
+}
+
+TEST(PlaceOf, IsNeverWithoutWidth) {
+  EXPECT_EQ(shown(place_of(kSource, {2, 2})), "a.md:1:3+1 first");
+  EXPECT_EQ(shown(place_of(kSource, {3, 1})), "a.md:1:4+1 first");
+}
+
+TEST(PlaceOf, StaysInTheText) {
+  EXPECT_EQ(shown(place_of(kSource, {1000, 2000})), "a.md:3:6+1 third");
+}
+
+TEST(HasErrors, DoesNotMindWarnings) {
+  Diagnostics diagnostics;
+  EXPECT_FALSE(has_errors(diagnostics));
+  diagnostics.push_back({"W", Severity::warning, {}, "", "", {}, ""});
+  EXPECT_FALSE(has_errors(diagnostics));
+  diagnostics.push_back({"E", Severity::error, {}, "", "", {}, ""});
+  EXPECT_TRUE(has_errors(diagnostics));
+}
+
+}  // namespace
+}  // namespace mjcourse

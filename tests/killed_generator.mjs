@@ -1,0 +1,79 @@
+// A generator that is killed takes the programs of the course along, and the next one removes what
+// they left in the folder for temporary files.
+//
+//   node tests/killed_generator.mjs MJCOURSE
+
+import { spawn, spawnSync } from "node:child_process";
+import {
+  globSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { setTimeout as sleep } from "node:timers/promises";
+
+const mjcourse = process.argv[2];
+const home = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
+const temporary = join(home, "tmp");
+const env = { ...process.env, TMPDIR: temporary };
+
+function writeCourse(course, program) {
+  const fence = `\`\`\`cpp file=examples/x.cpp timeout=60\n${program}\`\`\`\n`;
+  const files = {
+    "content/course.yaml": "title: T\nlevels:\n  - {folder: 1-a, title: A, lessons: [1.1-b]}\n",
+    "content/1-a/1.1-b.md": `---\ntitle: B\n---\n\n${fence}`,
+    "examples/x.cpp": program,
+  };
+  for (const [path, text] of Object.entries(files)) {
+    mkdirSync(dirname(join(home, course, path)), { recursive: true });
+    writeFileSync(join(home, course, path), text);
+  }
+  return ["check", "--course", join(home, course)];
+}
+
+// Whether a program that was compiled in this test's folder is running.
+function programRuns() {
+  return globSync("/proc/[0-9]*/cmdline").some((file) => {
+    try {
+      return readFileSync(file, "utf8").startsWith(temporary);
+    } catch {
+      return false; // it has just ended
+    }
+  });
+}
+
+// Waits until `holds`; false when it does not within ten seconds.
+async function eventually(holds) {
+  for (let tries = 0; tries < 200 && !holds(); ++tries) await sleep(50);
+  return holds();
+}
+
+const failures = [];
+try {
+  mkdirSync(temporary);
+  const endless = writeCourse(
+    "endless",
+    "int main() {\n  for (volatile int i = 0;; i = 1) {\n  }\n}\n",
+  );
+  const generator = spawn(mjcourse, endless, { env, stdio: "ignore" });
+  if (!(await eventually(programRuns))) failures.push("the program never ran");
+  generator.kill("SIGKILL");
+  if (!(await eventually(() => !programRuns()))) failures.push("the program runs on");
+
+  if (readdirSync(temporary).length === 0) failures.push("the test is no good: nothing was left");
+  const short = writeCourse("short", "int main() {\n}\n");
+  const next = spawnSync(mjcourse, short, { env, stdio: ["ignore", "ignore", "inherit"] });
+  if (next.status !== 0) failures.push("the next check fails");
+  const litter = readdirSync(temporary);
+  if (litter.length > 0) failures.push(`left behind: ${litter.join(", ")}`);
+} finally {
+  rmSync(home, { recursive: true });
+}
+for (const failure of failures) console.error(failure);
+console.log(`${failures.length} problems`);
+process.exitCode = failures.length > 0 ? 1 : 0;

@@ -1,0 +1,106 @@
+// What every test in a browser shares. Enter at testSite: it serves the site that the command line
+// names, opens a browser, runs the test, and fails when the test complained, or the browser did.
+//
+// A browser's complaint is any message on the console, any error of a script, any request that
+// fails or leaves the site. So each test sees to that as well, whatever else it looks at.
+
+import { globSync } from "node:fs";
+import { resolve } from "node:path";
+
+import { chromium } from "../../site/node_modules/playwright-core/index.mjs";
+import { serve } from "./server.mjs";
+
+export const folder = resolve(process.argv[2] ?? "build/release/test-site");
+// The paths of all pages, below the site's root.
+export const pages = globSync("**/*.html", { cwd: folder }).sort();
+
+const quiet = [
+  "--no-sandbox",
+  "--disable-gpu",
+  "--disable-quic",
+  "--no-first-run",
+  "--disable-background-networking",
+  "--disable-component-update",
+  "--disable-sync",
+  "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
+];
+
+class Visitor {
+  #browser;
+  #root;
+  #problems = new Set();
+
+  constructor(browser, root) {
+    this.#browser = browser;
+    this.#root = root;
+  }
+
+  get problems() {
+    return [...this.#problems];
+  }
+
+  complain(where, what) {
+    this.#problems.add(`${where}: ${what}`);
+  }
+
+  // Complains unless `good`, and says whether it was.
+  expect(good, where, what) {
+    if (!good) this.complain(where, what);
+    return good;
+  }
+
+  address(path) {
+    return this.#root + path;
+  }
+
+  // Opens the page at `path` for a new reader, hands it to `look`, and shuts it.
+  async visit(path, { width = 1440, scheme = "light", javaScript = true }, look) {
+    const context = await this.#browser.newContext({
+      viewport: { width, height: 900 },
+      colorScheme: scheme,
+      javaScriptEnabled: javaScript,
+    });
+    const page = await context.newPage();
+    page.setDefaultTimeout(10_000);
+    this.#watch(page, path);
+    await page.goto(this.address(path));
+    await look(page);
+    page.removeAllListeners(); // what is still being loaded is broken off now
+    await context.close();
+  }
+
+  #watch(page, path) {
+    page.on("console", (message) => this.complain(path, `console: ${message.text()}`));
+    page.on("pageerror", (error) => this.complain(path, `script: ${error.stack}`));
+    page.on("dialog", (dialog) => this.complain(path, `dialog: ${dialog.message()}`));
+    page.on("request", (request) => {
+      const inside = request.url().startsWith(this.#root) || request.url().startsWith("data:");
+      this.expect(inside, path, `asks for ${request.url()}, which is outside of the site`);
+    });
+    page.on("requestfailed", (request) => {
+      this.complain(path, `no answer for ${request.url()}: ${request.failure()?.errorText}`);
+    });
+    page.on("response", (response) => {
+      this.expect(response.status() < 400, path, `${response.status()} for ${response.url()}`);
+    });
+  }
+}
+
+// Runs `test` with a Visitor, tells what it found, and sets the exit code.
+export async function testSite(test) {
+  const server = await serve(folder);
+  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: quiet });
+  const visitor = new Visitor(browser, server.root);
+  try {
+    visitor.expect(pages.length > 1, folder, "there are no pages of lessons");
+    await test(visitor);
+  } catch (error) {
+    visitor.complain("the test was broken off", error.message);
+  } finally {
+    await browser.close();
+    server.close();
+  }
+  for (const problem of visitor.problems) console.error(problem);
+  console.log(`${pages.length} pages, ${visitor.problems.length} problems`);
+  process.exitCode = visitor.problems.length > 0 ? 1 : 0;
+}

@@ -1,0 +1,117 @@
+// A build that is killed, at whatever moment, leaves the site as it was or, where the kill came too
+// late, the whole new one. The next build succeeds, and leaves nothing of the killed ones behind.
+//
+//   node tests/site/interrupted.mjs MJCOURSE [KILLS]
+
+import { spawn } from "node:child_process";
+import { createHash } from "node:crypto";
+import {
+  globSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  statSync,
+  writeFileSync,
+} from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { setTimeout as sleep } from "node:timers/promises";
+
+const mjcourse = process.argv[2];
+const kills = Number(process.argv[3] ?? 20);
+const lessons = 40; // enough that half of a build's time goes into writing
+const span = 1.25; // kills are spread over so many times what a build takes: some come too late
+
+const home = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
+const out = join(home, "out", "site");
+const temporary = join(home, "tmp");
+
+function write(path, text) {
+  mkdirSync(dirname(join(home, path)), { recursive: true });
+  writeFileSync(join(home, path), text);
+}
+
+// A course that says `word` on every page; one of its lessons has a program.
+function writeCourse(word) {
+  const names = Array.from({ length: lessons }, (_, i) => `1.${i + 1}-lesson`);
+  const level = `{folder: 1-level, title: Level, lessons: [${names.join(", ")}]}`;
+  write("course/content/course.yaml", `title: ${word}\nlevels:\n  - ${level}\n`);
+  const program = `#include <cstdio>\n\nint main() {\n  std::puts("${word}");\n}\n`;
+  write("course/examples/say.cpp", program);
+  for (const [i, name] of names.entries()) {
+    const example = i === 0 ? `\`\`\`cpp file=examples/say.cpp\n${program}\`\`\`\n` : "";
+    const text = `## About ${word}\n\nMuch of ${word}.\n\n`.repeat(100) + example;
+    write(`course/content/1-level/${name}.md`, `---\ntitle: ${word}\n---\n\n${text}`);
+  }
+}
+
+function startBuild() {
+  const generator = spawn(mjcourse, ["build", "--course", join(home, "course"), "--out", out], {
+    env: { ...process.env, TMPDIR: temporary },
+    stdio: ["ignore", "ignore", "inherit"],
+  });
+  const ended = new Promise((resolve) => generator.on("exit", resolve));
+  return { kill: () => generator.kill("SIGKILL"), ended };
+}
+
+// One hash for all names and bytes of the site.
+function fingerprint() {
+  const hash = createHash("sha256");
+  for (const path of globSync("**", { cwd: out }).sort()) {
+    if (statSync(join(out, path)).isFile()) hash.update(path).update(readFileSync(join(out, path)));
+  }
+  return hash.digest("hex");
+}
+
+let failures = 0;
+function expect(good, what) {
+  if (good) return;
+  ++failures;
+  console.error(what);
+}
+
+try {
+  mkdirSync(temporary);
+  writeCourse("before");
+  const start = performance.now();
+  expect((await startBuild().ended) === 0, "the first build fails");
+  const took = performance.now() - start;
+  const clean = { beside: readdirSync(dirname(out)), temporary: readdirSync(temporary) };
+  const before = fingerprint();
+
+  const seen = [];
+  writeCourse("after");
+  for (let i = 0; i < kills; ++i) {
+    const build = startBuild();
+    // Spread over all of the build, at random within each part.
+    await sleep(((i + Math.random()) / kills) * took * span);
+    build.kill();
+    await build.ended;
+    seen.push(fingerprint());
+  }
+
+  expect((await startBuild().ended) === 0, "the build after the killed ones fails");
+  const after = fingerprint();
+  expect(after !== before, "the test is no good: both sites are the same");
+  for (const [i, found] of seen.entries()) {
+    const whole = found === before || found === after;
+    expect(whole, `kill ${i + 1} of ${kills} left neither the old site nor the new one`);
+    expect(i === 0 || found !== before || seen[i - 1] !== after, "the old site came back");
+  }
+  for (const [folder, names] of [
+    [dirname(out), clean.beside],
+    [temporary, clean.temporary],
+  ]) {
+    const litter = readdirSync(folder).filter((name) => !names.includes(name));
+    expect(litter.length === 0, `left behind in ${folder}: ${litter.join(", ")}`);
+  }
+  const early = seen.filter((found) => found === before).length;
+  console.log(
+    `${kills} kills of a build of ${took.toFixed(0)} ms, ${early} before the site was replaced`,
+  );
+} finally {
+  rmSync(home, { recursive: true });
+}
+process.exitCode = failures > 0 ? 1 : 0;

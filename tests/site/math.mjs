@@ -1,0 +1,30 @@
+// Each formula is there twice: as MathML, for what reads aloud and copies, and drawn, for the eye.
+
+import { pages, testSite } from "./browser.mjs";
+
+function formulas() {
+  return [...document.querySelectorAll(".katex")].map((formula) => ({
+    tex: formula.querySelector("annotation[encoding='application/x-tex']")?.textContent ?? "",
+    spoken: formula.querySelectorAll(":scope > .katex-mathml > math").length,
+    drawn: formula.querySelectorAll(":scope > .katex-html[aria-hidden='true']").length,
+    height: formula.getBoundingClientRect().height,
+    folded: formula.closest("details:not([open])") !== null,
+  }));
+}
+
+const errors = () => [...document.querySelectorAll(".katex-error, merror")].map((e) => e.outerHTML);
+
+await testSite(async (visitor) => {
+  let count = 0;
+  for (const path of pages) {
+    await visitor.visit(path, { javaScript: false }, async (page) => {
+      for (const error of await page.evaluate(errors)) visitor.complain(path, error);
+      for (const { tex, spoken, drawn, height, folded } of await page.evaluate(formulas)) {
+        ++count;
+        const whole = tex !== "" && spoken === 1 && drawn === 1 && (height > 0 || folded);
+        visitor.expect(whole, path, `a formula that is not whole: ${tex}`);
+      }
+    });
+  }
+  visitor.expect(count > 0, "the site", "there are no formulas");
+});

@@ -1,0 +1,36 @@
+// Serves a built site on a free port of this machine, one folder below the root: an address that
+// works only at the root of a domain is a mistake.
+
+import { createServer } from "node:http";
+import { readFile } from "node:fs/promises";
+import { extname, join } from "node:path";
+
+const types = {
+  ".cpp": "text/x-c++src; charset=utf-8",
+  ".css": "text/css; charset=utf-8",
+  ".html": "text/html; charset=utf-8",
+  ".js": "text/javascript; charset=utf-8",
+  ".png": "image/png",
+  ".svg": "image/svg+xml",
+  ".txt": "text/plain; charset=utf-8",
+  ".webp": "image/webp",
+  ".woff2": "font/woff2",
+};
+const base = "/some/course/";
+
+// Gives the address of the site's root, and what ends the server.
+export async function serve(folder) {
+  const server = createServer(async (request, response) => {
+    const path = decodeURIComponent(new URL(request.url, "http://localhost").pathname);
+    try {
+      if (!path.startsWith(base)) throw new Error("outside of the site");
+      const bytes = await readFile(join(folder, path.slice(base.length) || "index.html"));
+      response.writeHead(200, { "content-type": types[extname(path)] ?? "text/html" }).end(bytes);
+    } catch {
+      response.writeHead(404).end();
+    }
+  });
+  await new Promise((listening) => server.listen(0, "127.0.0.1", listening));
+  const root = `http://127.0.0.1:${server.address().port}${base}`;
+  return { root, close: () => server.close() };
+}

@@ -1,0 +1,80 @@
+// clang-tidy over the generator, by the repository's .clang-tidy.
+//
+//   node tests/tidy.mjs BUILD     BUILD: the folder with compile_commands.json
+//
+// A file takes seconds, so one in which nothing was found is not looked at again before it, a
+// header of ours that it includes, its flags or .clang-tidy change: BUILD/tidy/ holds a stamp for
+// each, named by a hash of all that.
+
+import { execFile, execFileSync } from "node:child_process";
+import { createHash } from "node:crypto";
+import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
+import { availableParallelism } from "node:os";
+import { join, relative, resolve } from "node:path";
+
+const tidy = "clang-tidy-16";
+const root = resolve(import.meta.dirname, "..");
+const generator = join(root, "generator");
+const build = resolve(process.argv[2] ?? "build/release");
+const stamps = join(build, "tidy");
+// The flags are g++'s, and may name warnings that clang does not know.
+const flags = ["-p", build, "--quiet", "--extra-arg=-Wno-unknown-warning-option"];
+
+// Adds to `closure` the file and all headers of ours that it includes, and those that they do.
+function addIncludes(file, closure) {
+  if (closure.has(file)) return closure;
+  const text = readFileSync(file, "utf8");
+  closure.set(file, text);
+  for (const [, name] of text.matchAll(/^ *# *include *"([^"]+)"/gm)) {
+    const header = join(generator, name);
+    if (existsSync(header)) addIncludes(header, closure);
+  }
+  return closure;
+}
+
+const tool =
+  execFileSync(tidy, ["--version"], { encoding: "utf8" }) +
+  flags.join(" ") +
+  readFileSync(join(root, ".clang-tidy"), "utf8");
+
+function stampOf({ file, command }) {
+  const hash = createHash("sha256").update(tool).update(command);
+  for (const [, text] of [...addIncludes(file, new Map())].sort()) hash.update(text);
+  return hash.digest("hex");
+}
+
+// What clang-tidy says about one file; "" for nothing.
+function findings(file) {
+  return new Promise((resolved) => {
+    execFile(tidy, [...flags, file], (error, stdout, stderr) => {
+      resolved(error ? stdout + stderr : "");
+    });
+  });
+}
+
+const commands = JSON.parse(readFileSync(join(build, "compile_commands.json"), "utf8"));
+const tasks = commands
+  .filter(({ file }) => file.startsWith(generator))
+  .map((command) => ({ file: command.file, stamp: stampOf(command) }));
+mkdirSync(stamps, { recursive: true });
+const known = new Set(readdirSync(stamps));
+const waiting = tasks.filter(({ stamp }) => !known.has(stamp));
+const looked = waiting.length;
+
+let failed = 0;
+async function work() {
+  for (let task = waiting.shift(); task; task = waiting.shift()) {
+    const found = await findings(task.file);
+    if (found === "") writeFileSync(join(stamps, task.stamp), relative(root, task.file));
+    else ++failed;
+    process.stdout.write(found);
+  }
+}
+await Promise.all(Array.from({ length: availableParallelism() }, work));
+
+const current = new Set(tasks.map(({ stamp }) => stamp));
+for (const stamp of readdirSync(stamps)) {
+  if (!current.has(stamp)) rmSync(join(stamps, stamp));
+}
+console.log(`${tasks.length} files, ${looked} looked at, findings in ${failed}`);
+process.exitCode = failed > 0 || tasks.length === 0 ? 1 : 0;
