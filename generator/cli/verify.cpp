@@ -78,6 +78,7 @@ void print_lessons(const Course& course, const Evaluation& evaluation) {
     std::cout << (errors == 0 ? "ok    " : "FAIL  ") << lesson.number << "  "
               << (title.empty() ? lesson.slug : title) << ": "
               << tally_text(evaluation.lessons[i].tally);
+    if (lesson.front.draft) std::cout << "; a draft, not in the site";
     if (errors > 0) std::cout << "; " << counted(errors, "error");
     std::cout << '\n';
   }

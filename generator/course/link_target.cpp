@@ -47,6 +47,11 @@ tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Less
   const std::size_t hash = std::min(target.find('#'), target.size());
   const std::string number = target.substr(0, hash);
   if (const Lesson* lesson = course.find_lesson(number)) {
+    if (lesson->front.draft && !from.front.draft) {
+      return tl::unexpected(DeadLink{"E-link-dead",
+                                     "lesson " + number + " is a draft, and not in the site",
+                                     "link to it when its `draft` is gone"});
+    }
     return heading_of(*lesson, hash < target.size() ? target.substr(hash + 1) : "");
   }
   static const std::regex lesson_number(R"(\d+\.\d+)");

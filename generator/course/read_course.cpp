@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <utility>
 
 #include "base/nearest.h"
@@ -62,6 +63,27 @@ void read_level(const Files& files, const YAML::Node& node, const LocatedText& t
   course.levels.push_back(std::move(level));
 }
 
+// A lesson that nothing lists is checked by nobody, and looks as if it were. Where course.yaml has
+// a mistake, that may be why, and is said instead.
+void warn_of_unlisted(const Files& files, const Course& course, Diagnostics& diagnostics) {
+  std::set<std::string> spoken_of;
+  for (const Diagnostic& diagnostic : diagnostics) spoken_of.insert(diagnostic.place.file);
+  for (const Lesson& lesson : course.lessons) spoken_of.insert(lesson.source->path());
+  if (spoken_of.contains(kPath)) return;
+  for (const Level& level : course.levels) {
+    for (const std::string& name : files.list("content/" + level.folder)) {
+      const std::string path = "content/" + level.folder + "/" + name;
+      if (!name.ends_with(".md") || spoken_of.contains(path)) continue;
+      Diagnostic unlisted =
+          error_at({path, 0, 0, 1, ""}, "W-lesson-unlisted",
+                   "course.yaml does not list this lesson, so it is not checked",
+                   "add it to the `lessons` of its level; `draft: true` keeps it out of the site");
+      unlisted.severity = Severity::warning;
+      diagnostics.push_back(std::move(unlisted));
+    }
+  }
+}
+
 void check_references(const Course& course, Diagnostics& diagnostics) {
   for (const Lesson& lesson : course.lessons) {
     Reading reading(*lesson.source, diagnostics);
@@ -116,6 +138,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics) 
   for (const std::string& name : files.list("models")) {
     if (name.ends_with(".xml")) course.models.push_back(name.substr(0, name.size() - 4));
   }
+  warn_of_unlisted(files, course, diagnostics);
   check_references(course, diagnostics);
   return course;
 }

@@ -25,7 +25,7 @@ struct FrontMatter {
   std::vector<LocatedText> prerequisites;  // lesson numbers
   std::vector<Document> objectives;
   std::vector<std::string> tags;
-  bool draft = false;
+  bool draft = false;  // checked like any other, and left out of the site
 };
 
 struct Heading {

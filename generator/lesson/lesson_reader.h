@@ -44,6 +44,7 @@ class LessonReader {
   void refuse_inline(cmark_node* node, Region& region);
   void read_fence(cmark_node* node);
   void read_output(cmark_node* node, class Fence& fence);
+  void refuse_second_quiz(const Quiz& quiz, Span span);
   std::optional<std::size_t> example_named(const LocatedText& name);
   LocatedText find(const std::string& text, Region& region);
 

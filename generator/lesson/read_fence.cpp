@@ -149,7 +149,10 @@ void LessonReader::read_fence(cmark_node* node) {
     reading_.error("E-fence-kind", fence.span(), "a lab says of which kind it is",
                    "write `lab simlab`");
   } else if (kind == "quiz") {
-    if (auto quiz = read_quiz(fence, *this)) add(node, std::move(*quiz));
+    if (auto quiz = read_quiz(fence, *this)) {
+      refuse_second_quiz(*quiz, fence.span());
+      add(node, std::move(*quiz));
+    }
   } else {
     report_unknown(fence, reading_);
   }
@@ -167,6 +170,16 @@ std::optional<std::size_t> LessonReader::example_named(const LocatedText& name) 
   reading_.error("E-output-stray", name.span(), "there is no example `" + name.text + "` above",
                  known.empty() ? "write its `cpp file=…` fence first" : suggest(name.text, known));
   return std::nullopt;
+}
+
+// The page and what a reader's browser remembers tell quizzes apart by their ids.
+void LessonReader::refuse_second_quiz(const Quiz& quiz, Span span) {
+  for (const Block& block : lesson_.blocks) {
+    const auto* other = std::get_if<Quiz>(&block);
+    if (other == nullptr || other->id != quiz.id) continue;
+    reading_.error("E-quiz-id", span, "another quiz of this lesson has the id \"" + quiz.id + "\"",
+                   "give each quiz an id of its own");
+  }
 }
 
 // The example whose output this is: the one named, or the one just above (a paragraph "Output:" may

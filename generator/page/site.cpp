@@ -1,5 +1,7 @@
 #include "page/site.h"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -53,7 +55,9 @@ class SiteWriter {
         directory_(paths.out) {}
 
   void run() {
-    for (std::size_t i = 0; i < course_.lessons.size(); ++i) write_lesson(i);
+    for (std::size_t i = 0; i < course_.lessons.size(); ++i) {
+      if (!course_.lessons[i].front.draft) write_lesson(i);
+    }
     write_home();
     copy_examples();
     for (const fs::directory_entry& entry : fs::directory_iterator(paths_.assets / "public")) {
@@ -67,6 +71,7 @@ class SiteWriter {
   void write_posters(std::size_t index);
   void write_home();
   void copy_examples();
+  std::vector<std::size_t> published(const Level& level) const;
   json levels_data(const Lesson* current) const;
   std::string frame(const std::string& kind, const std::string& title,
                     const std::string& description, const std::string& root, const Lesson* current,
@@ -82,11 +87,19 @@ class SiteWriter {
   SiteDirectory directory_;
 };
 
+// The lessons of a level that the site has: all but the drafts.
+std::vector<std::size_t> SiteWriter::published(const Level& level) const {
+  std::vector<std::size_t> lessons;
+  std::copy_if(level.lessons.begin(), level.lessons.end(), std::back_inserter(lessons),
+               [&](std::size_t index) { return !course_.lessons[index].front.draft; });
+  return lessons;
+}
+
 json SiteWriter::levels_data(const Lesson* current) const {
   json levels = json::array();
   for (const Level& level : course_.levels) {
     json lessons = json::array();
-    for (const std::size_t index : level.lessons) {
+    for (const std::size_t index : published(level)) {
       json lesson = reference_to(course_.lessons[index]);
       lesson["current"] = &course_.lessons[index] == current;
       lessons.push_back(std::move(lesson));
@@ -136,7 +149,11 @@ void SiteWriter::write_lesson(std::size_t index) {
   for (const LocatedText& number : lesson.front.prerequisites) {
     prerequisites.push_back(reference_to(*course_.find_lesson(number.text)));
   }
-  const auto neighbour = [&](std::size_t at) {
+  // The nearest lesson in one direction that the site has; past an end the index wraps to a huge
+  // one.
+  const auto neighbour = [&](std::size_t step) {
+    std::size_t at = index + step;
+    while (at < course_.lessons.size() && course_.lessons[at].front.draft) at += step;
     return at < course_.lessons.size() ? reference_to(course_.lessons[at]) : json(nullptr);
   };
   std::string level_title;
@@ -155,8 +172,8 @@ void SiteWriter::write_lesson(std::size_t index) {
        {"contents", writer.contents()},
        {"body", mark},
        {"verified", verified_data(results.tally, evaluation_.mujoco)},
-       {"previous", neighbour(index - 1)},
-       {"next", neighbour(index + 1)},
+       {"previous", neighbour(std::size_t(0) - 1)},
+       {"next", neighbour(1)},
        {"level", {{"title", level_title}}},
        {"root", "../"}});
   body.replace(body.find(mark), mark.size(), prose);
@@ -203,7 +220,7 @@ void SiteWriter::write_home() {
   Tally total;
   for (const Level& level : course_.levels) {
     json lessons = json::array();
-    for (const std::size_t index : level.lessons) {
+    for (const std::size_t index : published(level)) {
       const Lesson& lesson = course_.lessons[index];
       const LessonResults& results = evaluation_.lessons[index];
       const PageWriter writer(course_, lesson, results, {templates_, highlighter_});

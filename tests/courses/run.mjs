@@ -14,6 +14,7 @@ import { dirname, join, resolve } from "node:path";
 
 const here = import.meta.dirname;
 const mjcourse = resolve(process.env.MJCOURSE ?? "build/release/generator/mjcourse");
+if (!existsSync(mjcourse)) throw new Error(`there is no generator at ${mjcourse}`);
 const update = process.env.UPDATE_EXPECTED === "1";
 
 // "feature/case", for each folder of that depth that holds a course or what is expected of it.

@@ -8,8 +8,8 @@ namespace {
 const std::vector<std::string> kFields{"qpos", "qvel", "xfrc_applied", "time"};
 
 TEST(Nearest, FindsTheNameThatWasMeant) {
-  EXPECT_EQ(nearest("qpso", kFields), "qpos");           // two letters swapped
-  EXPECT_EQ(nearest("qpo", kFields), "qpos");            // one left out
+  EXPECT_EQ(nearest("qpso", kFields), "qpos");  // two letters swapped
+  EXPECT_EQ(nearest("qpo", kFields), "qpos");   // one left out
   EXPECT_EQ(nearest("xfrc_aplied", kFields), "xfrc_applied");
   EXPECT_EQ(nearest("qvel", kFields), "qvel");
 }

@@ -14,9 +14,9 @@ TEST(Utf8, CountsCodePoints) {
 }
 
 TEST(Utf8, AcceptsTheEdgesOfEveryLength) {
-  for (const char* text : {"\x7F", "\xC2\x80", "\xDF\xBF", "\xE0\xA0\x80", "\xED\x9F\xBF",
-                           "\xEE\x80\x80", "\xEF\xBF\xBF", "\xF0\x90\x80\x80",
-                           "\xF4\x8F\xBF\xBF"}) {
+  for (const char* text :
+       {"\x7F", "\xC2\x80", "\xDF\xBF", "\xE0\xA0\x80", "\xED\x9F\xBF", "\xEE\x80\x80",
+        "\xEF\xBF\xBF", "\xF0\x90\x80\x80", "\xF4\x8F\xBF\xBF"}) {
     EXPECT_EQ(find_invalid_utf8(text), std::nullopt) << text;
   }
   EXPECT_EQ(find_invalid_utf8(std::string_view("\0", 1)), std::nullopt);

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "evaluation_of.h"
+#include "evaluate/evaluation_of.h"
 
 namespace mjcourse {
 namespace {

@@ -72,6 +72,7 @@ TEST(Math, KnowsItsPlace) {
   const ReadingOf reading =
       reading_of("é $x$, $x$\n\n> $$\n> a\n> b\n> $$\n\n| a |\n|---|\n| $z$ |");
   const auto math = reading.all<Math>();
+  ASSERT_EQ(math.size(), 4u);
   EXPECT_EQ(reading.place(math[0]->tex), "4:4");
   EXPECT_EQ(reading.place(math[1]->tex), "4:9");
   EXPECT_EQ(reading.place(math[2]->tex, 1), "7:3");

@@ -8,8 +8,13 @@ namespace {
 const std::string kLine = R"(  {"label": "w", "expr": "data.qpso[3]"},)";
 
 Diagnostic misspelt() {
-  return {"E-script-name", Severity::error, {"content/1-a/1.2-b.md", 41, 27, 9, kLine},
-          "data.qpso does not exist", "", {}, "did you mean `data.qpos`?"};
+  return {"E-script-name",
+          Severity::error,
+          {"content/1-a/1.2-b.md", 41, 27, 9, kLine},
+          "data.qpso does not exist",
+          "",
+          {},
+          "did you mean `data.qpos`?"};
 }
 
 TEST(Terminal, ShowsTheLineTheCaretAndTheCure) {
@@ -55,8 +60,8 @@ TEST(Terminal, ShowsDetailNotesAndTheirPlaces) {
 }
 
 TEST(Terminal, ShowsNoExcerptOfAWholeFile) {
-  const Diagnostic diagnostic{"E-lesson-name", Severity::error, {"content/a.md", 0, 0, 1, ""},
-                              "no number", "", {}, ""};
+  const Diagnostic diagnostic{
+      "E-lesson-name", Severity::error, {"content/a.md", 0, 0, 1, ""}, "no number", "", {}, ""};
   EXPECT_EQ(format_for_terminal(diagnostic), "content/a.md: error: no number [E-lesson-name]\n");
 }
 
@@ -64,7 +69,8 @@ TEST(Terminal, ShowsNoExcerptOfAWholeFile) {
 std::string excerpt(const Place& place, int width = 100) {
   TerminalStyle style;
   style.width = width;
-  const std::string text = format_for_terminal({"E", Severity::error, place, "m", "", {}, ""}, style);
+  const std::string text =
+      format_for_terminal({"E", Severity::error, place, "m", "", {}, ""}, style);
   return text.substr(text.find('\n') + 1);
 }
 
@@ -111,8 +117,9 @@ TEST(Terminal, CutsBetweenCharacters) {
   std::string line;
   for (int i = 0; i < 60; ++i) line += "é";
   const std::string text = excerpt({"a.md", 7, 30, 1, line}, 30);
-  EXPECT_EQ(text, "  7 | …ééééééééééééééééééééééé…\n"
-                  "    |         ^\n");
+  EXPECT_EQ(text,
+            "  7 | …ééééééééééééééééééééééé…\n"
+            "    |         ^\n");
 }
 
 }  // namespace
