@@ -38,6 +38,10 @@ int run_named(const Named& named, const std::vector<std::string>& arguments) {
   Options options;
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
+    if (argument == "--help") {
+      std::cout << kHelp;
+      return kClean;
+    }
     const bool is_out = argument == "--out" && named.takes_out;
     if (argument != "--course" && !is_out) {
       std::vector<std::string> known{"--course"};

@@ -26,7 +26,7 @@ class Rehearsal {
  private:
   void check_names(const std::vector<LocatedText>& names);
   bool rest(Simulation& simulation, LabResult& result);
-  bool press(const Lab::Button& button);
+  bool play(const Lab::Button* button);
   bool read(World& world, const Lab::Readout& readout, double& value);
   bool read_all(World& world);
   std::optional<Poster> draw(Simulation& simulation);
@@ -86,13 +86,15 @@ bool Rehearsal::rest(Simulation& simulation, LabResult& result) {
   return good;
 }
 
-bool Rehearsal::press(const Lab::Button& button) {
+// Two seconds on from a fresh state, on which `button` was pressed if there is one.
+bool Rehearsal::play(const Lab::Button* button) {
   std::optional<Simulation> simulation =
       workshop_.simulate(lab_.model, *lesson_.source, diagnostics_);
   if (!simulation) return false;
   World world(workshop_.world_bundle(), *simulation, kScriptLimit);
-  if (const auto done = world.run(button.run.text); !done) {
-    return script_error(done.error(), button.run);
+  if (button != nullptr) {
+    const auto done = world.run(button->run.text);
+    if (!done) return script_error(done.error(), button->run);
   }
   // A model may take steps longer than a frame.
   const double pause = std::max(kFrame, simulation->model()->opt.timestep);
@@ -100,9 +102,11 @@ bool Rehearsal::press(const Lab::Button& button) {
   for (int i = 0; i < pauses; ++i) {
     simulation->advance(pause);
     if (simulation->trouble()) {
-      error("E-lab-simulation", button.run.span(),
-            "after \"" + button.label.text + "\": " + *simulation->trouble(),
-            "a smaller time step, or a gentler push");
+      error("E-lab-simulation", button != nullptr ? button->run.span() : lab_.span,
+            "after " +
+                (button != nullptr ? "\"" + button->label.text + "\"" : std::string("Play")) +
+                ": " + *simulation->trouble(),
+            button != nullptr ? "a smaller time step, or a gentler push" : "a smaller time step");
       return false;
     }
     if (!read_all(world)) return false;
@@ -140,9 +144,9 @@ std::optional<LabResult> Rehearsal::run() {
       workshop_.simulate(lab_.model, *lesson_.source, diagnostics_);
   if (!simulation) return std::nullopt;
   LabResult result;
-  // A readout that fails at rest would fail again after every button.
-  if (rest(*simulation, result)) {
-    for (const Lab::Button& button : lab_.controls) press(button);
+  // What fails at rest, or by itself, would fail again after every button.
+  if (rest(*simulation, result) && play(nullptr)) {
+    for (const Lab::Button& button : lab_.controls) play(&button);
   }
   if (diagnostics_.size() > before) return std::nullopt;
   result.poster = draw(*simulation);

@@ -1,8 +1,8 @@
 // Labs, rehearsed: every button pressed, every readout and trace read, without a browser.
 //
-// Steps: the model compiles; readouts and traces are read at rest, and the poster drawn; then each
-// button is pressed on a fresh state, two seconds are simulated, and everything is read again and
-// again on the way. A script that fails anywhere is an error at its place in the lesson.
+// Steps: the model compiles; readouts and traces are read at rest; then two seconds are simulated,
+// by themselves and again after each button on a fresh state, and everything is read all the way;
+// at last the poster is drawn. A script that fails anywhere is an error at its place in the lesson.
 #pragma once
 
 #include <optional>

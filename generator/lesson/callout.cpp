@@ -1,6 +1,8 @@
 #include "lesson/callout.h"
 
 #include <algorithm>
+#include <cctype>
+#include <iterator>
 #include <string_view>
 
 #include "base/nearest.h"
@@ -51,11 +53,14 @@ std::optional<Callout> take_callout(cmark_node* node, Reading& reading) {
   if (!text.starts_with("[!") || close == text.npos) return {};
 
   Callout callout;
-  callout.kind = text.substr(2, close - 2);
+  const std::string written(text.substr(2, close - 2));
+  // GitHub writes its own five in capitals.
+  std::transform(written.begin(), written.end(), std::back_inserter(callout.kind),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const std::vector<std::string>& kinds = callout_kinds();
   if (std::find(kinds.begin(), kinds.end(), callout.kind) == kinds.end()) {
-    reading.error("E-callout-kind", kind_span(node, callout.kind, reading.source()),
-                  "there is no callout `" + callout.kind + "`", suggest(callout.kind, kinds));
+    reading.error("E-callout-kind", kind_span(node, written, reading.source()),
+                  "there is no callout `" + written + "`", suggest(callout.kind, kinds));
     return {};
   }
   text.remove_prefix(close + 1);

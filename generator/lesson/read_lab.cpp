@@ -71,6 +71,10 @@ std::optional<Lab::Button> read_control(const JsonValue& value, Reading& reading
     return std::nullopt;
   }
   Lab::Button button{object.required_string("label"), object.script("run")};
+  if (button.run.text.empty() && !object.has("run")) {
+    reading.error("E-json-missing", {value.span.begin, value.span.begin + 1},
+                  "this button does nothing: it has no \"run\"", "add \"run\": a script");
+  }
   object.finish();
   return button;
 }

@@ -10,6 +10,8 @@
 namespace mjcourse {
 namespace {
 
+constexpr double kMostSeconds = 100;  // simulated for one proof
+
 std::map<std::string, int> read_joints(const JsonValue* value, Reading& reading) {
   std::map<std::string, int> joints;
   if (value == nullptr) return joints;
@@ -40,6 +42,11 @@ std::optional<Proof> read_proof(const JsonValue& value, const Question& question
   proof.because = object.string("because");
   proof.run = object.script("run");
   proof.seconds = object.number("seconds", 0);
+  if (!(proof.seconds >= 0 && proof.seconds <= kMostSeconds)) {
+    reading.error("E-json-range", object.find("seconds")->span,
+                  "\"seconds\" is simulated time: from 0 to 100");
+    proof.seconds = 0;
+  }
   proof.value = object.script("value");
   proof.equals = object.optional_number("equals");
   for (const JsonValue& option : object.list("options")) {

@@ -31,6 +31,17 @@ TEST(Links, MustLeadToALessonThatIsThere) {
 )");
 }
 
+TEST(Links, MustNotLeadOutOfTheSiteIntoADraft) {
+  EXPECT_EQ(
+      course_of("", "See [it](1.1).\n", "draft: true\n").mistakes(),
+      R"(content/1-a/1.2-y.md:4:10: error: lesson 1.1 is a draft, and not in the site [E-link-dead]
+  4 | See [it](1.1).
+    |          ^~~
+  cure: link to it when its `draft` is gone
+)");
+  EXPECT_EQ(course_of("See [it](1.2) and [me](1.1).\n", "", "draft: true\n").mistakes(), "");
+}
+
 TEST(Links, MustLeadToAHeadingThatIsThere) {
   EXPECT_EQ(course_of("See [it](1.2#tow).\n", "## Two\n## Three\n").mistakes(),
             R"(content/1-a/1.1-x.md:4:10: error: lesson 1.2 has no heading `#tow` [E-link-anchor]

@@ -57,11 +57,12 @@ content/course.yaml:1:1: error: the course file has no `levels` [E-course-yaml]
 )");
 }
 
-// "line:column id message | cure" of each mistake in a course file.
+// "line:column id message | cure" of each error in a course file.
 std::string mistakes_in(const std::string& yaml) {
   const CourseOf found({{"content/course.yaml", yaml}, {"content/1-a/1.1-x.md", lesson("")}});
   std::string text;
   for (const Diagnostic& d : found.diagnostics) {
+    if (d.severity != Severity::error) continue;
     text += std::to_string(d.place.line) + ":" + std::to_string(d.place.column) + " " + d.id + " " +
             d.message + (d.cure.empty() ? "" : " | " + d.cure) + "\n";
   }
@@ -107,6 +108,19 @@ TEST(Course, SuggestsTheLessonThatWasMeant) {
   5 |     lessons: [1.1-x, 1.2-y]
     |                      ^~~~~
   cure: did you mean `1.2-z`?
+)");
+}
+
+TEST(Course, WarnsOfALessonThatNobodyChecks) {
+  const CourseOf found({{"content/course.yaml", kTwo},
+                        {"content/1-a/1.1-x.md", lesson("")},
+                        {"content/1-a/1.2-y.md", lesson("")},
+                        {"content/1-a/1.3-z.md", lesson("")},
+                        {"content/1-a/notes.txt", ""}});
+  EXPECT_EQ(
+      found.mistakes(),
+      R"(content/1-a/1.3-z.md: warning: course.yaml does not list this lesson, so it is not checked [W-lesson-unlisted]
+  cure: add it to the `lessons` of its level; `draft: true` keeps it out of the site
 )");
 }
 

@@ -80,15 +80,26 @@ content/1-a/1.1-x.md:9:46: error: after "Two": the simulation diverged at t = 0.
 }
 
 TEST(Lab, IsReadOnTheWayToo) {
+  EXPECT_EQ(
+      evaluated_mistakes(
+          lab(R"j("readouts": [{"label": "r", "expr": "Math.sqrt(1 - data.time)"}])j")),
+      R"j(content/1-a/1.1-x.md:6:38: error: the value is NaN, not a finite number [E-script-value]
+  6 | "readouts": [{"label": "r", "expr": "Math.sqrt(1 - data.time)"}]}
+    |                                      ^~~~~~~~~~~~~~~~~~~~~~~~
+)j");
+}
+
+// What goes wrong a while after a button, and not without it.
+TEST(Lab, IsReadAfterEachButton) {
   const std::string readout =
-      R"j("readouts": [{"label": "r", "expr": "Math.sqrt(1 - data.time)"}])j";
+      R"j("readouts": [{"label": "r", "expr": "Math.sqrt(0.5 - data.qpos[0])"}])j";
   EXPECT_EQ(evaluated_mistakes(lab(readout)), "");
   EXPECT_EQ(
-      evaluated_mistakes(lab(
-          readout + ",\n\"controls\": [{\"type\": \"button\", \"label\": \"Go\", \"run\": \"\"}]")),
+      evaluated_mistakes(lab(readout + R"j(,
+"controls": [{"type": "button", "label": "Go", "run": "data.qvel[0] = 1"}])j")),
       R"j(content/1-a/1.1-x.md:6:38: error: the value is NaN, not a finite number [E-script-value]
-  6 | "readouts": [{"label": "r", "expr": "Math.sqrt(1 - data.time)"}],
-    |                                      ^~~~~~~~~~~~~~~~~~~~~~~~
+  6 | "readouts": [{"label": "r", "expr": "Math.sqrt(0.5 - data.qpos[0])"}],
+    |                                      ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~
 )j");
 }
 

@@ -74,6 +74,18 @@ content/1-a/1.1-x.md:5:1: error: this quiz has no "questions" [E-json-missing]
 )");
 }
 
+TEST(Quiz, HasAnIdOfItsOwn) {
+  const std::string quiz = "```quiz\n{\"id\": \"q\", \"questions\": []}\n```\n";
+  EXPECT_EQ(mistakes_in(quiz), "");
+  EXPECT_EQ(
+      mistakes_in(quiz + quiz),
+      R"(content/1-a/1.1-x.md:7:1: error: another quiz of this lesson has the id "q" [E-quiz-id]
+  7 | ```quiz
+    | ^~~~~~~
+  cure: give each quiz an id of its own
+)");
+}
+
 TEST(Question, IsOfAKindThatThereIs) {
   EXPECT_EQ(mistakes(R"({"kind": "numerc"})"),
             "E-quiz-form <numerc> there is no question of kind \"numerc\" | did you mean "
