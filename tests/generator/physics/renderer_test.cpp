@@ -2,11 +2,6 @@
 
 #include <gtest/gtest.h>
 
-// Mesa keeps some 250 bytes of every context that was made; a leak checker need not tell us.
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libOSMesa";
-}
-
 namespace mjcourse {
 namespace {
 
