@@ -37,7 +37,7 @@ CONF
 # A source of the machine that has no source packages fails here, which does not matter.
 apt-get update -qq || true
 uri=$(apt-get source --print-uris -qq "$package" | awk -v file="$file" -F "'" \
-  '{ split($3, rest, " ") } rest[1] == file { print $2; exit }')
+  '{ split($3, rest, " ") } rest[1] == file { print $2 }' || true)
 [ -n "$uri" ] || {
   echo "apt knows no $file of the source package $package" >&2
   exit 1

@@ -2,7 +2,7 @@
 // MJCOURSE_ENGINE is the folder with that, MJCOURSE_NATIVE the program of native.cpp.
 
 import { execFileSync } from "node:child_process";
-import { readFileSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
@@ -13,7 +13,13 @@ const { build } = createRequire(path.join(site, "package.json"))("esbuild");
 export const built = process.env.MJCOURSE_ENGINE;
 export const models = path.join(import.meta.dirname, "models");
 
-export async function bundle(entry) {
+// Without its sources there is no engine; tests/engine/CMakeLists.txt knows these words.
+if (!existsSync(path.join(built, "engine.wasm"))) {
+  console.log("MuJoCo for the browser was not built");
+  process.exit();
+}
+
+async function bundle(entry) {
   const { outputFiles } = await build({
     absWorkingDir: site,
     entryPoints: [entry],
