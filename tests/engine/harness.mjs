@@ -8,7 +8,8 @@ import path from "node:path";
 import { pathToFileURL } from "node:url";
 
 const site = path.resolve(import.meta.dirname, "../../site");
-const { build } = createRequire(path.join(site, "package.json"))("esbuild");
+// The npm packages are the site's.
+export const require = createRequire(path.join(site, "package.json"));
 
 export const built = process.env.MJCOURSE_ENGINE;
 export const models = path.join(import.meta.dirname, "models");
@@ -19,8 +20,9 @@ if (!existsSync(path.join(built, "engine.wasm"))) {
   process.exit();
 }
 
-async function bundle(entry) {
-  const { outputFiles } = await build({
+// The module site/ENTRY with all that it imports.
+export async function bundleText(entry) {
+  const { outputFiles } = await require("esbuild").build({
     absWorkingDir: site,
     entryPoints: [entry],
     bundle: true,
@@ -28,12 +30,11 @@ async function bundle(entry) {
     target: "es2022",
     write: false,
   });
-  return import(
-    `data:text/javascript;base64,${Buffer.from(outputFiles[0].text).toString("base64")}`
-  );
+  return outputFiles[0].text;
 }
 
-const { loadEngine } = await bundle("engine/engine.ts");
+const module = Buffer.from(await bundleText("engine/engine.ts")).toString("base64");
+const { loadEngine } = await import(`data:text/javascript;base64,${module}`);
 
 // A new engine with its own memory.
 export function newEngine() {
