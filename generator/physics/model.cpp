@@ -39,17 +39,31 @@ std::uint64_t next_serial() {
   return ++last;
 }
 
-// A virtual file system with one file. It is 2 MB large, too much for a stack.
-class OneFile {
+// MuJoCo's virtual file system. It is 2 MB large, too much for a stack.
+class VirtualFiles {
  public:
-  OneFile(const std::string& name, const std::string& content) : vfs_(std::make_unique<mjVFS>()) {
-    mj_defaultVFS(vfs_.get());
-    mj_makeEmptyFileVFS(vfs_.get(), name.c_str(), static_cast<int>(content.size()));
-    std::memcpy(vfs_->filedata[0], content.data(), content.size());
+  VirtualFiles() : vfs_(std::make_unique<mjVFS>()) { mj_defaultVFS(vfs_.get()); }
+  ~VirtualFiles() { mj_deleteVFS(vfs_.get()); }
+  VirtualFiles(const VirtualFiles&) = delete;
+  VirtualFiles& operator=(const VirtualFiles&) = delete;
+
+  // What is wrong with the file, in words; "" when it was added.
+  std::string add(const std::string& name, const std::string& content) {
+    // MuJoCo takes an empty file for a mistake of the program, not of the author.
+    if (content.empty()) return "the file is empty";
+    try {
+      switch (mj_makeEmptyFileVFS(vfs_.get(), name.c_str(), static_cast<int>(content.size()))) {
+        case 1:
+          return "there are too many files";
+        case 2:
+          return "another file has the same name";
+      }
+    } catch (const MujocoError& error) {
+      return error.what();
+    }
+    std::memcpy(vfs_->filedata[vfs_->nfile - 1], content.data(), content.size());
+    return "";
   }
-  ~OneFile() { mj_deleteVFS(vfs_.get()); }
-  OneFile(const OneFile&) = delete;
-  OneFile& operator=(const OneFile&) = delete;
 
   const mjVFS* get() const { return vfs_.get(); }
 
@@ -85,14 +99,26 @@ tl::expected<Model, ModelError> load_model_file(const std::string& path) {
   });
 }
 
-tl::expected<Model, ModelError> load_model_text(const std::string& mjcf) {
-  // MuJoCo takes an empty virtual file for a mistake of the program, not of the author.
-  if (mjcf.empty()) return tl::unexpected(ModelError{"", 0, 0, "the model is empty"});
+tl::expected<Model, ModelError> load_model_files(const std::string& name, const ModelFiles& files) {
   install_mujoco_guard();
+  const auto main = files.find(name);
+  if (main == files.end()) return tl::unexpected(ModelError{name, 0, 0, "file not found"});
+  VirtualFiles virtual_files;
+  for (const auto& [added, content] : files) {
+    const std::string problem = virtual_files.add(added, content);
+    if (!problem.empty()) return tl::unexpected(ModelError{added, 0, 0, problem});
+  }
+  return load(name, virtual_files.get()).map_error([&](const std::string& answer) {
+    return explain_load_error(answer, name, main->second);
+  });
+}
+
+tl::expected<Model, ModelError> load_model_text(const std::string& mjcf) {
+  if (mjcf.empty()) return tl::unexpected(ModelError{"", 0, 0, "the model is empty"});
   const std::string name = "model.xml";
-  const OneFile file(name, mjcf);
-  return load(name, file.get()).map_error([&](const std::string& answer) {
-    return explain_load_error(answer, "", mjcf);
+  return load_model_files(name, {{name, mjcf}}).map_error([&](ModelError error) {
+    if (error.file == name) error.file.clear();
+    return error;
   });
 }
 

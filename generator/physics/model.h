@@ -1,13 +1,14 @@
 // A compiled MuJoCo model.
 //
-// load_model_file() and load_model_text() are the ways in. Whatever is wrong with the MJCF comes
-// back as a ModelError with its line; nothing prints, waits or ends the process. Any thread may
-// load while others do.
+// load_model_file(), load_model_files() and load_model_text() are the ways in. Whatever is wrong
+// with the MJCF comes back as a ModelError with its line; nothing prints, waits or ends the
+// process. Any thread may load while others do.
 #pragma once
 
 #include <mujoco/mujoco.h>
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <tl/expected.hpp>
@@ -54,6 +55,13 @@ class Model {
 // The model in the MJCF or URDF file at `path`, a path on the disk. Includes, meshes and textures
 // are searched relative to its folder.
 tl::expected<Model, ModelError> load_model_file(const std::string& path);
+
+// Files in memory: content by name.
+using ModelFiles = std::map<std::string, std::string>;
+
+// The model in the file `name` of `files`. Files that it names are searched among them, by the last
+// part of their path whatever its case, and then on the disk.
+tl::expected<Model, ModelError> load_model_files(const std::string& name, const ModelFiles& files);
 
 // The model that `mjcf` describes; the error's file is "". Files that it names are searched
 // relative to the working directory.

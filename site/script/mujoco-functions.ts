@@ -7,7 +7,7 @@ import { ArgumentCheck, type Kind, type Structs } from "./arguments.js";
 import type { Native, NativeFunction } from "./native.js";
 
 /** Each function's arguments by C's names, in C's order. */
-const signatures: Readonly<Record<string, Readonly<Record<string, Kind>>>> = {
+export const signatures: Readonly<Record<string, Readonly<Record<string, Kind>>>> = {
   mj_step: { model: "model", data: "data" },
   mj_forward: { model: "model", data: "data" },
   mj_resetData: { model: "model", data: "data" },

@@ -109,6 +109,25 @@ TEST(Model, SaysWhichIncludeIsWrong) {
             "element 'geom': unrecognized attribute: 'sizee' (in a file that this one includes)");
 }
 
+TEST(Model, LoadsFilesFromMemory) {
+  const ModelFiles files{{"Arm.xml", "<mujoco><include file='parts/hand.xml'/></mujoco>"},
+                         {"hand.xml", arm}};
+  const auto model = load_model_files("Arm.xml", files);
+  ASSERT_TRUE(model.has_value()) << model.error().message;
+  EXPECT_EQ((*model)->nq, 2);
+}
+
+TEST(Model, SaysWhichOfTheFilesIsWrong) {
+  const auto told = [](const ModelFiles& files) {
+    const ModelError error = error_of(load_model_files("arm.xml", files));
+    return error.file + ": " + error.message;
+  };
+  EXPECT_EQ(told({}), "arm.xml: file not found");
+  EXPECT_EQ(told({{"arm.xml", arm}, {"arm.png", ""}}), "arm.png: the file is empty");
+  EXPECT_EQ(told({{"a/arm.xml", arm}, {"arm.xml", arm}}),
+            "arm.xml: another file has the same name");
+}
+
 TEST(Model, KeepsTheCompilersWarnings) {
   const auto model = load_model_text(R"(<mujoco><size njmax="2" nconmax="1"/><worldbody>
     <geom type="plane" size="1 1 1"/>

@@ -1,0 +1,93 @@
+// The scene in the page is MuJoCo's own: node --test tests/engine/scene.mjs
+
+import assert from "node:assert/strict";
+import path from "node:path";
+import { test } from "node:test";
+
+import { load, models, newEngine } from "./harness.mjs";
+
+const engine = await newEngine();
+const simulation = load(engine, path.join(models, "box_and_sphere.xml"));
+const scene = simulation.openScene();
+const mjOBJ_GEOM = 5;
+const shown = () => scene.geoms.map(({ numbers }) => numbers);
+
+test("each geom of the model is in it where mj_forward puts it", () => {
+  assert.ok(scene.update());
+  const { data } = simulation.world;
+  const geoms = shown().filter(({ objtype }) => objtype[0] === mjOBJ_GEOM);
+  assert.equal(geoms.length, 3);
+  for (const { objid, pos } of geoms) {
+    for (let i = 0; i < 3; i++) {
+      assert.ok(Math.abs(pos[i] - data.geom_xpos[3 * objid[0] + i]) < 1e-6);
+    }
+  }
+});
+
+test("drawing changes no bit of the motion", () => {
+  const run = (draw) => {
+    simulation.reset();
+    for (let i = 0; i < 200; i++) {
+      simulation.step();
+      if (draw) scene.update();
+    }
+    return simulation.state;
+  };
+  assert.deepEqual(run(true), run(false));
+});
+
+test("an overlay adds its decoration, and labels have text", () => {
+  simulation.reset();
+  scene.update();
+  const before = scene.geoms.length;
+  scene.showOverlay("frames", true);
+  scene.showOverlay("geom-labels", true);
+  scene.update();
+  assert.ok(scene.geoms.length > before);
+  assert.ok(scene.geoms.some((geom) => geom.text("label") === "geom 1"));
+  scene.showOverlay("frames", false);
+  scene.showOverlay("geom-labels", false);
+  scene.update();
+  assert.equal(scene.geoms.length, before);
+  assert.throws(() => scene.showOverlay("framess", true), /there is no overlay framess/);
+  assert.ok(scene.overlays.includes("contacts"));
+});
+
+test("the camera moves and the view follows", () => {
+  scene.update();
+  const before = [...scene.view.numbers.pos];
+  scene.camera.numbers.distance[0] = 10;
+  scene.moveCamera("rotateHorizontal", 0.2, 0);
+  scene.update();
+  assert.notDeepEqual([...scene.view.numbers.pos], before);
+  assert.equal(scene.lights[0].numbers.headlight[0], 1);
+});
+
+test("the mouse pulls the body that it selects, and lets go", () => {
+  simulation.reset();
+  const { data } = simulation.world;
+  const { camera } = scene;
+  camera.numbers.lookat.set([0.05, 0, 0.8]);
+  camera.numbers.distance[0] = 2;
+  scene.update();
+  const sphere = 2;
+  assert.equal(scene.select(1.5, 0.5, 0.5), sphere);
+  scene.hold("pull");
+  scene.drag("moveHorizontal", 0.3, 0);
+  scene.update();
+  scene.pull();
+  const force = () => Math.hypot(...data.xfrc_applied.subarray(6 * sphere, 6 * sphere + 3));
+  assert.ok(force() > 0);
+  scene.hold("none");
+  scene.pull();
+  assert.equal(force(), 0);
+  assert.equal(scene.select(1.5, 0.01, 0.99), 0);
+});
+
+test("a simulation that stopped leaves the scene as it was", () => {
+  simulation.world.data.qvel[0] = 1e300;
+  assert.throws(() => simulation.step());
+  assert.equal(scene.update(), false);
+  simulation.reset();
+  assert.ok(scene.update());
+});
