@@ -120,6 +120,8 @@ json PageWriter::data_of(const Question& question, const QuestionResult& result,
             {"number", std::to_string(number)},
             {"kind", numeric ? "numeric" : "mcq"},
             {"numeric", numeric},
+            {"key", shortest(question.answer)},
+            {"tolerance", shortest(question.tolerance)},
             {"q", inline_html(question.text)},
             {"unit", question.unit},
             {"options", json::array()},
@@ -134,7 +136,9 @@ json PageWriter::data_of(const Question& question, const QuestionResult& result,
     const std::string text = inline_html(question.options[i]);
     data["options"].push_back(
         {{"id", id + "-" + letter}, {"html", text}, {"letter", letter}, {"right", right}});
-    if (right) data["answer"] = letter + ". " + text;
+    if (!right) continue;
+    data["key"] = letter;
+    data["answer"] = letter + ". " + text;
   }
   for (const ProofResult& proof : result.proofs) {
     data["proof"].push_back({{"built", built_on(proof.built, course_)},

@@ -2,6 +2,7 @@
 // reader's theme is set before anything is painted.
 
 import { followContents } from "./contents.js";
+import { upgradeQuizzes } from "./quiz/quiz.js";
 import { reachScrollers } from "./scrollers.js";
 import { addThemeButton, applyTheme } from "./theme.js";
 
@@ -10,4 +11,5 @@ document.addEventListener("DOMContentLoaded", () => {
   addThemeButton();
   followContents();
   reachScrollers();
+  upgradeQuizzes();
 });

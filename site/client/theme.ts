@@ -3,29 +3,14 @@
 // applyTheme() runs while the head is read, before anything is painted. addThemeButton() runs once
 // the page is there; the button is made here because without the script it could do nothing.
 
+import { recall, remember } from "./storage.js";
+
 const key = "theme";
 
 type Theme = "light" | "dark";
 
 function isTheme(value: string | null | undefined): value is Theme {
   return value === "light" || value === "dark";
-}
-
-// Storage may be refused, as in private windows: then the choice lasts as long as the page.
-function remembered(): string | null {
-  try {
-    return localStorage.getItem(key);
-  } catch {
-    return null;
-  }
-}
-
-function remember(theme: Theme): void {
-  try {
-    localStorage.setItem(key, theme);
-  } catch {
-    // Nothing to do: the page still shows what was chosen.
-  }
 }
 
 function current(): Theme {
@@ -35,7 +20,7 @@ function current(): Theme {
 }
 
 export function applyTheme(): void {
-  const theme = remembered();
+  const theme = recall(key);
   if (isTheme(theme)) document.documentElement.dataset["theme"] = theme;
 }
 
@@ -53,7 +38,7 @@ export function addThemeButton(): void {
   button.addEventListener("click", () => {
     const next: Theme = current() === "dark" ? "light" : "dark";
     document.documentElement.dataset["theme"] = next;
-    remember(next);
+    remember(key, next);
     label();
   });
   label();
