@@ -42,7 +42,7 @@ std::optional<Proof> read_proof(const JsonValue& value, const Question& question
   proof.because = object.string("because");
   proof.run = object.script("run");
   proof.seconds = object.number("seconds", 0);
-  if (!(proof.seconds >= 0 && proof.seconds <= kMostSeconds)) {
+  if (proof.seconds < 0 || proof.seconds > kMostSeconds) {
     reading.error("E-json-range", object.find("seconds")->span,
                   "\"seconds\" is simulated time: from 0 to 100");
     proof.seconds = 0;
