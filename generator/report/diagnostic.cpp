@@ -16,11 +16,6 @@ Diagnostic error_at(Place place, std::string id, std::string message, std::strin
   return error;
 }
 
-bool has_errors(const Diagnostics& diagnostics) {
-  return std::any_of(diagnostics.begin(), diagnostics.end(),
-                     [](const Diagnostic& d) { return d.severity == Severity::error; });
-}
-
 Place place_of(const SourceText& source, Span span) {
   const Position start = source.position(span.begin);
   const std::string_view line = source.line(start.line);

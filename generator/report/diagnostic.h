@@ -44,8 +44,6 @@ using Diagnostics = std::vector<Diagnostic>;
 // An error with what every error has; set the rest where there is more to say.
 Diagnostic error_at(Place place, std::string id, std::string message, std::string cure = "");
 
-bool has_errors(const Diagnostics& diagnostics);
-
 // The place of `span` in `source`; a span over several lines is cut at the end of its first.
 Place place_of(const SourceText& source, Span span);
 

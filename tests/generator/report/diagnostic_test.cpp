@@ -31,14 +31,5 @@ TEST(PlaceOf, StaysInTheText) {
   EXPECT_EQ(shown(place_of(kSource, {1000, 2000})), "a.md:3:6+1 third");
 }
 
-TEST(HasErrors, DoesNotMindWarnings) {
-  Diagnostics diagnostics;
-  EXPECT_FALSE(has_errors(diagnostics));
-  diagnostics.push_back({"W", Severity::warning, {}, "", "", {}, ""});
-  EXPECT_FALSE(has_errors(diagnostics));
-  diagnostics.push_back({"E", Severity::error, {}, "", "", {}, ""});
-  EXPECT_TRUE(has_errors(diagnostics));
-}
-
 }  // namespace
 }  // namespace mjcourse
