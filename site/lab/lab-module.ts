@@ -96,7 +96,8 @@ export interface Select {
   readonly type: "select";
   readonly label: string;
   readonly options: readonly { readonly label: string; readonly run: ScriptIndex }[];
-  readonly value: number;
+  /** The option whose script runs at every reset. Null: none does, and none is chosen. */
+  readonly value: number | null;
 }
 
 export interface Keyframe {

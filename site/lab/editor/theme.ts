@@ -1,0 +1,78 @@
+/** The editor in the page's colours: its custom properties reach into the shadow root, and change
+ * with the scheme. */
+import { HighlightStyle, syntaxHighlighting } from "@codemirror/language";
+import type { Extension } from "@codemirror/state";
+import { EditorView } from "@codemirror/view";
+import { tags } from "@lezer/highlight";
+
+const ring = { outline: "2px solid var(--accent)", outlineOffset: "-2px" };
+
+const look = EditorView.theme({
+  "&": {
+    maxHeight: "min(28rem, 70dvh)",
+    border: "1px solid var(--edge)",
+    borderRadius: "4px",
+    background: "var(--ground)",
+    color: "var(--ink)",
+    fontSize: "0.8125rem",
+  },
+  "&.cm-focused": ring,
+  ".cm-scroller": { fontFamily: "var(--mono)", lineHeight: "1.55", scrollbarWidth: "thin" },
+  ".cm-content": { caretColor: "var(--ink)" },
+  ".cm-gutters": { border: "0", background: "transparent", color: "var(--soft)" },
+  "& .cm-content ::selection, & .cm-content::selection": { background: "var(--selection)" },
+  ".cm-selectionMatch, .cm-searchMatch": {
+    outline: "1px solid var(--edge)",
+    background: "transparent",
+  },
+  ".cm-searchMatch.cm-searchMatch-selected": { background: "var(--selection)" },
+  "&.cm-focused .cm-matchingBracket": { background: "var(--selection)" },
+  "&.cm-focused .cm-nonmatchingBracket": { background: "transparent", color: "var(--wrong)" },
+
+  // what CodeMirror draws with data: images, which the page's policy refuses
+  ".cm-lintRange-error": {
+    background: "none",
+    textDecoration: "underline wavy var(--wrong)",
+    textDecorationSkipInk: "none",
+  },
+  ".cm-lintPoint-error:after": { borderBottomColor: "var(--wrong)" },
+
+  ".cm-tooltip, .cm-panels": {
+    border: "1px solid var(--edge)",
+    background: "var(--paper)",
+    color: "var(--ink)",
+    font: "var(--size-xs) / 1.45 var(--sans)",
+  },
+  ".cm-panels": { border: "0", borderBlockEnd: "1px solid var(--edge)" },
+  ".cm-diagnostic-error": { borderInlineStart: "3px solid var(--wrong)" },
+  ".cm-panel.cm-panel-lint ul [aria-selected]": { background: "var(--selection)" },
+  ".cm-textfield, .cm-button": {
+    border: "1px solid var(--edge)",
+    borderRadius: "3px",
+    background: "var(--paper)",
+    backgroundImage: "none",
+    color: "inherit",
+    font: "inherit",
+  },
+  ".cm-panel :focus-visible": ring,
+});
+
+/** What stands beside the editor, in the same shadow root. */
+const hint = EditorView.baseTheme({
+  "& + #hint": {
+    margin: "0.25rem 0 0",
+    color: "var(--soft)",
+    font: "var(--size-xs) / 1.45 var(--sans)",
+  },
+});
+
+/** As styles/highlight.css has it for XML. */
+const colours = HighlightStyle.define([
+  { tag: tags.comment, color: "var(--code-comment)" },
+  { tag: [tags.tagName, tags.processingInstruction], color: "var(--code-keyword)" },
+  { tag: tags.attributeName, color: "var(--code-type)" },
+  { tag: [tags.attributeValue, tags.character], color: "var(--code-string)" },
+  { tag: tags.invalid, color: "var(--wrong)" },
+]);
+
+export const editorTheme: Extension = [look, hint, syntaxHighlighting(colours)];
