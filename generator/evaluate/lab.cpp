@@ -1,163 +1,103 @@
 #include "evaluate/lab.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "base/nearest.h"
-#include "evaluate/script_place.h"
-#include "script/world.h"
+#include "evaluate/assignment.h"
+#include "evaluate/lab_model.h"
+#include "evaluate/rehearsal.h"
 
 namespace mjcourse {
 namespace {
 
-constexpr double kRehearsal = 2;     // seconds simulated after each control
-constexpr double kFrame = 1.0 / 60;  // seconds between two readings, as in the page
-constexpr double kScriptLimit = 5;   // seconds of CPU time for one script
-constexpr PictureSize kPoster{960, 600};
+constexpr int kPosterWidth = 712;  // CSS pixels: the widest that a lab gets
 
-class Rehearsal {
- public:
-  Rehearsal(const Lab& lab, const Lesson& lesson, Workshop& workshop, Diagnostics& diagnostics)
-      : lab_(lab), lesson_(lesson), workshop_(workshop), diagnostics_(diagnostics) {}
-
-  std::optional<LabResult> run();
-
- private:
-  void check_names(const std::vector<LocatedText>& names);
-  bool rest(Simulation& simulation, LabResult& result);
-  bool play(const Lab::Button* button);
-  bool read(World& world, const Lab::Readout& readout, double& value);
-  bool read_all(World& world);
-  std::optional<Poster> draw(Simulation& simulation);
-  void error(std::string id, Span span, std::string message, std::string cure = "") {
-    diagnostics_.push_back(error_at(place_of(*lesson_.source, span), std::move(id),
-                                    std::move(message), std::move(cure)));
-  }
-  bool script_error(const ScriptError& error, const LocatedText& script) {
-    diagnostics_.push_back(script_diagnostic(error, script, *lesson_.source));
-    return false;
-  }
-
-  const Lab& lab_;
-  const Lesson& lesson_;
-  Workshop& workshop_;
-  Diagnostics& diagnostics_;
-};
-
-void Rehearsal::check_names(const std::vector<LocatedText>& names) {
+void check_overlays(const LabBench& bench) {
+  std::vector<LocatedText> names = bench.lab().toggles;
+  for (const Lab::Overlay& overlay : bench.lab().overlays) names.push_back(overlay.name);
   const std::vector<std::string> known = overlay_names();
   for (const LocatedText& name : names) {
     if (std::find(known.begin(), known.end(), name.text) != known.end()) continue;
-    error("E-lab-overlay", name.span(), "there is no overlay \"" + name.text + "\"",
-          suggest(name.text, known));
+    bench.error("E-lab-overlay", name.span(), "there is no overlay \"" + name.text + "\"",
+                suggest(name.text, known));
   }
 }
 
-bool Rehearsal::read(World& world, const Lab::Readout& readout, double& value) {
-  const tl::expected<double, ScriptError> number = world.number(readout.expression.text);
-  if (!number) return script_error(number.error(), readout.expression);
-  value = *number;
-  return true;
-}
-
-bool Rehearsal::read_all(World& world) {
-  double ignored = 0;
-  const auto reads = [&](const Lab::Readout& readout) { return read(world, readout, ignored); };
-  return std::all_of(lab_.readouts.begin(), lab_.readouts.end(), reads) &&
-         std::all_of(lab_.plots.begin(), lab_.plots.end(), [&](const Lab::Plot& plot) {
-           return std::all_of(plot.traces.begin(), plot.traces.end(), reads);
-         });
+std::vector<int> find_keyframes(const Lab& lab, const Model& model) {
+  std::vector<int> ids;
+  for (const Lab::Control& control : lab.controls) {
+    const auto* keyframe = std::get_if<Lab::Keyframe>(&control);
+    ids.push_back(keyframe != nullptr ? model.id(mjOBJ_KEY, keyframe->key.text) : 0);
+  }
+  return ids;
 }
 
 // Every readout is read even when one fails: their mistakes are shown together.
-bool Rehearsal::rest(Simulation& simulation, LabResult& result) {
-  World world(workshop_.world_bundle(), simulation, kScriptLimit);
+bool read_at_rest(const Lab& lab, LabRun& run, LabResult& result) {
   bool good = true;
-  for (const Lab::Readout& readout : lab_.readouts) {
-    good = read(world, readout, result.readouts.emplace_back()) && good;
+  for (const Lab::Readout& readout : lab.readouts) {
+    good = run.number(readout.expression, result.readouts.emplace_back()) && good;
   }
-  for (const Lab::Plot& plot : lab_.plots) {
+  for (const Lab::Plot& plot : lab.plots) {
     std::vector<double>& traces = result.traces.emplace_back();
     for (const Lab::Readout& trace : plot.traces) {
-      good = read(world, trace, traces.emplace_back()) && good;
+      good = run.number(trace.expression, traces.emplace_back()) && good;
     }
   }
   return good;
 }
 
-// Two seconds on from a fresh state, on which `button` was pressed if there is one.
-bool Rehearsal::play(const Lab::Button* button) {
-  std::optional<Simulation> simulation =
-      workshop_.simulate(lab_.model, *lesson_.source, diagnostics_);
-  if (!simulation) return false;
-  World world(workshop_.world_bundle(), *simulation, kScriptLimit);
-  if (button != nullptr) {
-    const auto done = world.run(button->run.text);
-    if (!done) return script_error(done.error(), button->run);
-  }
-  // A model may take steps longer than a frame.
-  const double pause = std::max(kFrame, simulation->model()->opt.timestep);
-  const int pauses = static_cast<int>(std::ceil(kRehearsal / pause));
-  for (int i = 0; i < pauses; ++i) {
-    simulation->advance(pause);
-    if (simulation->trouble()) {
-      error("E-lab-simulation", button != nullptr ? button->run.span() : lab_.span,
-            "after " +
-                (button != nullptr ? "\"" + button->label.text + "\"" : std::string("Play")) +
-                ": " + *simulation->trouble(),
-            button != nullptr ? "a smaller time step, or a gentler push" : "a smaller time step");
-      return false;
-    }
-    if (!read_all(world)) return false;
-  }
-  return true;
+// Without one of the author's, all of the model is seen.
+Lab::Camera camera_of(const Lab& lab, const Model& model) {
+  const mjStatistic& seen = model->stat;
+  return lab.camera.value_or(
+      Lab::Camera{90, -45, 1.5 * seen.extent, {seen.center[0], seen.center[1], seen.center[2]}});
 }
 
-std::optional<Poster> Rehearsal::draw(Simulation& simulation) {
-  const tl::expected<Renderer*, std::string> renderer = workshop_.renderer();
+std::optional<Poster> draw(const LabBench& bench, const Simulation& simulation,
+                           const Lab::Camera& camera) {
+  const Lab& lab = bench.lab();
+  const tl::expected<Renderer*, std::string> renderer = bench.workshop().renderer();
   if (!renderer) {
-    error("E-picture", lab_.span, "no picture can be drawn: " + renderer.error());
+    bench.error("E-picture", lab.span, "no picture can be drawn: " + renderer.error());
     return std::nullopt;
   }
-  const mjStatistic& extent = simulation.model()->stat;
-  const Lab::Camera camera = lab_.camera.value_or(Lab::Camera{
-      90, -45, 1.5 * extent.extent, {extent.center[0], extent.center[1], extent.center[2]}});
   Overlays overlays;
-  for (const Lab::Overlay& overlay : lab_.overlays) overlays[overlay.name.text] = overlay.on;
+  for (const Lab::Overlay& overlay : lab.overlays) overlays[overlay.name.text] = overlay.on;
   const tl::expected<Picture, std::string> picture = (*renderer)->render(
       simulation, {camera.azimuth, camera.elevation, camera.distance, camera.target}, overlays,
-      kPoster);
+      {2 * kPosterWidth, 2 * lab.height});
   if (!picture) {
-    error("E-picture", lab_.span, "the poster cannot be drawn: " + picture.error());
+    bench.error("E-picture", lab.span, "the poster cannot be drawn: " + picture.error());
     return std::nullopt;
   }
-  return Poster{encode_webp(*picture), encode_png(*picture), picture->width, picture->height};
-}
-
-std::optional<LabResult> Rehearsal::run() {
-  const std::size_t before = diagnostics_.size();
-  std::vector<LocatedText> overlays = lab_.toggles;
-  for (const Lab::Overlay& overlay : lab_.overlays) overlays.push_back(overlay.name);
-  check_names(overlays);
-  std::optional<Simulation> simulation =
-      workshop_.simulate(lab_.model, *lesson_.source, diagnostics_);
-  if (!simulation) return std::nullopt;
-  LabResult result;
-  // What fails at rest, or by itself, would fail again after every button.
-  if (rest(*simulation, result) && play(nullptr)) {
-    for (const Lab::Button& button : lab_.controls) play(&button);
-  }
-  if (diagnostics_.size() > before) return std::nullopt;
-  result.poster = draw(*simulation);
-  return result;
+  return Poster{encode_webp(*picture), encode_png(*picture), kPosterWidth, lab.height};
 }
 
 }  // namespace
 
 std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
                                       Diagnostics& diagnostics) {
-  return Rehearsal(lab, lesson, workshop, diagnostics).run();
+  const std::size_t before = diagnostics.size();
+  const LabBench bench(lab, lesson, workshop, diagnostics);
+  check_overlays(bench);
+  std::optional<LabRun> run = LabRun::start(bench, lab.model);
+  if (!run) return std::nullopt;
+  LabResult result;
+  result.script_names = run->world().names();
+  result.keyframes = find_keyframes(lab, run->simulation().model());
+  const bool read = read_at_rest(lab, *run, result);
+  // What fails at rest would fail again after every control.
+  if (check_at_rest(bench, *run) && read) {
+    result.runs = rehearse(bench);
+    evaluate_assignment(bench, result);
+  }
+  if (std::optional<LabModel> model = find_lab_model(bench)) result.model = *std::move(model);
+  if (diagnostics.size() > before) return std::nullopt;
+  result.camera = camera_of(lab, run->simulation().model());
+  result.poster = draw(bench, run->simulation(), result.camera);
+  return result;
 }
 
 }  // namespace mjcourse

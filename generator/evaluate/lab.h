@@ -1,8 +1,9 @@
-// Labs, rehearsed: every button pressed, every readout and trace read, without a browser.
+// Labs, rehearsed: every control used, every readout and trace read, without a browser.
 //
 // Steps: the model compiles; readouts and traces are read at rest; then two seconds are simulated,
-// by themselves and again after each button on a fresh state, and everything is read all the way;
-// at last the poster is drawn. A script that fails anywhere is an error at its place in the lesson.
+// by themselves and again after each control, and everything is read all the way (rehearsal.h);
+// what is asked of the reader is tried out (assignment.h); at last the poster is drawn. A script
+// that fails anywhere is an error at its place in the lesson.
 #pragma once
 
 #include <optional>

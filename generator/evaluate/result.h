@@ -5,11 +5,14 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
+
+#include "lesson/lab.h"
 
 namespace mjcourse {
 
@@ -28,13 +31,42 @@ struct OutputResult {
 
 // The same picture in two formats.
 struct Poster {
-  std::string webp, png;  // bytes of a file
-  int width = 0, height = 0;
+  std::string webp, png;      // bytes of a file
+  int width = 0, height = 0;  // CSS pixels; the picture has two for each of them
+};
+
+// What a lab's model is made of, by the names under which MuJoCo finds it without a disk.
+struct LabModel {
+  std::string main;
+  std::map<std::string, std::string> texts;             // MJCF: the main file and its includes
+  std::map<std::string, std::filesystem::path> assets;  // files on the disk
+};
+
+// What a control was set to: nothing (a button, a keyframe), on or off, an option, a number.
+using ControlValue = std::variant<std::monostate, bool, int, double>;
+
+// What a lab's readouts said a number of steps after a control.
+struct LabReading {
+  int steps = 0;
+  std::vector<double> values;
+};
+
+// A run from a reset on which one control acted, or none.
+struct LabRunResult {
+  std::optional<std::size_t> control;
+  ControlValue value;
+  std::vector<LabReading> readings;
 };
 
 struct LabResult {
   std::vector<double> readouts;             // at rest, in the lab's order
   std::vector<std::vector<double>> traces;  // at rest, for each plot
+  Lab::Camera camera;                       // the lab's, or one that shows all of the model
+  LabModel model;
+  std::vector<std::string> script_names;  // what scripts may use of the world
+  std::vector<int> keyframes;             // for each control: its keyframe; 0 for what is none
+  std::vector<LabRunResult> runs;
+  std::optional<double> predicted;  // what the reader is asked to predict
   std::optional<Poster> poster;
 };
 

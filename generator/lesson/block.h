@@ -5,7 +5,6 @@
 // turns them into HTML.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <map>
 #include <optional>
@@ -13,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "lesson/lab.h"
 #include "lesson/located_text.h"
 #include "lesson/markdown.h"
 
@@ -57,45 +57,6 @@ struct Callout {
   std::string kind;
   Document title;
   bool folded = false;
-};
-
-// ```lab simlab
-struct Lab {
-  struct Camera {  // MuJoCo's free camera: degrees, degrees, metres, metres
-    double azimuth = 90, elevation = -45, distance = 2;
-    std::array<double, 3> target{};
-  };
-  struct Overlay {
-    LocatedText name;
-    bool on = false;
-  };
-  struct Button {
-    LocatedText label, run;
-  };
-  struct Readout {
-    LocatedText label, expression;
-    int digits = 3;
-    std::string unit;
-  };
-  struct Plot {
-    std::string ylabel;
-    double window = 5;  // seconds
-    std::optional<double> ymin, ymax;
-    std::vector<Readout> traces;
-  };
-
-  std::string title;
-  LocatedText model;
-  bool dock = false;
-  int height = 300;  // CSS pixels
-  std::optional<Camera> camera;
-  std::vector<LocatedText> toggles;
-  std::vector<Overlay> overlays;
-  std::vector<Button> controls;
-  std::vector<Readout> readouts;
-  std::vector<Plot> plots;
-  Document note;
-  Span span;
 };
 
 // How a question's answer is found without the author.

@@ -1,6 +1,7 @@
 #include "lesson/json_object.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/nearest.h"
@@ -66,6 +67,32 @@ double JsonObject::number(const std::string& key, double otherwise) {
   return optional_number(key).value_or(otherwise);
 }
 
+double JsonObject::number(const std::string& key, double otherwise, const NumberRule& rule) {
+  const std::optional<double> value = optional_number(key);
+  if (!value) return otherwise;
+  const bool fits = *value >= rule.least && *value <= rule.most;
+  if (fits && (!rule.whole || *value == std::floor(*value))) return *value;
+  reading_.error("E-json-range", find(key)->span, "\"" + key + "\" " + rule.text);
+  return otherwise;
+}
+
+double JsonObject::required_number(const std::string& key) {
+  const JsonValue* value = require(key, of_kind(key, JsonValue::Kind::number));
+  return value != nullptr ? value->number : 0;
+}
+
+double JsonObject::required_number(const std::string& key, double otherwise,
+                                   const NumberRule& rule) {
+  require(key, find(key));
+  return number(key, otherwise, rule);
+}
+
+int JsonObject::digits(int otherwise) {
+  const NumberRule rule{0, 15, "counts the digits after the point: a whole number from 0 to 15",
+                        true};
+  return static_cast<int>(number("digits", otherwise, rule));
+}
+
 std::optional<double> JsonObject::optional_number(const std::string& key) {
   const JsonValue* value = of_kind(key, JsonValue::Kind::number);
   return value != nullptr ? std::optional<double>(value->number) : std::nullopt;
@@ -86,6 +113,16 @@ const std::vector<JsonValue>& JsonObject::required_list(const std::string& key) 
   return value != nullptr ? value->items : kNoItems;
 }
 
+const std::vector<JsonValue>& JsonObject::filled_list(const std::string& key,
+                                                      const std::string& cure) {
+  const std::vector<JsonValue>& items = required_list(key);
+  const JsonValue* value = find(key);
+  if (value != nullptr && value->kind == JsonValue::Kind::array && items.empty()) {
+    reading_.error("E-json-missing", value->span, "\"" + key + "\" is empty", cure);
+  }
+  return items;
+}
+
 LocatedText JsonObject::script(const std::string& key) {
   const JsonValue* value = find(key);
   if (value == nullptr) return {};
@@ -99,6 +136,18 @@ LocatedText JsonObject::script(const std::string& key) {
     }
   }
   return lines;
+}
+
+LocatedText JsonObject::required_script(const std::string& key) {
+  LocatedText text = script(key);
+  if (!is_object_ || !text.text.empty()) return text;
+  if (!has(key)) {
+    require(key, nullptr);
+  } else if (const auto kind = find(key)->kind;
+             kind == JsonValue::Kind::string || kind == JsonValue::Kind::array) {
+    reading_.error("E-json-missing", find(key)->span, "\"" + key + "\" is empty");
+  }
+  return text;
 }
 
 void JsonObject::not_yet(const std::string& key) {

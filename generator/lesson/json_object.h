@@ -16,6 +16,13 @@
 
 namespace mjcourse {
 
+// Which numbers a key takes, and what a message says of it: "is a number of pixels: from 1 to 9".
+struct NumberRule {
+  double least, most;
+  std::string text;
+  bool whole = false;
+};
+
 class JsonObject {
  public:
   // `what` names the object in messages ("lab", "question"). A value that is no object is an error
@@ -31,12 +38,20 @@ class JsonObject {
   LocatedText string(const std::string& key);
   LocatedText required_string(const std::string& key);
   double number(const std::string& key, double otherwise);
+  double number(const std::string& key, double otherwise, const NumberRule& rule);
+  double required_number(const std::string& key);
+  double required_number(const std::string& key, double otherwise, const NumberRule& rule);
+  // How many digits a number is shown with after its point.
+  int digits(int otherwise);
   std::optional<double> optional_number(const std::string& key);
   bool boolean(const std::string& key, bool otherwise);
   const std::vector<JsonValue>& list(const std::string& key);
   const std::vector<JsonValue>& required_list(const std::string& key);
+  // The same, where an empty list is an error too: `cure` says what to put in.
+  const std::vector<JsonValue>& filled_list(const std::string& key, const std::string& cure);
   // A script: a string, or a list of strings that are its lines.
   LocatedText script(const std::string& key);
+  LocatedText required_script(const std::string& key);
 
   // A key that the design knows and this version does not read: an error that says so.
   void not_yet(const std::string& key);
@@ -44,6 +59,7 @@ class JsonObject {
   // Report the keys that nothing asked for.
   void finish();
 
+  bool is_object() const { return is_object_; }
   Span span() const { return value_.span; }
 
  private:

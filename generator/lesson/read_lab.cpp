@@ -1,36 +1,16 @@
 #include "lesson/read_lab.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <utility>
 
-#include "base/nearest.h"
 #include "lesson/json_object.h"
+#include "lesson/read_assignment.h"
+#include "lesson/read_control.h"
+#include "lesson/read_plot.h"
 
 namespace mjcourse {
 namespace {
-
-// Nothing when there is nothing to read.
-std::optional<Lab::Readout> read_readout(const JsonValue& value, const std::string& what,
-                                         Reading& reading) {
-  JsonObject object(value, what, reading);
-  Lab::Readout readout;
-  readout.label = object.required_string("label");
-  readout.expression = object.required_string("expr");
-  if (what == "readout") {
-    readout.unit = object.string("unit").text;
-    const double digits = object.number("digits", readout.digits);
-    if (digits < 0 || digits > 15 || digits != std::floor(digits)) {
-      reading.error("E-json-range", object.find("digits")->span,
-                    "\"digits\" counts the digits after the point: a whole number from 0 to 15");
-    } else {
-      readout.digits = static_cast<int>(digits);
-    }
-  }
-  object.finish();
-  return readout.expression.text.empty() ? std::nullopt : std::optional(readout);
-}
 
 Lab::Camera read_camera(const JsonValue& value, Reading& reading) {
   JsonObject object(value, "camera", reading);
@@ -51,48 +31,6 @@ Lab::Camera read_camera(const JsonValue& value, Reading& reading) {
   return camera;
 }
 
-std::optional<Lab::Button> read_control(const JsonValue& value, Reading& reading) {
-  JsonObject object(value, "control", reading);
-  const LocatedText type = object.required_string("type");
-  for (const char* later : {"slider", "toggle", "select", "keyframe"}) {
-    if (type.text != later) continue;
-    reading.error("E-not-yet", type.span(),
-                  "a \"" + type.text +
-                      "\" belongs to the lesson language, but this version of "
-                      "mjcourse cannot do it yet",
-                  "use a \"button\" for now");
-    return std::nullopt;
-  }
-  if (type.text != "button") {
-    if (!type.text.empty()) {
-      reading.error("E-lab-control", type.span(), "there is no control \"" + type.text + "\"",
-                    suggest(type.text, {"button"}));
-    }
-    return std::nullopt;
-  }
-  Lab::Button button{object.required_string("label"), object.script("run")};
-  if (button.run.text.empty() && !object.has("run")) {
-    reading.error("E-json-missing", {value.span.begin, value.span.begin + 1},
-                  "this button does nothing: it has no \"run\"", "add \"run\": a script");
-  }
-  object.finish();
-  return button;
-}
-
-Lab::Plot read_plot(const JsonValue& value, Reading& reading) {
-  JsonObject object(value, "plot", reading);
-  Lab::Plot plot;
-  plot.ylabel = object.string("ylabel").text;
-  plot.window = object.number("window", plot.window);
-  plot.ymin = object.optional_number("ymin");
-  plot.ymax = object.optional_number("ymax");
-  for (const JsonValue& trace : object.required_list("traces")) {
-    if (auto read = read_readout(trace, "trace", reading)) plot.traces.push_back(*read);
-  }
-  object.finish();
-  return plot;
-}
-
 std::vector<Lab::Overlay> read_overlays(const JsonValue* value, Reading& reading) {
   std::vector<Lab::Overlay> overlays;
   if (value == nullptr) return overlays;
@@ -108,6 +46,14 @@ std::vector<Lab::Overlay> read_overlays(const JsonValue* value, Reading& reading
   return overlays;
 }
 
+std::optional<Lab::Ghost> read_ghost(const JsonValue* value, Reading& reading) {
+  if (value == nullptr) return std::nullopt;
+  JsonObject object(*value, "ghost", reading);
+  Lab::Ghost ghost{object.required_string("label").text, object.required_script("run")};
+  object.finish();
+  return ghost.run.text.empty() ? std::nullopt : std::optional(ghost);
+}
+
 }  // namespace
 
 std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
@@ -121,13 +67,8 @@ std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
   lab.title = object.required_string("title").text;
   lab.model = object.required_string("model");
   lab.dock = object.boolean("dock", lab.dock);
-  const double height = object.number("height", lab.height);
-  if (height >= 1 && height <= 10000) {
-    lab.height = static_cast<int>(height);
-  } else {
-    reading.error("E-json-range", object.find("height")->span,
-                  "\"height\" is a number of pixels: from 1 to 10000");
-  }
+  lab.height = static_cast<int>(
+      object.number("height", lab.height, {1, 1024, "is a number of pixels: from 1 to 1024"}));
   if (const JsonValue* camera = object.find("camera")) lab.camera = read_camera(*camera, reading);
   for (const JsonValue& toggle : object.list("toggles")) {
     if (toggle.kind == JsonValue::Kind::string) {
@@ -138,14 +79,17 @@ std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
   }
   lab.overlays = read_overlays(object.find("overlays"), reading);
   for (const JsonValue& control : object.list("controls")) {
-    if (auto button = read_control(control, reading)) lab.controls.push_back(std::move(*button));
+    if (auto read = read_control(control, reading)) lab.controls.push_back(std::move(*read));
   }
-  for (const JsonValue& readout : object.list("readouts")) {
-    if (auto read = read_readout(readout, "readout", reading)) lab.readouts.push_back(*read);
-  }
-  for (const JsonValue& plot : object.list("plots")) lab.plots.push_back(read_plot(plot, reading));
+  lab.readouts = read_readouts(object, reading);
+  lab.plots = read_plots(object, reading);
+  lab.speed = object.number("speed", lab.speed,
+                            {0.1, 4, "is simulated seconds in a second: from 0.1 to 4"});
+  lab.predict = read_predict(object.find("predict"), reader);
+  lab.editable = read_editable(object.find("editable"), reader, lab.tasks);
+  lab.goal = read_goal(object.find("goal"), lab.editable, reader);
+  lab.ghost = read_ghost(object.find("ghost"), reading);
   lab.note = reader.fragment(object.string("note"));
-  for (const char* later : {"predict", "goal", "speed", "ghost", "editable"}) object.not_yet(later);
   object.finish();
   if (lab.model.text.empty()) return std::nullopt;
   return lab;

@@ -11,16 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kTraceDigits = 4;
-
-// `value` with `digits` after its point, and never "-0.0".
-std::string fixed(double value, int digits) {
-  char text[400];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
-  const bool zero = std::string(text).find_first_of("123456789") == std::string::npos;
-  return zero && text[0] == '-' ? text + 1 : text;
-}
-
 std::string shortest(double value) {
   char text[64];
   std::snprintf(text, sizeof text, "%.10g", value);
@@ -61,54 +51,6 @@ json PageWriter::data_of(const Example& example, std::size_t index) {
   if (result != nullptr && !result->output.empty()) {
     const bool proved = example.output && results_.get<OutputResult>(*example.output) != nullptr;
     data["output"] = {{"text", result->output}, {"proved", proved}};
-  }
-  return data;
-}
-
-json PageWriter::data_of(const Lab& lab, std::size_t index) {
-  const auto* result = results_.get<LabResult>(index);
-  ++labs_;
-  json data{{"id", "lab-" + std::to_string(labs_)},
-            {"title", lab.title},
-            {"dock", lab.dock},
-            {"height", lab.height},
-            {"poster", nullptr},
-            {"controls", json::array()},
-            {"readouts", json::array()},
-            {"plots", json::array()},
-            {"toggles", json::array()},
-            {"note", inline_html(lab.note)}};
-  if (result != nullptr && result->poster) {
-    const std::string path = "../" + poster_path(lesson_, labs_);
-    data["poster"] = {{"webp", path + ".webp"},
-                      {"png", path + ".png"},
-                      {"width", result->poster->width},
-                      {"height", result->poster->height},
-                      {"alt", "The lab \u201c" + lab.title + "\u201d before it is played"}};
-  }
-  for (const Lab::Button& button : lab.controls) {
-    data["controls"].push_back({{"kind", "button"}, {"label", button.label.text}});
-  }
-  for (std::size_t i = 0; result != nullptr && i < lab.readouts.size(); ++i) {
-    const Lab::Readout& readout = lab.readouts[i];
-    data["readouts"].push_back({{"label", readout.label.text},
-                                {"value", fixed(result->readouts[i], readout.digits)},
-                                {"unit", readout.unit}});
-  }
-  for (std::size_t p = 0; result != nullptr && p < lab.plots.size(); ++p) {
-    json traces = json::array();
-    for (std::size_t t = 0; t < lab.plots[p].traces.size(); ++t) {
-      traces.push_back({{"label", lab.plots[p].traces[t].label.text},
-                        {"value", fixed(result->traces[p][t], kTraceDigits)}});
-    }
-    data["plots"].push_back({{"ylabel", lab.plots[p].ylabel}, {"traces", std::move(traces)}});
-  }
-  for (const LocatedText& toggle : lab.toggles) {
-    bool on = false;
-    for (const Lab::Overlay& overlay : lab.overlays) {
-      if (overlay.name.text == toggle.text) on = overlay.on;
-    }
-    data["toggles"].push_back({{"name", toggle.text}, {"on", on}});
   }
   return data;
 }

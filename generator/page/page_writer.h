@@ -10,6 +10,8 @@
 
 #include "course/course.h"
 #include "evaluate/result.h"
+#include "page/inline_styles.h"
+#include "page/lab_module.h"
 #include "page/markdown_html.h"
 #include "script/highlight.h"
 #include "script/templates.h"
@@ -20,6 +22,8 @@ namespace mjcourse {
 struct Press {
   Templates& templates;
   Highlighter& highlighter;
+  const nlohmann::json& manifest;  // the way from a plain name of an asset to its path
+  InlineStyles& styles;            // of the page being written
 };
 
 class PageWriter {
@@ -29,10 +33,16 @@ class PageWriter {
   std::string body();
   // The headings as a two-level list; complete once body() was written.
   nlohmann::json contents() const { return contents_; }
+  // What its labs need beside the page; complete once body() was written.
+  const std::vector<LabFiles>& lab_files() const { return lab_files_; }
 
   std::string html(const Document& document) const { return render_html(document.get(), writer_); }
   std::string inline_html(const Document& document) const {
     return render_inline_html(document.get(), writer_);
+  }
+  // For a script to put into the page: the stylesheet of the page has what it needs.
+  std::string scripted_html(const Document& document) const {
+    return press_.styles.take(html(document));
   }
 
  private:
@@ -44,6 +54,7 @@ class PageWriter {
 
   nlohmann::json data_of(const Example& example, std::size_t index);
   nlohmann::json data_of(const Lab& lab, std::size_t index);
+  nlohmann::json live_data(const Lab& lab, const LabResult& result);
   nlohmann::json data_of(const Quiz& quiz, std::size_t index);
   nlohmann::json data_of(const Question& question, const QuestionResult& result,
                          const std::string& id, std::size_t number);
@@ -57,6 +68,7 @@ class PageWriter {
   Press press_;
   NodeWriter writer_;
   nlohmann::json contents_ = nlohmann::json::array();
+  std::vector<LabFiles> lab_files_;
   int labs_ = 0;
 };
 

@@ -7,7 +7,9 @@
 #include <string>
 #include <utility>
 
+#include "base/content_hash.h"
 #include "evaluate/workshop.h"
+#include "page/inline_styles.h"
 #include "page/page_writer.h"
 #include "page/site_directory.h"
 
@@ -60,6 +62,7 @@ class SiteWriter {
     }
     write_home();
     copy_examples();
+    for (const auto& [path, file] : copied_) directory_.copy(file, path);
     for (const fs::directory_entry& entry : fs::directory_iterator(paths_.assets / "public")) {
       directory_.copy(entry.path(), entry.path().filename().string());
     }
@@ -75,7 +78,7 @@ class SiteWriter {
   json levels_data(const Lesson* current) const;
   std::string frame(const std::string& kind, const std::string& title,
                     const std::string& description, const std::string& root, const Lesson* current,
-                    const std::string& body);
+                    const std::string& body, InlineStyles& styles);
 
   const Course& course_;
   const Evaluation& evaluation_;
@@ -85,6 +88,7 @@ class SiteWriter {
   Highlighter highlighter_;
   json manifest_;
   SiteDirectory directory_;
+  std::map<std::string, fs::path> copied_;  // the labs' assets, which they may share, by path
 };
 
 // The lessons of a level that the site has: all but the drafts.
@@ -110,10 +114,17 @@ json SiteWriter::levels_data(const Lesson* current) const {
 }
 
 // The page around `body`, which never takes the way through the script engine: the template leaves
-// a mark, and the body is put there.
+// a mark, and the body is put there. What its elements have of styles is written beside the page.
 std::string SiteWriter::frame(const std::string& kind, const std::string& title,
                               const std::string& description, const std::string& root,
-                              const Lesson* current, const std::string& body) {
+                              const Lesson* current, const std::string& body,
+                              InlineStyles& styles) {
+  const std::string styled = styles.take(body);
+  std::string sheet;
+  if (!styles.sheet().empty()) {
+    sheet = "styles/" + content_hash(styles.sheet()) + ".css";
+    directory_.write(sheet, styles.sheet());
+  }
   const std::string mark =
       "\x02"
       "body\x03";
@@ -129,15 +140,17 @@ std::string SiteWriter::frame(const std::string& kind, const std::string& title,
                         {{"css", manifest_.at("site.css")},
                          {"js", manifest_.at("site.js")},
                          {"favicon", manifest_.at("favicon.svg")}}},
+                       {"styles", sheet},
                        {"levels", levels_data(current)},
                        {"body", mark}});
-  return html.replace(html.find(mark), mark.size(), body);
+  return html.replace(html.find(mark), mark.size(), styled);
 }
 
 void SiteWriter::write_lesson(std::size_t index) {
   const Lesson& lesson = course_.lessons[index];
   const LessonResults& results = evaluation_.lessons[index];
-  PageWriter writer(course_, lesson, results, {templates_, highlighter_});
+  InlineStyles styles;
+  PageWriter writer(course_, lesson, results, {templates_, highlighter_, manifest_, styles});
   const std::string mark =
       "\x02"
       "prose\x03";
@@ -180,8 +193,12 @@ void SiteWriter::write_lesson(std::size_t index) {
   const Document& summary = lesson.front.summary;
   const std::string description = summary ? plain_text(summary.get()) : course_.description;
   directory_.write(page_path(lesson), frame("lesson", lesson.number + " " + lesson.front.title.text,
-                                            description, "../", &lesson, body));
+                                            description, "../", &lesson, body, styles));
   write_posters(index);
+  for (const LabFiles& files : writer.lab_files()) {
+    for (const auto& [path, bytes] : files.written) directory_.write(path, bytes);
+    copied_.insert(files.copied.begin(), files.copied.end());
+  }
 }
 
 void SiteWriter::write_posters(std::size_t index) {
@@ -218,12 +235,14 @@ json card_poster(const Lesson& lesson, const LessonResults& results) {
 void SiteWriter::write_home() {
   json levels = json::array();
   Tally total;
+  InlineStyles styles;
   for (const Level& level : course_.levels) {
     json lessons = json::array();
     for (const std::size_t index : published(level)) {
       const Lesson& lesson = course_.lessons[index];
       const LessonResults& results = evaluation_.lessons[index];
-      const PageWriter writer(course_, lesson, results, {templates_, highlighter_});
+      const PageWriter writer(course_, lesson, results,
+                              {templates_, highlighter_, manifest_, styles});
       total += results.tally;
       json card = reference_to(lesson);
       card["summary"] = writer.inline_html(lesson.front.summary);
@@ -242,7 +261,7 @@ void SiteWriter::write_home() {
                        {"levels", levels},
                        {"verified", verified_data(total, evaluation_.mujoco)}});
   directory_.write("index.html",
-                   frame("home", course_.title, course_.description, "", nullptr, body));
+                   frame("home", course_.title, course_.description, "", nullptr, body, styles));
 }
 
 void SiteWriter::copy_examples() {

@@ -15,12 +15,13 @@ constexpr const char* url = "lesson.js";
 constexpr const char* before_value = "return (\n";
 constexpr const char* after_value = "\n);";
 
-// Does `text` parse by itself? As a function's body it cannot close the wrapper's own braces.
-tl::expected<void, ScriptError> check(const Engine& engine, const AuthorText& text, bool is_value,
+// Does `text` parse by itself between `before` and `after`? As a function's body it cannot close
+// the wrapper's own braces.
+tl::expected<void, ScriptError> check(const Engine& engine, const AuthorText& text,
+                                      const std::string& before, const std::string& after,
                                       const CompiledScript::Names& names) {
   constexpr int lines_before = 3;  // "function anonymous(", ") {", and ours
-  const std::string author(text.lines().text());
-  const std::string body = is_value ? before_value + author + after_value : "\n" + author;
+  const std::string body = before + std::string(text.lines().text()) + after;
   JSValueRef thrown = nullptr;
   JSObjectMakeFunction(engine.context(), nullptr, 0, nullptr, JsString("\"use strict\";" + body),
                        JsString(url), 1, &thrown);
@@ -32,9 +33,16 @@ tl::expected<void, ScriptError> check(const Engine& engine, const AuthorText& te
     line = std::min(line, text.last_line());
   }
   ScriptError error = explain(exception, names);
-  error.in_value = is_value;
   text.point_at(exception, line, error);
   return tl::unexpected(std::move(error));
+}
+
+tl::expected<void, ScriptError> check_value(const Engine& engine, const AuthorText& text,
+                                            const CompiledScript::Names& names) {
+  return check(engine, text, before_value, after_value, names).map_error([](ScriptError error) {
+    error.in_value = true;
+    return error;
+  });
 }
 
 }  // namespace
@@ -60,13 +68,33 @@ tl::expected<CompiledScript, ScriptError> CompiledScript::compile(
     parts.push_back({AuthorText(*expression), lines, true});
   }
   for (const Part& part : parts) {
-    const auto sound = check(engine, part.text, part.is_value, names);
+    const auto sound = part.is_value ? check_value(engine, part.text, names)
+                                     : check(engine, part.text, "\n", "", names);
     if (!sound) return tl::unexpected(sound.error());
   }
   const auto function = engine.evaluate(source + "})", url);
   if (!function) return tl::unexpected(engine.describe(function.error()));
   JSObjectRef object = JSValueToObject(engine.context(), *function, nullptr);
   return CompiledScript(std::move(parts), Protected(engine.context(), object));
+}
+
+tl::expected<CompiledScript, ScriptError> CompiledScript::compile_assignment(
+    Engine& engine, const std::string& target, const Names& names) {
+  const AuthorText text(target);
+  const auto sound = check_value(engine, text, names);
+  if (!sound) return tl::unexpected(sound.error());
+  const auto function =
+      engine.evaluate("(function (value) { \"use strict\"; (\n" + target + "\n) = value; })", url);
+  if (!function) {  // an expression, but no place to put a value into
+    ScriptError error;
+    error.id = "E-script-syntax";
+    error.message = "this cannot be assigned to";
+    error.cure = "name one number: data.ctrl[0], model.opt.gravity[2]";
+    text.point_at({}, 1, error);
+    return tl::unexpected(std::move(error));
+  }
+  JSObjectRef object = JSValueToObject(engine.context(), *function, nullptr);
+  return CompiledScript({{text, 1, true}}, Protected(engine.context(), object));
 }
 
 ScriptError CompiledScript::explain(const Engine& engine, const Engine::Thrown& thrown,

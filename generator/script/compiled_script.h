@@ -1,9 +1,9 @@
 // A script of the author's as a function that JavaScriptCore can call, and its errors in that text.
 //
-// Three kinds share one shape, a text inside a strict function whose wrapper takes whole lines, so
-// that columns stay as they are: a script; an expression; and a script with an expression that sees
-// its variables. The last is a generator function, which stops between the two: time can pass
-// there, and each half has a time limit of its own.
+// Four kinds share one shape, a text inside a strict function whose wrapper takes whole lines, so
+// that columns stay as they are: a script; an expression; a script with an expression that sees its
+// variables; and an expression that is assigned to. The third is a generator function, which stops
+// between the two: time can pass there, and each half has a time limit of its own.
 #pragma once
 
 #include <JavaScriptCore/JavaScript.h>
@@ -29,6 +29,11 @@ class CompiledScript {
   static tl::expected<CompiledScript, ScriptError> compile(
       Engine& engine, const std::optional<std::string>& script,
       const std::optional<std::string>& expression, const Names& names);
+
+  // A function of one argument, which `target` is set to.
+  static tl::expected<CompiledScript, ScriptError> compile_assignment(Engine& engine,
+                                                                      const std::string& target,
+                                                                      const Names& names);
 
   // Runs the script or gives the expression's value. With both it gives an iterator: its first
   // next() runs the script, its second has the value.

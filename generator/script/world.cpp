@@ -175,10 +175,21 @@ World::~World() = default;
 World::World(World&&) noexcept = default;
 World& World::operator=(World&&) noexcept = default;
 
+const std::vector<std::string>& World::names() const {
+  return parts_->names;
+}
+
 tl::expected<void, ScriptError> World::run(const std::string& script) {
   const auto compiled = CompiledScript::compile(parts_->engine, script, {}, parts_->names);
   if (!compiled) return tl::unexpected(compiled.error());
   return parts_->call(*compiled, compiled->function()).map([](JSValueRef) {});
+}
+
+tl::expected<void, ScriptError> World::assign(const std::string& target, double value) {
+  const auto compiled = CompiledScript::compile_assignment(parts_->engine, target, parts_->names);
+  if (!compiled) return tl::unexpected(compiled.error());
+  const JSValueRef number = JSValueMakeNumber(parts_->engine.context(), value);
+  return parts_->call(*compiled, compiled->function(), {&number, 1}).map([](JSValueRef) {});
 }
 
 tl::expected<double, ScriptError> World::number(std::string_view expression) {

@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "script/script_error.h"
 
@@ -40,7 +41,13 @@ class World {
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
 
+  // What a script may use, the same in every world.
+  const std::vector<std::string>& names() const;
+
   tl::expected<void, ScriptError> run(const std::string& script);
+
+  // Runs `TARGET = value`: the target is the author's, a place such as data.ctrl[0].
+  tl::expected<void, ScriptError> assign(const std::string& target, double value);
 
   // A finite number; an array of one number, such as qpos('hinge'), counts as that number.
   tl::expected<double, ScriptError> number(std::string_view expression);

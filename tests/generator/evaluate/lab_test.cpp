@@ -2,18 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "evaluate/evaluation_of.h"
+#include "evaluate/lab_text.h"
 
 namespace mjcourse {
 namespace {
 
-// A lab on the ball; `members` begin line 6.
-std::string lab(const std::string& members) {
-  return "```lab simlab\n{\"title\": \"T\", \"model\": \"ball\",\n" + members + "}\n```\n";
-}
-
 TEST(Lab, IsReadAtRestAndDrawn) {
-  const EvaluationOf found(lab(R"j("overlays": {"frames": true},
+  const EvaluationOf found(lab_text(R"j("overlays": {"frames": true},
     "readouts": [{"label": "z", "expr": "data.qpos[2]"}, {"label": "n", "expr": "model.nq"}],
     "plots": [{"traces": [{"label": "t", "expr": "data.time"}]}],
     "controls": [{"type": "button", "label": "Go", "run": "data.qvel[2] = 1"}])j"));
@@ -21,15 +16,38 @@ TEST(Lab, IsReadAtRestAndDrawn) {
   const auto& result = found.result<LabResult>();
   EXPECT_EQ(result.readouts, (std::vector<double>{1, 8}));
   EXPECT_EQ(result.traces, (std::vector<std::vector<double>>{{0}}));
-  EXPECT_EQ(result.poster.value().width, 960);
+  EXPECT_EQ(result.poster.value().width, 712);
+  EXPECT_EQ(result.poster->height, 20);
   EXPECT_EQ(result.poster->png.substr(1, 3), "PNG");
   EXPECT_EQ(result.poster->webp.substr(8, 4), "WEBP");
   EXPECT_EQ(found.tally().labs, 1);
   EXPECT_EQ(found.tally().pictures, 1);
 }
 
+// At rest means: with the values that its controls have from the start.
+TEST(Lab, RestsAsItsControlsAreSet) {
+  const EvaluationOf found(lab_text(R"j("readouts": [
+      {"label": "x", "expr": "body('ball').xpos[0]"}],
+    "controls": [{"type": "slider", "label": "X", "bind": "data.qpos[0]", "min": 0, "max": 4,
+                  "value": 3}])j"));
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_EQ(found.result<LabResult>().readouts, std::vector<double>{3});
+}
+
+TEST(Lab, IsSeenFromItsCameraOrWhole) {
+  const EvaluationOf placed(lab_text(
+      R"("camera": {"azimuth": 10, "elevation": -20, "distance": 3, "target": [0, 1, 2]})"));
+  EXPECT_EQ(placed.result<LabResult>().camera.distance, 3);
+  const EvaluationOf found(lab_text("\"readouts\": []"));
+  const Lab::Camera& camera = found.result<LabResult>().camera;
+  EXPECT_EQ(camera.azimuth, 90);
+  EXPECT_EQ(camera.elevation, -45);
+  EXPECT_GT(camera.distance, 1);
+  EXPECT_GT(camera.target[2], 0);
+}
+
 TEST(Lab, KnowsMuJoCosOverlays) {
-  EXPECT_EQ(evaluated_mistakes(lab(R"("toggles": ["frmes"], "overlays": {"contcts": true})")),
+  EXPECT_EQ(evaluated_mistakes(lab_text(R"("toggles": ["frmes"], "overlays": {"contcts": true})")),
             R"(content/1-a/1.1-x.md:6:14: error: there is no overlay "frmes" [E-lab-overlay]
   6 | "toggles": ["frmes"], "overlays": {"contcts": true}}
     |              ^~~~~
@@ -43,7 +61,7 @@ content/1-a/1.1-x.md:6:37: error: there is no overlay "contcts" [E-lab-overlay]
 
 // Every readout that fails is shown, and then no button: it would fail again after each.
 TEST(Lab, ShowsAllThatFailsAtRest) {
-  const EvaluationOf found(lab(R"j("readouts": [
+  const EvaluationOf found(lab_text(R"j("readouts": [
   {"label": "z", "expr": "data.qpso[2]"},
   {"label": "y", "expr": "0/0"}],
   "plots": [{"traces": [{"label": "t", "expr": "data.qpos[99]"}]}],
@@ -64,7 +82,7 @@ content/1-a/1.1-x.md:9:49: error: data.qpos[99] is out of range 0..7 [E-script-r
 }
 
 TEST(Lab, HasEachOfItsButtonsPressed) {
-  EXPECT_EQ(evaluated_mistakes(lab(R"("controls": [
+  EXPECT_EQ(evaluated_mistakes(lab_text(R"("controls": [
   {"type": "button", "label": "One", "run": ["const a = 1;",
                                              "boom(a);"]},
   {"type": "button", "label": "Two", "run": "data.qvel[0] = 1e300"}])")),
@@ -72,7 +90,7 @@ TEST(Lab, HasEachOfItsButtonsPressed) {
   8 |                                              "boom(a);"]},
     |                                               ^~~~
   cure: did you mean `body`?
-content/1-a/1.1-x.md:9:46: error: after "Two": the simulation diverged at t = 0.002 s: qvel[0] of joint `free` is infinite, not a number, or huge [E-lab-simulation]
+content/1-a/1.1-x.md:9:46: error: after "Two": the simulation diverged at t = 0 s: qvel[0] of joint `free` is infinite, not a number, or huge [E-lab-simulation]
   9 |   {"type": "button", "label": "Two", "run": "data.qvel[0] = 1e300"}]}
     |                                              ^~~~~~~~~~~~~~~~~~~~
   cure: a smaller time step, or a gentler push
@@ -82,7 +100,7 @@ content/1-a/1.1-x.md:9:46: error: after "Two": the simulation diverged at t = 0.
 TEST(Lab, IsReadOnTheWayToo) {
   EXPECT_EQ(
       evaluated_mistakes(
-          lab(R"j("readouts": [{"label": "r", "expr": "Math.sqrt(1 - data.time)"}])j")),
+          lab_text(R"j("readouts": [{"label": "r", "expr": "Math.sqrt(1 - data.time)"}])j")),
       R"j(content/1-a/1.1-x.md:6:38: error: the value is NaN, not a finite number [E-script-value]
   6 | "readouts": [{"label": "r", "expr": "Math.sqrt(1 - data.time)"}]}
     |                                      ^~~~~~~~~~~~~~~~~~~~~~~~
@@ -93,9 +111,9 @@ TEST(Lab, IsReadOnTheWayToo) {
 TEST(Lab, IsReadAfterEachButton) {
   const std::string readout =
       R"j("readouts": [{"label": "r", "expr": "Math.sqrt(0.5 - data.qpos[0])"}])j";
-  EXPECT_EQ(evaluated_mistakes(lab(readout)), "");
+  EXPECT_EQ(evaluated_mistakes(lab_text(readout)), "");
   EXPECT_EQ(
-      evaluated_mistakes(lab(readout + R"j(,
+      evaluated_mistakes(lab_text(readout + R"j(,
 "controls": [{"type": "button", "label": "Go", "run": "data.qvel[0] = 1"}])j")),
       R"j(content/1-a/1.1-x.md:6:38: error: the value is NaN, not a finite number [E-script-value]
   6 | "readouts": [{"label": "r", "expr": "Math.sqrt(0.5 - data.qpos[0])"}],
@@ -106,7 +124,7 @@ TEST(Lab, IsReadAfterEachButton) {
 TEST(Lab, StartsAfreshForEachButton) {
   const std::string button = R"j({"type": "button", "label": "B",
     "run": "if (data.time > 0) throw new Error('used'); step(10)"})j";
-  EXPECT_EQ(evaluated_mistakes(lab("\"controls\": [" + button + ", " + button + "]")), "");
+  EXPECT_EQ(evaluated_mistakes(lab_text("\"controls\": [" + button + ", " + button + "]")), "");
 }
 
 }  // namespace

@@ -2,47 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "base/files.h"
-#include "evaluate/workshop.h"
-#include "reading_of.h"
+#include "page_fixture.h"
 
 namespace mjcourse {
 namespace {
-
-// The page of a lesson in a course of two, written without results.
-class PageWriterTest : public testing::Test {
- protected:
-  PageWriterTest() {
-    const DiskFiles assets(MJCOURSE_ASSETS);
-    std::map<std::string, std::string> sources;
-    for (const std::string& name : assets.list("templates")) {
-      sources[name.substr(0, name.rfind('.'))] = assets.read("templates/" + name).value();
-    }
-    templates_.emplace(script_bundle(assets, "templates"), sources);
-    highlighter_.emplace(script_bundle(assets, "highlight"));
-  }
-
-  std::string body(const std::string& markdown) {
-    course_.lessons.clear();
-    course_.lessons.push_back(std::move(reading_of(markdown).lesson.value()));
-    course_.lessons.push_back(
-        std::move(reading_of_file("---\ntitle: Two\n---\n## There\n", "content/1-a/1.2-y.md")
-                      .lesson.value()));
-    PageWriter writer(course_, course_.lessons[0], results_, {*templates_, *highlighter_});
-    const std::string html = writer.body();
-    contents_ = writer.contents();
-    EXPECT_EQ(
-        PageWriter(course_, course_.lessons[0], results_, {*templates_, *highlighter_}).body(),
-        html);
-    return html;
-  }
-
-  std::optional<Templates> templates_;
-  std::optional<Highlighter> highlighter_;
-  Course course_;
-  LessonResults results_;
-  nlohmann::json contents_;
-};
 
 TEST_F(PageWriterTest, GivesHeadingsTheirAnchors) {
   EXPECT_EQ(body("## A *b*\n### C\n## A b\n"),

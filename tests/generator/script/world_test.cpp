@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "world_fixture.h"
@@ -49,6 +50,50 @@ TEST_F(WorldTest, PassesTimeBetweenAScriptAndItsValue) {
   const auto held = world_.truth(Program{"let x = 1; x += 1", 0, "x === 2"});
   ASSERT_TRUE(held) << shown(held.error());
   EXPECT_TRUE(*held);
+}
+
+TEST_F(WorldTest, AssignsToWhatTheAuthorNames) {
+  ASSERT_TRUE(world_.assign("data.ctrl[0]", 0.5));
+  EXPECT_EQ(simulation_.data()->ctrl[0], 0.5);
+  ASSERT_TRUE(world_.assign("ctrl('motor')[0] // the only one", -2));
+  EXPECT_EQ(simulation_.data()->ctrl[0], -2);
+  ASSERT_TRUE(world_.assign("model.opt.gravity[\n2\n]", -1));
+  EXPECT_EQ(simulation_.model()->opt.gravity[2], -1);
+}
+
+TEST_F(WorldTest, AssignsToNothingElse) {
+  const auto assign_error = [&](const std::string& target, double value = 1) {
+    const auto done = world_.assign(target, value);
+    return done ? "no error" : shown(done.error());
+  };
+  for (const std::string target :
+       {"1 + 1", "data.time = 3", "data.time = 3, data.time", "f()", "data.time) + (1"}) {
+    EXPECT_EQ(assign_error(target),
+              "E-script-syntax 1:1+" + std::to_string(target.size()) +
+                  " this cannot be assigned to | name one number: data.ctrl[0], "
+                  "model.opt.gravity[2]");
+  }
+  EXPECT_EQ(assign_error("data.time; data.time"),
+            "E-script-syntax 1:10+1 Unexpected token ';'. Expected ')' to end a compound "
+            "expression. | ");
+  EXPECT_EQ(assign_error("data.crtl[0]"),
+            "E-script-name 1:6+4 data.crtl does not exist | did you mean `data.ctrl`?");
+  EXPECT_EQ(assign_error("data.qpos[99]"),
+            "E-script-range 1:1+13 data.qpos[99] is out of range 0..12 | ");
+  EXPECT_EQ(assign_error("data.qpos"),
+            "E-script-value 1:1+9 data.qpos cannot be assigned | it is an array: data.qpos[0] = "
+            "…, or data.qpos.set([…])");
+  EXPECT_EQ(assign_error("model.nq"),
+            "E-script-value 1:1+8 model.nq cannot be assigned | MuJoCo computes it from the model");
+  EXPECT_EQ(assign_error("model.opt.iterations", 0.5),
+            "E-script-value 1:1+20 model.opt.iterations = 0.5: not a whole number | ");
+}
+
+TEST_F(WorldTest, TellsItsNames) {
+  const std::vector<std::string>& names = world_.names();
+  for (const std::string name : {"data", "model", "qpos", "step", "Math", "mj_step"}) {
+    EXPECT_NE(std::find(names.begin(), names.end(), name), names.end()) << name;
+  }
 }
 
 TEST_F(WorldTest, GivesTextsAndArraysAsJson) {

@@ -1,0 +1,33 @@
+#include "evaluate/lab_model.h"
+
+#include "base/utf8.h"
+#include "physics/model_files.h"
+
+namespace mjcourse {
+
+std::optional<LabModel> find_lab_model(const LabBench& bench) {
+  const LocatedText& named = bench.lab().model;
+  const auto refuse = [&](const std::string& message, const std::string& cure) {
+    bench.error("E-lab-files", named.span(), message, cure);
+    return std::nullopt;
+  };
+  if (named.text.starts_with('<')) {
+    const std::string file = file_named_in(named.text);
+    if (file.empty()) return LabModel{"model.xml", {{"model.xml", named.text}}, {}};
+    return refuse("a model inside a lesson cannot name files; this one names " + file,
+                  "put the model into a file of its own, models/NAME.xml");
+  }
+  const auto path = bench.workshop().root() / "models" / (named.text + ".xml");
+  const tl::expected<ModelSources, std::string> sources = find_model_sources(path.string());
+  if (!sources) return refuse(sources.error(), "rename a file, or leave one out");
+  LabModel model{sources->main, {}, {sources->assets.begin(), sources->assets.end()}};
+  for (const auto& [name, text_path] : sources->texts) {
+    model.texts[name] = DiskFiles("").read(text_path).value();
+    if (find_invalid_utf8(model.texts[name])) {
+      return refuse(name + " is not UTF-8, as the page needs it", "save it as UTF-8");
+    }
+  }
+  return model;
+}
+
+}  // namespace mjcourse

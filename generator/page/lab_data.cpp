@@ -1,0 +1,85 @@
+// The data that the template of a lab is fed with; its own comment describes it.
+#include <utility>
+
+#include "page/fixed_number.h"
+#include "page/page_writer.h"
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kTraceDigits = 4;
+
+std::string label_of(const Lab::Control& control) {
+  return std::visit([](const auto& of_kind) { return of_kind.label.text; }, control);
+}
+
+}  // namespace
+
+json PageWriter::data_of(const Lab& lab, std::size_t index) {
+  const auto* result = results_.get<LabResult>(index);
+  ++labs_;
+  json data{{"id", "lab-" + std::to_string(labs_)},
+            {"title", lab.title},
+            {"dock", lab.dock},
+            {"live", nullptr},
+            {"poster", nullptr},
+            {"controls", json::array()},
+            {"readouts", json::array()},
+            {"plots", json::array()},
+            {"toggles", json::array()},
+            {"note", inline_html(lab.note)}};
+  if (result != nullptr) data["live"] = live_data(lab, *result);
+  if (result != nullptr && result->poster) {
+    const std::string path = "../" + poster_path(lesson_, labs_);
+    data["poster"] = {{"webp", path + ".webp"},
+                      {"png", path + ".png"},
+                      {"width", result->poster->width},
+                      {"height", result->poster->height},
+                      {"alt", "The lab \u201c" + lab.title + "\u201d before it is played"}};
+  }
+  for (const Lab::Control& control : lab.controls) {
+    data["controls"].push_back(label_of(control));
+  }
+  for (std::size_t i = 0; result != nullptr && i < lab.readouts.size(); ++i) {
+    const Lab::Readout& readout = lab.readouts[i];
+    data["readouts"].push_back({{"label", readout.label.text},
+                                {"value", fixed_number(result->readouts[i], readout.digits)},
+                                {"unit", readout.unit}});
+  }
+  for (std::size_t p = 0; result != nullptr && p < lab.plots.size(); ++p) {
+    json traces = json::array();
+    for (std::size_t t = 0; t < lab.plots[p].traces.size(); ++t) {
+      traces.push_back({{"label", lab.plots[p].traces[t].label.text},
+                        {"value", fixed_number(result->traces[p][t], kTraceDigits)}});
+    }
+    data["plots"].push_back({{"ylabel", lab.plots[p].ylabel}, {"traces", std::move(traces)}});
+  }
+  for (const LocatedText& toggle : lab.toggles) {
+    bool on = false;
+    for (const Lab::Overlay& overlay : lab.overlays) {
+      if (overlay.name.text == toggle.text) on = overlay.on;
+    }
+    data["toggles"].push_back({{"name", toggle.text}, {"on", on}});
+  }
+  return data;
+}
+
+// Where the page's script finds what makes a lab live; null where the site has no engine for it.
+json PageWriter::live_data(const Lab& lab, const LabResult& result) {
+  LabFiles files =
+      write_lab_module(lab, result, lesson_.number + "-" + std::to_string(labs_), *this);
+  json data = nullptr;
+  if (press_.manifest.contains("engine.wasm")) {
+    data = {{"module", "../" + files.module}};
+    for (const auto& [name, asset] :
+         {std::pair("code", "lab.js"), {"engine", "engine.mjs"}, {"wasm", "engine.wasm"}}) {
+      data[name] = "../" + press_.manifest.at(asset).get<std::string>();
+    }
+  }
+  lab_files_.push_back(std::move(files));
+  return data;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,31 @@
+// Reads the JSON of a lab, and tells its mistakes in a line each.
+#pragma once
+
+#include <string>
+
+#include "reading_of.h"
+
+namespace mjcourse {
+
+// The JSON begins in line 5.
+inline ReadingOf lab_reading(const std::string& json) {
+  return reading_of("```lab simlab\n" + json + "\n```\n");
+}
+
+// A lab with `members` beside its title and model.
+inline ReadingOf lab_with(const std::string& members) {
+  return lab_reading(R"({"title": "T", "model": "m", )" + members + "}");
+}
+
+// Each mistake of such a lab: id, what it underlines, message, cure.
+inline std::string lab_mistakes(const std::string& members) {
+  std::string text;
+  for (const Diagnostic& d : lab_with(members).diagnostics) {
+    const auto column = static_cast<std::size_t>(d.place.column - 1);
+    text += d.id + " <" + d.place.excerpt.substr(column, static_cast<std::size_t>(d.place.width)) +
+            "> " + d.message + (d.cure.empty() ? "" : " | " + d.cure) + "\n";
+  }
+  return text;
+}
+
+}  // namespace mjcourse

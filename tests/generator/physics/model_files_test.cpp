@@ -1,0 +1,138 @@
+#include "physics/model_files.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "physics/model.h"
+#include "physics/model_folder.h"
+
+namespace mjcourse {
+namespace {
+
+constexpr const char* kWedge =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+std::string shown(const std::map<std::string, std::string>& files, const ModelFolder& folder) {
+  std::string text;
+  for (const auto& [name, path] : files) {
+    text += name + "=" + std::filesystem::relative(path, folder.path("")).string() + " ";
+  }
+  return text;
+}
+
+class ModelSourcesTest : public testing::Test {
+ protected:
+  std::string write(const std::string& name, const std::string& content) {
+    const std::filesystem::path path(folder_.path(name));
+    std::filesystem::create_directories(path.parent_path());
+    return folder_.write(name, content);
+  }
+  // Of models/main.xml, which is `mjcf` inside <mujoco> and must compile.
+  std::string found(const std::string& mjcf) {
+    const std::string main = write("models/main.xml", "<mujoco>" + mjcf + "</mujoco>");
+    const auto model = load_model_file(main);
+    EXPECT_TRUE(model) << model.error().message;
+    const auto sources = find_model_sources(main);
+    if (!sources) return sources.error();
+    EXPECT_EQ(sources->main, "main.xml");
+    return shown(sources->texts, folder_) + "| " + shown(sources->assets, folder_);
+  }
+
+  ModelFolder folder_;
+};
+
+TEST_F(ModelSourcesTest, AreTheModelAloneWhereItNamesNothing) {
+  EXPECT_EQ(found("<worldbody/>"), "main.xml=models/main.xml | ");
+}
+
+// Includes of includes are searched from the main file's folder, as MuJoCo does.
+TEST_F(ModelSourcesTest, AreWhatItIncludes) {
+  write("models/parts/arm.xml", "<mujoco><include file='parts/hand.xml'/><option/></mujoco>");
+  write("models/parts/hand.xml", "<mujoco><worldbody/></mujoco>");
+  EXPECT_EQ(found("<Include file='parts/arm.xml'/>"),
+            "arm.xml=models/parts/arm.xml hand.xml=models/parts/hand.xml "
+            "main.xml=models/main.xml | ");
+}
+
+TEST_F(ModelSourcesTest, AreFoundInTheFoldersOfTheCompiler) {
+  write("models/m/wedge.obj", kWedge);
+  write("models/set.xml", "<mujoco><compiler meshdir='m'/></mujoco>");
+  const std::string mesh =
+      "<asset><mesh name='a' file='wedge.obj'/><mesh name='b' file='wedge.obj' scale='2 2 2'/>"
+      "</asset>";
+  EXPECT_EQ(found(mesh + "<include file='set.xml'/>"),
+            "main.xml=models/main.xml set.xml=models/set.xml | wedge.obj=models/m/wedge.obj ");
+  EXPECT_EQ(found("<compiler meshdir='m/' strippath='true'/><asset><mesh file='x/y/wedge.obj'/>"
+                  "</asset>"),
+            "main.xml=models/main.xml | wedge.obj=models/m/wedge.obj ");
+  EXPECT_EQ(found("<compiler meshdir='" + folder_.path("models/m") +
+                  "'/><asset><mesh file='wedge.obj'/></asset>"),
+            "main.xml=models/main.xml | wedge.obj=models/m/wedge.obj ");
+  EXPECT_EQ(found("<asset><mesh file='../models/m/wedge.obj'/></asset>"),
+            "main.xml=models/main.xml | wedge.obj=models/m/wedge.obj ");
+}
+
+TEST_F(ModelSourcesTest, AreMeshesTexturesHeightFieldsAndSkins) {
+  const auto hfield = [](int rows, int columns) {
+    std::string bytes(8, '\0');
+    bytes[0] = static_cast<char>(rows);
+    bytes[4] = static_cast<char>(columns);
+    return bytes + std::string(static_cast<std::size_t>(4 * rows * columns), '\0');
+  };
+  write("models/m/hills.bin", hfield(2, 2));
+  // width, height, then three bytes a pixel: MuJoCo's own format of a texture
+  std::string texture(8, '\0');
+  texture[0] = texture[4] = 1;
+  texture += "abc";
+  for (const char* name : {"front", "back", "left", "right", "up", "down", "plain"}) {
+    write("models/t/" + std::string(name) + ".tex", texture);
+  }
+  EXPECT_EQ(found("<compiler meshdir='m' texturedir='t'/><asset>"
+                  "<hfield name='h' file='hills.bin' size='1 1 1 1'/>"
+                  "<texture name='p' type='2d' file='plain.tex'/>"
+                  "<texture name='c' type='cube' filefront='front.tex' fileback='back.tex' "
+                  "fileleft='left.tex' fileright='right.tex' fileup='up.tex' filedown='down.tex'/>"
+                  "</asset>"),
+            "main.xml=models/main.xml | back.tex=models/t/back.tex down.tex=models/t/down.tex "
+            "front.tex=models/t/front.tex hills.bin=models/m/hills.bin left.tex=models/t/left.tex "
+            "plain.tex=models/t/plain.tex right.tex=models/t/right.tex up.tex=models/t/up.tex ");
+}
+
+// A builtin texture has no need of its file.
+TEST_F(ModelSourcesTest, AreNotWhatNobodyReads) {
+  EXPECT_EQ(found("<asset><texture name='t' type='2d' builtin='flat' width='8' height='8' "
+                  "file='none.png'/></asset>"),
+            "main.xml=models/main.xml | ");
+}
+
+TEST_F(ModelSourcesTest, HaveNamesOfTheirOwn) {
+  write("models/a/wedge.obj", kWedge);
+  write("models/b/Wedge.obj", kWedge);
+  EXPECT_EQ(found("<asset><mesh name='a' file='a/wedge.obj'/><mesh name='b' file='b/Wedge.obj'/>"
+                  "</asset>"),
+            "two files of the model are named Wedge.obj, and the page finds a file by its name "
+            "alone");
+}
+
+TEST_F(ModelSourcesTest, AreNoMoreThanMuJoCoCanHold) {
+  std::string assets;
+  for (int i = 0; i < mjMAXVFS - 1; ++i) {
+    const std::string name = "w" + std::to_string(i) + ".obj";
+    write("models/" + name, kWedge);
+    assets += "<mesh file='" + name + "'/>";
+  }
+  EXPECT_EQ(found("<asset>" + assets + "</asset>"),
+            "the model has 2000 files; in the page MuJoCo has room for 1999");
+}
+
+TEST(FileNamedIn, IsTheFirst) {
+  EXPECT_EQ(file_named_in("<mujoco><worldbody/></mujoco>"), "");
+  EXPECT_EQ(file_named_in("<mujoco><asset><mesh file='a/b.obj'/><mesh file='c.obj'/></asset>"
+                          "</mujoco>"),
+            "a/b.obj");
+  EXPECT_EQ(file_named_in("<mujoco><include file='part.xml'/></mujoco>"), "part.xml");
+}
+
+}  // namespace
+}  // namespace mjcourse
