@@ -1,9 +1,11 @@
-// Bundles what the generator needs from this folder: node site/build.mjs OUTDIR
+// Bundles what the generator needs from this folder: node site/build.mjs OUTDIR ENGINE
 //
 //   OUTDIR/public/         files of the site, their names bearing a hash of their content
 //   OUTDIR/manifest.json   {"site.css": "assets/site-1A2B3C4D.css", …}, the way from plain names
 //   OUTDIR/templates/      the Handlebars templates, as they are
 //   OUTDIR/script/         what runs in the generator's script engine: no DOM, no Node
+//
+// ENGINE is the folder with MuJoCo for the browser; where that was not built, labs stay pictures.
 //
 // The same sources give the same bytes, wherever they lie and wherever OUTDIR is.
 
@@ -11,13 +13,14 @@ import { cp, mkdir, rm, writeFile } from "node:fs/promises";
 import path from "node:path";
 
 import { buildScripts } from "./bundle/scripts.mjs";
+import { buildLab } from "./bundle/lab.mjs";
 import { copyLicenses } from "./bundle/licenses.mjs";
 import { buildPublic } from "./bundle/public.mjs";
 
 const site = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
-const out = process.argv[2];
-if (!out) {
-  console.error("usage: node site/build.mjs OUTDIR");
+const [out, engine] = process.argv.slice(2);
+if (!out || !engine) {
+  console.error("usage: node site/build.mjs OUTDIR ENGINE");
   process.exit(2);
 }
 
@@ -28,10 +31,14 @@ await Promise.all(
 );
 await mkdir(path.join(out, "script"), { recursive: true });
 
-const [manifest] = await Promise.all([
+const [page, lab] = await Promise.all([
   buildPublic(site, path.join(out, "public")),
+  buildLab(site, path.join(out, "public"), engine),
   buildScripts(site, path.join(out, "script")),
   copyLicenses(site, path.join(out, "public", "licenses")),
   cp(path.join(site, "templates"), path.join(out, "templates"), { recursive: true }),
 ]);
-await writeFile(path.join(out, "manifest.json"), JSON.stringify(manifest, null, 2) + "\n");
+await writeFile(
+  path.join(out, "manifest.json"),
+  JSON.stringify({ ...page, ...lab }, null, 2) + "\n",
+);

@@ -5,6 +5,10 @@ import path from "node:path";
 
 const shipped = {
   "katex.txt": "katex/LICENSE",
+  "three.txt": "three/LICENSE",
+  "uplot.txt": "uplot/LICENSE",
+  "codemirror.txt": "@codemirror/view/LICENSE",
+  "lezer.txt": "@lezer/common/LICENSE",
   "source-serif-4.txt": "@fontsource-variable/source-serif-4/LICENSE",
   "source-sans-3.txt": "@fontsource-variable/source-sans-3/LICENSE",
   "source-code-pro.txt": "@fontsource-variable/source-code-pro/LICENSE",

@@ -5,6 +5,8 @@ import path from "node:path";
 
 import { build } from "esbuild";
 
+import { manifestOf, targets } from "./manifest.mjs";
+
 // KaTeX's stylesheet names each font in three formats; every browser that runs this site reads WOFF2.
 const katexWoff2Only = {
   name: "katex-woff2-only",
@@ -34,19 +36,10 @@ export async function buildPublic(site, out) {
     metafile: true,
     format: "iife",
     charset: "utf8",
-    target: ["chrome123", "firefox121", "safari17.5"],
+    target: targets,
     loader: { ".woff2": "file", ".svg": "copy" },
     plugins: [katexWoff2Only],
     logLevel: "warning",
   });
-  return manifestOf(metafile, site, path.resolve(out));
-}
-
-function manifestOf(metafile, site, out) {
-  const entries = Object.keys(metafile.outputs).map((output) => {
-    const hashed = path.relative(out, path.resolve(site, output)).split(path.sep).join("/");
-    const plain = path.basename(hashed).replace(/-[A-Z0-9]{8}(?=\.\w+$)/, "");
-    return [plain, hashed];
-  });
-  return Object.fromEntries(entries.sort(([a], [b]) => (a < b ? -1 : 1)));
+  return manifestOf(metafile, site, out);
 }

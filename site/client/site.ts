@@ -2,6 +2,7 @@
 // reader's theme is set before anything is painted.
 
 import { followContents } from "./contents.js";
+import { upgradeLabs } from "./lab-loader.js";
 import { upgradeQuizzes } from "./quiz/quiz.js";
 import { reachScrollers } from "./scrollers.js";
 import { addThemeButton, applyTheme } from "./theme.js";
@@ -12,4 +13,5 @@ document.addEventListener("DOMContentLoaded", () => {
   followContents();
   reachScrollers();
   upgradeQuizzes();
+  upgradeLabs();
 });

@@ -73,6 +73,12 @@ export class Scene {
     return this.array("mjvGLCamera", "mjc_scene_view", 1)[0]!;
   }
 
+  /** mjvGLCamera of the left and of the right eye: MuJoCo's own renderer draws what one in the middle
+   * between them sees. */
+  get eyes(): readonly Struct[] {
+    return this.array("mjvGLCamera", "mjc_scene_view", 2);
+  }
+
   /** mjvCamera, to be set: lookat, distance, azimuth, elevation. */
   get camera(): Struct {
     return this.array("mjvCamera", "mjc_scene_camera", 1)[0]!;

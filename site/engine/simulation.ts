@@ -71,6 +71,14 @@ export class Simulation {
     this.checkTrouble();
   }
 
+  /** The names of all objects of a type (mjtObj), by id; "" for an object without one. */
+  namesOf(type: number): string[] {
+    const { memory, model } = this;
+    return Array.from({ length: this.call("mjc_object_count", type) }, (_, id) =>
+      memory.text(memory.call("mj_id2name", model, type, id)),
+    );
+  }
+
   /** All that the next step depends on, to keep and put back. */
   get state(): Float64Array {
     return this.withState((state, room) => {
@@ -121,13 +129,9 @@ export class Simulation {
   }
 
   private names(): Record<number, readonly string[]> {
-    const { memory, model } = this;
     const names: Record<number, readonly string[]> = {};
     for (const [constant, type] of Object.entries(constants)) {
-      if (!constant.startsWith("mjOBJ_")) continue;
-      names[type] = Array.from({ length: this.call("mjc_object_count", type) }, (_, id) =>
-        memory.text(memory.call("mj_id2name", model, type, id)),
-      );
+      if (constant.startsWith("mjOBJ_")) names[type] = this.namesOf(type);
     }
     return names;
   }

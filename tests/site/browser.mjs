@@ -16,7 +16,8 @@ export const pages = globSync("**/*.html", { cwd: folder }).sort();
 
 const quiet = [
   "--no-sandbox",
-  "--disable-gpu",
+  "--use-angle=swiftshader", // WebGL without a graphics card
+  "--enable-unsafe-swiftshader",
   "--disable-quic",
   "--no-first-run",
   "--disable-background-networking",
@@ -53,16 +54,20 @@ class Visitor {
     return this.#root + path;
   }
 
-  // Opens the page at `path` for a new reader, hands it to `look`, and shuts it.
-  async visit(path, { width = 1440, scheme = "light", javaScript = true }, look) {
+  // Opens the page at `path` for a new reader, hands it to `look`, and shuts it. `before` is given
+  // the page while it is empty; all other options are those of a context.
+  async visit(path, options, look) {
+    const { width = 1440, scheme = "light", javaScript = true, before, ...others } = options;
     const context = await this.#browser.newContext({
       viewport: { width, height: 900 },
       colorScheme: scheme,
       javaScriptEnabled: javaScript,
+      ...others,
     });
     const page = await context.newPage();
     page.setDefaultTimeout(10_000);
     this.#watch(page, path);
+    await before?.(page);
     await page.goto(this.address(path));
     await look(page);
     page.removeAllListeners(); // what is still being loaded is broken off now

@@ -1,26 +1,62 @@
-// Prints what the site's pages, styles, scripts and posters weigh, as they are and as a server
-// compresses them. No bar yet.
+// What a reader's browser transfers, as a server compresses it, stays below the bars.
+//
+//   a lesson's page before a lab is played   100 KB: HTML, styles, script and posters
+//   of that, script                           20 KB
+//   a lab's own code, without the engine     240 KB; its editor is loaded only where one is opened
+//   the engine                               450 KB
 
 import { globSync, readFileSync } from "node:fs";
-import { join } from "node:path";
-import { brotliCompressSync, gzipSync } from "node:zlib";
+import { dirname, join, normalize } from "node:path";
+import { brotliCompressSync } from "node:zlib";
 
 const folder = process.argv[2] ?? "build/release/test-site";
-const compressed = new Set(["html", "css", "js", "svg"]); // a picture is already
+const picture = /\.(webp|png|woff2)$/; // is compressed already
+let problems = 0;
 
-function kilobytes(bytes) {
-  return `${(bytes / 1000).toFixed(1)} KB`.padStart(9);
-}
-
-function row(path) {
+function transferred(path) {
   const bytes = readFileSync(join(folder, path));
-  const sizes = compressed.has(path.split(".").at(-1))
-    ? [bytes, gzipSync(bytes, { level: 9 }), brotliCompressSync(bytes)].map(({ length }) => length)
-    : Array(3).fill(bytes.length);
-  console.log(`${sizes.map(kilobytes).join(" ")}  ${path}`);
+  return picture.test(path) ? bytes.length : brotliCompressSync(bytes).length;
 }
 
-console.log("    plain      gzip    brotli");
-for (const kind of ["html", "css", "js", "svg", "webp"]) {
-  for (const path of globSync(`**/*.${kind}`, { cwd: folder }).sort()) row(path);
+const total = (paths) => [...new Set(paths)].map(transferred).reduce((sum, size) => sum + size, 0);
+
+// Complains where `paths` are more than `most` kilobytes together.
+function weigh(what, paths, most) {
+  const size = total(paths) / 1000;
+  const good = paths.length > 0 && size <= most;
+  if (!good) ++problems;
+  console.log(`${size.toFixed(1).padStart(7)} KB of ${most}  ${what}${good ? "" : "  TOO MUCH"}`);
 }
+
+// The values of an attribute in `html`, as paths below the site's root.
+function addresses(page, html, pattern) {
+  const found = [...html.matchAll(pattern)].map(([, address]) => address);
+  return found.map((address) => normalize(join(dirname(page), address)));
+}
+
+// `module` and what it imports at once; what import() brings is not loaded with it.
+function closure(module, known = new Set()) {
+  if (known.has(module)) return known;
+  known.add(module);
+  const text = readFileSync(join(folder, module), "utf8");
+  const imports = /(?:from|import)\s*"(\.[^"]+)"/g;
+  for (const path of addresses(module, text, imports)) closure(path, known);
+  return known;
+}
+
+const labCode = new Set();
+const engine = new Set();
+for (const page of globSync("**/*.html", { cwd: folder }).sort()) {
+  const html = readFileSync(join(folder, page), "utf8");
+  const scripts = addresses(page, html, /<script src="([^"]+)"/g);
+  const styles = addresses(page, html, /<link rel="stylesheet" href="([^"]+)"/g);
+  const pictures = addresses(page, html, /srcset="([^"]+)"/g);
+  weigh(`${page} before a lab is played`, [page, ...scripts, ...styles, ...pictures], 100);
+  weigh(`its script`, scripts, 20);
+  for (const path of addresses(page, html, /data-code="([^"]+)"/g)) labCode.add(path);
+  for (const path of addresses(page, html, /data-(?:engine|wasm)="([^"]+)"/g)) engine.add(path);
+}
+for (const path of labCode) weigh(`${path} with all it imports`, [...closure(path)], 240);
+if (engine.size > 0) weigh("the engine", [...engine], 450);
+console.log(`${problems} problems`);
+process.exitCode = problems > 0 ? 1 : 0;

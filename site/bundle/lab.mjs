@@ -1,0 +1,56 @@
+// What a lab loads once it comes near the reader: its own code, in pieces (the editor comes only
+// where one is opened), and MuJoCo for the browser where that was built.
+
+import { createHash } from "node:crypto";
+import { copyFile, cp, mkdir, readFile } from "node:fs/promises";
+import path from "node:path";
+
+import { build } from "esbuild";
+
+import { manifestOf, targets } from "./manifest.mjs";
+
+// Builds into `out` and returns its part of the manifest. `engine` is the folder with engine.mjs and
+// engine.wasm; without them the site has no live labs, and the manifest names none of this.
+export async function buildLab(site, out, engine) {
+  const built = ["engine.mjs", "engine.wasm"];
+  const contents = await Promise.all(
+    built.map((name) => readFile(path.join(engine, name)).catch(() => undefined)),
+  );
+  if (contents.includes(undefined)) return {};
+  await mkdir(path.join(out, "assets"), { recursive: true });
+  const copies = built.map((name, index) => copyHashed(engine, out, name, contents[index]));
+  const [code, ...hashed] = await Promise.all([
+    buildCode(site, out),
+    ...copies,
+    cp(path.join(engine, "licenses"), path.join(out, "licenses", "mujoco"), { recursive: true }),
+  ]);
+  return { ...code, ...Object.fromEntries(built.map((name, index) => [name, hashed[index]])) };
+}
+
+async function buildCode(site, out) {
+  const { metafile } = await build({
+    absWorkingDir: site,
+    entryPoints: [{ in: "lab/lab.ts", out: "lab" }],
+    outdir: path.resolve(out),
+    entryNames: "assets/[name]-[hash]",
+    chunkNames: "assets/[name]-[hash]",
+    bundle: true,
+    splitting: true,
+    minify: true,
+    metafile: true,
+    format: "esm",
+    charset: "utf8",
+    target: targets,
+    legalComments: "none",
+    logLevel: "warning",
+  });
+  return manifestOf(metafile, site, out, (output) => output.entryPoint === "lab/lab.ts");
+}
+
+async function copyHashed(from, out, name, content) {
+  const hash = createHash("sha256").update(content).digest("hex").slice(0, 8).toUpperCase();
+  const { name: stem, ext } = path.parse(name);
+  const hashed = `assets/${stem}-${hash}${ext}`;
+  await copyFile(path.join(from, name), path.join(out, hashed));
+  return hashed;
+}

@@ -1,0 +1,119 @@
+// Makes a lab's picture live. Until then it is a picture with a Play button: the engine is large, so
+// it is loaded when the reader presses Play, or when the page is idle and the lab is near.
+//
+// Where it cannot be loaded the picture stays, and one line says why and what to do. What happens
+// once it is loaded is in lab/lab.ts, which this script knows only by its address.
+
+interface LabHandle {
+  play(): void;
+}
+
+interface LabCode {
+  openLab(element: HTMLElement): Promise<LabHandle>;
+}
+
+const near = "300px";
+
+const reasons = {
+  file:
+    "A lab runs only on a page that a web server gave. In the site’s folder, run " +
+    "“python3 -m http.server” and open http://localhost:8000.",
+  noWebAssembly:
+    "This browser has no WebAssembly, or it is switched off, so the lab stays a picture. " +
+    "Another browser may run it.",
+  network: "The lab could not be loaded. Check the connection, then reload the page.",
+} as const;
+
+class SimLab extends HTMLElement {
+  readonly #play = document.createElement("button");
+  readonly #status = document.createElement("p");
+  #opening: Promise<LabHandle> | undefined;
+
+  connectedCallback(): void {
+    const { code, module } = this.dataset;
+    const view = this.querySelector(".lab-view");
+    if (!code || !module || !view || this.#play.isConnected) return;
+    this.#play.type = "button";
+    this.#play.className = "lab-play";
+    this.#play.textContent = "Play";
+    this.#play.addEventListener("click", () => void this.#playOnceOpen());
+    this.#status.className = "lab-status";
+    this.#status.setAttribute("role", "status");
+    view.append(this.#play);
+    view.after(this.#status);
+    if (!savesData()) whenNearAndIdle(this, () => void this.#open().catch(() => undefined));
+  }
+
+  async #playOnceOpen(): Promise<void> {
+    if (this.#play.ariaBusy === "true") return;
+    this.#play.ariaBusy = "true";
+    this.#play.textContent = "Loading MuJoCo…";
+    try {
+      (await this.#open()).play();
+    } catch {
+      // #open() has said why.
+    }
+  }
+
+  #open(): Promise<LabHandle> {
+    this.#opening ??= this.#load().catch((error: unknown) => {
+      const focused = this.#play.matches(":focus");
+      this.#play.remove();
+      this.#status.textContent = reasonOf(error);
+      if (focused) this.#status.tabIndex = -1;
+      if (focused) this.#status.focus();
+      throw error;
+    });
+    return this.#opening;
+  }
+
+  async #load(): Promise<LabHandle> {
+    if (location.protocol === "file:") throw new Refusal(reasons.file);
+    if (typeof WebAssembly !== "object") throw new Refusal(reasons.noWebAssembly);
+    const address = new URL(this.dataset["code"]!, document.baseURI).href;
+    const { openLab } = (await import(address)) as LabCode;
+    return openLab(this);
+  }
+}
+
+/** Its message is for the reader. */
+class Refusal extends Error {
+  override readonly name = "Refusal";
+}
+
+/** lab.ts has a Refusal of its own: it is told by its name. */
+function reasonOf(error: unknown): string {
+  if (error instanceof Error && error.name === "Refusal") return error.message;
+  reportError(error);
+  return reasons.network;
+}
+
+function savesData(): boolean {
+  const { connection } = navigator as { connection?: { readonly saveData?: boolean } };
+  return connection?.saveData === true;
+}
+
+function whenNearAndIdle(element: Element, act: () => void): void {
+  const observer = new IntersectionObserver(
+    ([entry]) => {
+      if (!entry?.isIntersecting) return;
+      observer.disconnect();
+      whenIdle(act);
+    },
+    { rootMargin: near },
+  );
+  observer.observe(element);
+}
+
+function whenIdle(act: () => void): void {
+  // Safari has no idle callbacks.
+  const hasIdle = Object.hasOwn(window, "requestIdleCallback");
+  if (document.readyState !== "complete") addEventListener("load", () => whenIdle(act));
+  else if (hasIdle) requestIdleCallback(act, { timeout: 2000 });
+  else setTimeout(act, 200);
+}
+
+/** Once the document is there: an element that is defined earlier has no children yet. */
+export function upgradeLabs(): void {
+  customElements.define("sim-lab", SimLab);
+}

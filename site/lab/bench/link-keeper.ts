@@ -1,0 +1,63 @@
+/** The way from a lab's state to an address and back. One address speaks of one lab of the page. */
+import { decodeLink, encodeLink } from "../run/lab-link.js";
+import type { Player } from "./player.js";
+
+const parameter = "lab";
+
+export class LinkKeeper {
+  readonly #id: string;
+  readonly #player: Player;
+
+  constructor(id: string, player: Player) {
+    this.#id = id;
+    this.#player = player;
+  }
+
+  /** The page's address that brings the lab as it is now; `edited` tells whether its model was.
+   * Undefined when that would be longer than servers take. */
+  async address(edited: boolean): Promise<string | undefined> {
+    const { run, speed } = this.#player;
+    const value = await encodeLink({
+      id: this.#id,
+      camera: run.stage.camera,
+      overlays: [...run.stage.overlays],
+      speed,
+      run: run.state,
+      ...(edited ? { mjcf: run.mjcf } : {}),
+    });
+    if (value === undefined) return undefined;
+    const address = new URL(location.href);
+    address.searchParams.set(parameter, value);
+    address.hash = this.#id;
+    return address.href;
+  }
+
+  /** Brings back what the page's address says of this lab. `replace` edits the model. */
+  async restore(replace: (mjcf: string) => Promise<void>): Promise<void> {
+    const value = new URL(location.href).searchParams.get(parameter);
+    const link = value === null ? undefined : await decodeLink(value);
+    if (link?.id !== this.#id) return;
+    const { run } = this.#player;
+    if (link.mjcf !== undefined) await replace(link.mjcf);
+    if (link.run) run.restore(link.run);
+    if (link.camera) run.stage.camera = link.camera;
+    if (link.overlays) showOnly(this.#player, link.overlays);
+    this.#player.speed = link.speed ?? run.lab.speed;
+  }
+
+  /** The address speaks of no lab any more. */
+  forget(): void {
+    const address = new URL(location.href);
+    if (!address.searchParams.has(parameter)) return;
+    address.searchParams.delete(parameter);
+    history.replaceState(history.state, "", address);
+  }
+}
+
+/** The overlays of that name and no others; names that there are not are passed over. */
+export function showOnly({ run }: Player, names: readonly string[]): void {
+  for (const name of run.scene.overlays) run.stage.showOverlay(name, false);
+  for (const name of run.scene.overlays) {
+    if (names.includes(name)) run.stage.showOverlay(name, true);
+  }
+}

@@ -1,0 +1,60 @@
+/**
+ * Wakes a lab of the page: enter at openLab(), which client/lab-loader.ts calls when it has loaded
+ * this module. However many labs a page has, there is one engine and one WebGL context.
+ */
+import { LiveLab } from "./bench/live-lab.js";
+import { fetchFiles, loadModule, openEngine } from "./run/engine-room.js";
+import { Run } from "./run/run.js";
+import { Stage } from "./stage/stage.js";
+
+export interface LabHandle {
+  play(): void;
+}
+
+/** Says to the reader why there is no live lab. The loader knows it by its name. */
+class Refusal extends Error {
+  override readonly name = "Refusal";
+}
+
+let stage: Stage | undefined;
+const awake: LiveLab[] = [];
+
+export async function openLab(lab: HTMLElement): Promise<LabHandle> {
+  const opened = openStage();
+  const address = (name: string): string => new URL(lab.dataset[name]!, document.baseURI).href;
+  const module = address("module");
+  const [engine, described] = await Promise.all([
+    openEngine({ glue: address("engine"), wasm: address("wasm") }),
+    loadModule(module),
+  ]).catch(refuse);
+  const files = await fetchFiles(module, described.lab.model).catch(refuse);
+  const live = new LiveLab(lab, new Run(engine, described, files), opened);
+  awake.push(live);
+  await live.restoreLink();
+  return live;
+}
+
+/** The page's one. */
+function openStage(): Stage {
+  try {
+    return (stage ??= watched(Stage.open()));
+  } catch (cause) {
+    const message =
+      "This browser draws no 3D here: WebGL 2 is missing or switched off, so the lab stays a " +
+      "picture. Another browser may draw it.";
+    throw new Refusal(message, { cause });
+  }
+}
+
+/** The browser may take the context away, and give it back. */
+function watched(opened: Stage): Stage {
+  opened.onLost = () => awake.forEach((lab) => lab.viewLost(true));
+  opened.onRestored = () => awake.forEach((lab) => lab.viewLost(false));
+  return opened;
+}
+
+/** What did not arrive has a sentence for readers (run/engine-room.ts). */
+function refuse(error: unknown): never {
+  if (error instanceof Error && error.name === "Unreachable") throw new Refusal(error.message);
+  throw error;
+}

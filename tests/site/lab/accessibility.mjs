@@ -1,0 +1,60 @@
+// axe finds nothing in labs that are live, with all that can be opened open: the editor, the push
+// form, an answer, an alert, a menu; in either scheme, on a wide and on a narrow screen.
+
+import { readFileSync } from "node:fs";
+
+import { testSite } from "../browser.mjs";
+import { fourLabs, Lab, trouble } from "./lab.mjs";
+
+const axe = readFileSync(
+  new URL("../../../site/node_modules/axe-core/axe.min.js", import.meta.url),
+  "utf8",
+);
+
+async function violations() {
+  const { violations } = await globalThis.axe.run();
+  return violations.map(({ id, help, nodes }) => {
+    const places = nodes.slice(0, 3).map((node) => `${node.target}\n      ${node.failureSummary}`);
+    return `${id}: ${help} (${nodes.length})\n    ${places.join("\n    ")}`;
+  });
+}
+
+await testSite(async (visitor) => {
+  for (const scheme of ["light", "dark"]) {
+    for (const width of [1440, 390]) {
+      for (const [path, open] of [
+        [fourLabs, openAll],
+        [trouble, failBoth],
+      ]) {
+        await visitor.visit(path, { scheme, width }, async (page) => {
+          await open(page);
+          await page.evaluate(axe);
+          for (const violation of await page.evaluate(violations)) {
+            visitor.complain(`${path} (${scheme}, ${width} px)`, violation);
+          }
+        });
+      }
+    }
+  }
+});
+
+async function openAll(page) {
+  await Lab.wake(page, "lab-3");
+  const edited = await Lab.wake(page, "lab-4");
+  await edited.root.locator("summary").click();
+  await edited.root.getByRole("textbox", { name: /^MJCF of/ }).waitFor();
+  const asked = await Lab.wake(page, "lab-2");
+  await asked.root.getByRole("textbox").fill("0.5");
+  await asked.root.getByRole("textbox").press("Enter");
+  await asked.root.locator(".lab-compare").waitFor({ timeout: 30_000 });
+  const lab = await Lab.wake(page, "lab-1");
+  await lab.press("push");
+  await lab.press("keys");
+}
+
+async function failBoth(page) {
+  const lab = await Lab.wake(page, "lab-1");
+  await lab.press("One step");
+  await lab.press("Look");
+  await lab.root.locator(".lab-trouble").waitFor();
+}

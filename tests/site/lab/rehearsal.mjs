@@ -1,0 +1,67 @@
+// The page gives the numbers of the build: every control of every lab, used as the rehearsal used it,
+// and every readout at every moment that the rehearsal wrote down, digit for digit.
+
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { folder, pages, testSite } from "../browser.mjs";
+import { Lab } from "./lab.mjs";
+
+await testSite(async (visitor) => {
+  let readings = 0;
+  for (const path of pages.filter((page) => page.includes("/"))) {
+    const number = /\/(\d+\.\d+)-/.exec(`/${path}`)[1];
+    await visitor.visit(path, {}, async (page) => {
+      const labs = page.locator("sim-lab[data-code]");
+      for (let index = 1; index <= (await labs.count()); ++index) {
+        const lab = await Lab.wake(page, `lab-${index}`);
+        const record = join(folder, "labs", `${number}-${index}.rehearsal.json`);
+        const { runs } = JSON.parse(readFileSync(record, "utf8"));
+        for (const run of runs) readings += await rerun(visitor, lab, run, `${path} lab-${index}`);
+      }
+    });
+  }
+  visitor.expect(readings > 0, folder, "no rehearsal has readings");
+});
+
+// Gives how many readings there were to compare.
+async function rerun(visitor, lab, { control, value = null, readings }, where) {
+  await lab.press("Back to the start");
+  if (control !== null) await operate(lab, control, value);
+  let done = 0;
+  for (const { steps, values } of readings) {
+    await step(lab, steps - done);
+    done = steps;
+    const shown = await lab.readings();
+    const what = `control ${control} (${value}), ${steps} steps: ${shown}, in the build ${values}`;
+    visitor.expect(shown === values.join(" "), where, what);
+  }
+  return readings.length;
+}
+
+async function operate(lab, control, value) {
+  const item = lab.root.locator(".lab-live .controls > li").nth(control);
+  const [kind] = await item
+    .locator("button, input, select")
+    .evaluateAll((elements) => elements.map((element) => element.type));
+  const field = item.locator("button, input, select");
+  if (kind === "button") await field.click();
+  else if (kind === "range") await field.fill(String(value));
+  else if (kind === "select-one")
+    await field.selectOption({ index: value + 1 }); // after "choose…"
+  else await field.setChecked(value);
+  await lab.settle();
+}
+
+// By the lab's own buttons, pressed faster than a hand could.
+async function step(lab, count) {
+  for (const [name, times] of [
+    ["Ten steps", Math.floor(count / 10)],
+    ["One step", count % 10],
+  ]) {
+    await lab.button(name).evaluate((button, presses) => {
+      for (let i = 0; i < presses; ++i) button.click();
+    }, times);
+  }
+  await lab.settle();
+}

@@ -1,0 +1,72 @@
+// What a lab says when something goes wrong: a script, MuJoCo, a browser that lacks what it needs.
+
+import { testSite } from "../browser.mjs";
+import { Lab, trouble } from "./lab.mjs";
+
+await testSite(async (visitor) => {
+  const expect = (good, what) => visitor.expect(good, trouble, what);
+  await visitor.visit(trouble, {}, async (page) => {
+    await tryScript(await Lab.wake(page, "lab-1"), expect);
+    await tryDiverging(await Lab.wake(page, "lab-2"), expect);
+  });
+
+  const lacking = [
+    ["WebGL 2", (page) => page.addInitScript(refuseWebGL)],
+    ["WebAssembly", (page) => page.addInitScript(() => delete globalThis.WebAssembly)],
+    ["could not be loaded", breakModule],
+  ];
+  for (const [words, before] of lacking) {
+    await visitor.visit(trouble, { before }, async (page) => {
+      const lab = page.locator("#lab-1");
+      const status = lab.getByRole("status").filter({ hasText: words });
+      await status.waitFor({ timeout: 30_000 });
+      expect(await lab.locator("img").isVisible(), `without ${words} there is no poster`);
+      const buttons = await lab.getByRole("button").count();
+      expect(buttons === 0, `without ${words} there are ${buttons} buttons that do nothing`);
+    });
+  }
+});
+
+async function tryScript(lab, expect) {
+  await lab.press("Look");
+  await lab.press("Ten steps");
+  const alert = lab.root.getByRole("alert");
+  expect((await alert.innerText()) === "", "there is an alert before there is trouble");
+  await lab.press("Look");
+  const words = await alert.innerText();
+  for (const part of ["data.qpos[7] is out of range 0..1", "const moved = data.time > 0;"]) {
+    expect(words.includes(part), `the alert says ${words}, not ${part}`);
+  }
+  await lab.button("Play").first().click();
+  expect(await lab.rests(), "it plays on in trouble");
+  await lab.press("Back to the start");
+  expect((await alert.innerText()) === "", "a reset leaves the alert");
+  await lab.press("One step");
+  expect((await lab.seconds()) === 0.005, "after a reset it does not go on");
+}
+
+async function tryDiverging(lab, expect) {
+  await lab.press("One step");
+  await lab.press("Blow up");
+  await lab.press("Ten steps");
+  const words = await lab.root.getByRole("alert").innerText();
+  expect(words.includes("The simulation stopped"), `of a diverged simulation it says "${words}"`);
+  await lab.press("Back to the start");
+  await lab.press("One step");
+  expect((await lab.seconds()) === 0.005, "after a reset it does not go on");
+}
+
+function refuseWebGL() {
+  const { getContext } = HTMLCanvasElement.prototype;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+    return kind.startsWith("webgl") ? null : getContext.call(this, kind, ...rest);
+  };
+}
+
+// The lab's module arrives, and is not one.
+async function breakModule(page) {
+  const body = "throw new Error('broken on purpose');";
+  await page.route("**/labs/*.js", (route) =>
+    route.fulfill({ contentType: "text/javascript", body }),
+  );
+}
