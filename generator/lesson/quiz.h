@@ -1,6 +1,7 @@
 // ```quiz: questions, their answers, and how each answer is found without the author.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "lesson/located_text.h"
 #include "lesson/markdown.h"
+#include "lesson/tolerance.h"
 
 namespace mjcourse {
 
@@ -20,26 +22,32 @@ struct Proof {
   LocatedText run;                    // a script before the value
   double seconds = 0;                 // simulated between `run` and the value
   LocatedText value;                  // an expression; or
-  std::vector<LocatedText> options;   // one for each option: exactly the right ones hold
+  std::vector<LocatedText> options;   // one for each option: exactly the right ones hold; or
+  std::vector<LocatedText> values;    // one for each item: they grow in the right order
   std::optional<double> equals;       // what `value` must be; without it, the question's answer
   Span span;
 };
 
-struct Question {
-  enum class Kind { numeric, choice };
-  Kind kind = Kind::numeric;
+struct Option {
   Document text;
-  std::vector<Document> options;
-  double answer = 0;  // the number, or the index of the right option
-  Span answer_span;
-  double tolerance = 0;
+  Document feedback;  // what its author says to a reader who chose it
+  Span span;
+};
+
+struct Question {
+  enum class Kind { numeric, mcq, multi, order };
+  Kind kind = Kind::numeric;
+  Document text, hint, explanation;
+  double answer = 0;  // of a numeric one
+  Tolerance tolerance;
   std::string unit;
-  Document explanation;
+  std::vector<Option> options;     // of an order, the items as they should stand
+  std::vector<std::size_t> right;  // the right options' indices, in rising order
+  Span answer_span;                // nowhere for an order, whose items are the answer
   std::vector<Proof> proofs;
   Span span;
 };
 
-// ```quiz
 struct Quiz {
   std::string id, title;
   std::vector<Question> questions;

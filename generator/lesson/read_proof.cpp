@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
+#include <utility>
 
 #include "lesson/json_object.h"
 
@@ -27,6 +29,69 @@ std::map<std::string, int> read_joints(const JsonValue* value, Reading& reading)
   return joints;
 }
 
+std::vector<LocatedText> read_expressions(JsonObject& object, const std::string& key,
+                                          Reading& reading) {
+  std::vector<LocatedText> expressions;
+  for (const JsonValue& expression : object.list(key)) {
+    if (expression.kind != JsonValue::Kind::string) {
+      report_kind(key, expression, "a string", reading);
+    }
+    expressions.push_back(expression.string);
+  }
+  return expressions;
+}
+
+// How a question of each kind is proved: by a value, or by one expression for each…
+struct Form {
+  const char* question;  // as messages call it
+  const char* key;       // of the list of expressions
+  const char* each;
+};
+
+Form form_of(Question::Kind kind) {
+  switch (kind) {
+    case Question::Kind::numeric:
+      return {"a number", "", ""};
+    case Question::Kind::mcq:
+    case Question::Kind::multi:
+      return {"a choice", "options", "option"};
+    case Question::Kind::order:
+      return {"an order", "values", "item"};
+  }
+  return {};
+}
+
+// What is wrong with how `proof` finds an answer; its message and cure, empty for nothing.
+std::pair<std::string, std::string> fault_of(const Proof& proof, const Question& question) {
+  const Form form = form_of(question.kind);
+  const bool listed = question.kind != Question::Kind::numeric;
+  const auto& expressions = question.kind == Question::Kind::order ? proof.values : proof.options;
+  const std::string key = std::string("\"") + form.key + "\"";
+  if (!listed && !(proof.options.empty() && proof.values.empty())) {
+    return {"a number is proved by a \"value\"", ""};
+  }
+  if (proof.options.size() + proof.values.size() != expressions.size()) {
+    return {std::string(form.question) + " is proved by " + key + ", one expression each", ""};
+  }
+  if (proof.value.text.empty() == expressions.empty()) {
+    const std::string or_list =
+        listed ? ", or " + key + " with one expression for each " + form.each : "";
+    return {"a proof needs a \"value\"" + or_list, ""};
+  }
+  if (!expressions.empty() && expressions.size() != question.options.size()) {
+    return {"the proof has " + std::to_string(expressions.size()) +
+                (expressions.size() == 1 ? " expression for " : " expressions for ") +
+                std::to_string(question.options.size()) + " " + form.each + "s",
+            std::string("write one expression for each ") + form.each + ", in their order"};
+  }
+  if (listed && expressions.empty() && !proof.equals) {
+    return {std::string(form.question) + " is proved by " + key +
+                ", one expression each; a \"value\" needs \"equals\"",
+            ""};
+  }
+  return {};
+}
+
 }  // namespace
 
 std::optional<Proof> read_proof(const JsonValue& value, const Question& question,
@@ -48,33 +113,22 @@ std::optional<Proof> read_proof(const JsonValue& value, const Question& question
   }
   proof.value = object.script("value");
   proof.equals = object.optional_number("equals");
-  for (const JsonValue& option : object.list("options")) {
-    if (option.kind != JsonValue::Kind::string) report_kind("options", option, "a string", reading);
-    proof.options.push_back(option.string);
-  }
+  proof.options = read_expressions(object, "options", reading);
+  proof.values = read_expressions(object, "values", reading);
   object.not_yet("example");
   object.finish();
 
   if (value.kind != JsonValue::Kind::object) return std::nullopt;
-  const Span open{value.span.begin, value.span.begin + 1};
   const int sources = (by_joints ? 1 : 0) + (proof.model.text.empty() ? 0 : 1) +
                       (proof.mjcf.text.empty() ? 0 : 1) + (proof.because.text.empty() ? 0 : 1);
-  const bool computes = proof.because.text.empty();
   std::string wrong, cure;
   if (sources != 1) {
     wrong = "a proof needs exactly one of \"joints\", \"model\", \"mjcf\" and \"because\"";
-  } else if (computes && proof.value.text.empty() == proof.options.empty()) {
-    wrong = "a proof needs a \"value\", or \"options\" with one expression for each option";
-  } else if (!proof.options.empty() && proof.options.size() != question.options.size()) {
-    wrong = "the proof has " + std::to_string(proof.options.size()) + " expressions for " +
-            std::to_string(question.options.size()) + " options";
-    cure = "write one expression for each option, in their order";
-  } else if (question.kind == Question::Kind::choice && computes && proof.options.empty() &&
-             !proof.equals) {
-    wrong = "a choice is proved by \"options\", one expression each; a \"value\" needs \"equals\"";
+  } else if (proof.because.text.empty()) {
+    std::tie(wrong, cure) = fault_of(proof, question);
   }
   if (wrong.empty()) return proof;
-  reading.error("E-proof-form", open, wrong, cure);
+  reading.error("E-proof-form", {value.span.begin, value.span.begin + 1}, wrong, cure);
   return std::nullopt;
 }
 
