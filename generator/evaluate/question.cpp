@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
+#include <iterator>
+#include <numeric>
+#include <string>
 #include <utility>
 
+#include "evaluate/proof_text.h"
 #include "evaluate/script_place.h"
 #include "physics/described_model.h"
 #include "script/world.h"
@@ -14,38 +17,9 @@ namespace {
 
 constexpr double kScriptLimit = 5;  // seconds of CPU time for one script
 
-std::string number_text(double value) {
-  std::ostringstream text;
-  text.precision(10);
-  text << value;
-  return text.str();
-}
-
-int count_of(const Proof& proof, const std::string& kind) {
-  const auto found = proof.joints.find(kind);
-  return found == proof.joints.end() ? 0 : found->second;
-}
-
-// "7 hinge, 2 slide and 3 free joints", "1 ball joint"
-std::string joints_text(const Proof& proof) {
-  std::string text;
-  std::size_t left = proof.joints.size();
-  int joints = 0;
-  for (const char* kind : {"hinge", "slide", "ball", "free"}) {
-    const int count = count_of(proof, kind);
-    if (count == 0) continue;
-    joints += count;
-    --left;
-    text += std::to_string(count) + " " + kind;
-    if (left > 0) text += left > 1 ? ", " : " and ";
-  }
-  if (joints == 0) return "no joints";
-  return text + (joints == 1 ? " joint" : " joints");
-}
-
-std::string built_text(const Proof& proof) {
-  if (!proof.model.text.empty()) return proof.model.text;
-  return proof.mjcf.text.empty() ? joints_text(proof) : "the model in the question";
+// Binary doubles hold few decimals exactly: numbers this near to each other are the same.
+double rounding(double value) {
+  return 1e-12 * std::max(1.0, std::abs(value));
 }
 
 class Examiner {
@@ -61,6 +35,13 @@ class Examiner {
   bool prove(const Proof& proof, QuestionResult& result);
   bool prove_value(const Proof& proof, QuestionResult& result);
   bool prove_options(const Proof& proof, QuestionResult& result);
+  bool prove_order(const Proof& proof, QuestionResult& result);
+  std::optional<std::vector<double>> find_values(const Proof& proof);
+  std::string option_text(std::size_t index) const {
+    return "\"" + plain_text(question_.options[index].text.get()) + "\"";
+  }
+  std::string options_text(const std::vector<std::size_t>& indices) const;
+  std::string order_text(const std::vector<std::size_t>& order) const;
   bool script_error(const ScriptError& error, const Proof& proof, const LocatedText& value) {
     const LocatedText& script = error.in_value || proof.run.text.empty() ? value : proof.run;
     diagnostics_.push_back(script_diagnostic(error, script, *lesson_.source));
@@ -95,9 +76,10 @@ std::optional<Simulation> Examiner::build(const Proof& proof) {
   if (!proof.mjcf.text.empty()) {
     return workshop_.simulate(proof.mjcf, *lesson_.source, diagnostics_);
   }
-  const LocatedText described{described_mjcf({count_of(proof, "hinge"), count_of(proof, "slide"),
-                                              count_of(proof, "ball"), count_of(proof, "free")}),
-                              {}};
+  const LocatedText described{
+      described_mjcf({joint_count(proof, "hinge"), joint_count(proof, "slide"),
+                      joint_count(proof, "ball"), joint_count(proof, "free")}),
+      {}};
   return workshop_.simulate(described, *lesson_.source, diagnostics_);
 }
 
@@ -108,8 +90,7 @@ bool Examiner::prove_value(const Proof& proof, QuestionResult& result) {
   const auto value = world.number(Program{proof.run.text, proof.seconds, proof.value.text});
   if (!value) return script_error(value.error(), proof, proof.value);
   const double expected = proof.equals.value_or(question_.answer);
-  // Binary doubles hold few decimals exactly: a tolerance of 0 still allows for that.
-  const double allowed = question_.tolerance + 1e-12 * std::max(1.0, std::abs(*value));
+  const double allowed = question_.tolerance.around(expected) + rounding(*value);
   if (!(std::abs(*value - expected) <= allowed)) {
     const std::string found =
         "`" + proof.value.text + "` is " + number_text(*value) + " for " + built_text(proof);
@@ -125,8 +106,17 @@ bool Examiner::prove_value(const Proof& proof, QuestionResult& result) {
     }
     return false;
   }
-  result.proofs.push_back({built_text(proof), proof.value.text, number_text(*value)});
+  result.proofs.push_back({built_model(proof), proof.value.text, number_text(*value)});
   return true;
+}
+
+// `option 1 ("two")`, `options 0 ("one") and 2 ("three")`, `no option`
+std::string Examiner::options_text(const std::vector<std::size_t>& indices) const {
+  std::vector<std::string> words;
+  for (const std::size_t i : indices) {
+    words.push_back(std::to_string(i) + " (" + option_text(i) + ")");
+  }
+  return words.empty() ? "no option" : listed(words);
 }
 
 bool Examiner::prove_options(const Proof& proof, QuestionResult& result) {
@@ -139,24 +129,80 @@ bool Examiner::prove_options(const Proof& proof, QuestionResult& result) {
     if (!holds) return script_error(holds.error(), proof, proof.options[i]);
     if (*holds) holding.push_back(i);
   }
-  const auto option_text = [&](std::size_t i) {
-    return std::to_string(i) + " (\"" + plain_text(question_.options[i].get()) + "\")";
-  };
-  const auto answer = static_cast<std::size_t>(question_.answer);
-  if (holding.size() == 1 && holding[0] == answer) {
-    result.proofs.push_back({built_text(proof), "", plain_text(question_.options[answer].get())});
+  const std::vector<std::size_t>& right = question_.right;
+  if (holding == right) {
+    result.proofs.push_back({built_model(proof), "", options_text(right)});
     return true;
   }
-  std::string found = holding.empty() ? "no option" : "";
-  for (std::size_t i = 0; i < holding.size(); ++i) {
-    found += (i == 0 ? "" : " and ") + option_text(holding[i]);
-  }
+  // One that holds and should not tells more than one that should and does not.
+  std::vector<std::size_t> extra, missing;
+  std::set_difference(holding.begin(), holding.end(), right.begin(), right.end(),
+                      std::back_inserter(extra));
+  std::set_difference(right.begin(), right.end(), holding.begin(), holding.end(),
+                      std::back_inserter(missing));
   wrong("E-quiz-answer", question_.answer_span,
-        "the answer is given as option " + option_text(answer) + ", but the build finds " + found,
-        proof.options[holding.empty() ? answer : holding[0]],
-        holding.empty() ? "this does not hold for " + built_text(proof)
-                        : "this holds for " + built_text(proof));
+        std::string("the answer is given as option") + (right.size() == 1 ? " " : "s ") +
+            options_text(right) + ", but the build finds " + options_text(holding),
+        proof.options[extra.empty() ? missing[0] : extra[0]],
+        (extra.empty() ? "this does not hold for " : "this holds for ") + built_text(proof));
   return false;
+}
+
+std::string Examiner::order_text(const std::vector<std::size_t>& order) const {
+  std::string text;
+  for (const std::size_t i : order) text += (text.empty() ? "" : ", ") + option_text(i);
+  return text;
+}
+
+// The number of each item.
+std::optional<std::vector<double>> Examiner::find_values(const Proof& proof) {
+  std::vector<double> values;
+  for (const LocatedText& expression : proof.values) {
+    std::optional<Simulation> simulation = build(proof);  // a fresh state for each item
+    if (!simulation) return std::nullopt;
+    World world(workshop_.world_bundle(), *simulation, kScriptLimit);
+    const auto value = world.number(Program{proof.run.text, proof.seconds, expression.text});
+    if (!value) {
+      script_error(value.error(), proof, expression);
+      return std::nullopt;
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+bool Examiner::prove_order(const Proof& proof, QuestionResult& result) {
+  const std::optional<std::vector<double>> numbers = find_values(proof);
+  if (!numbers) return false;
+  const std::vector<double>& values = *numbers;
+  std::vector<std::size_t> given(values.size());
+  std::iota(given.begin(), given.end(), 0);
+  std::vector<std::size_t> found = given;
+  std::stable_sort(found.begin(), found.end(),
+                   [&](std::size_t a, std::size_t b) { return values[a] < values[b]; });
+  std::vector<std::string> texts;
+  for (const std::size_t i : found) texts.push_back(number_text(values[i]));
+
+  const std::string but = "the order is given as " + order_text(given) + ", but the build finds ";
+  for (std::size_t place = 1; place < found.size(); ++place) {
+    const std::size_t before = found[place - 1], i = found[place];
+    if (values[i] - values[before] > rounding(values[i])) continue;
+    wrong("E-quiz-answer", question_.options[i].span,
+          but + option_text(before) + " and " + option_text(i) + " equal", proof.values[i],
+          "both are " + texts[place] + " for " + built_text(proof));
+    return false;
+  }
+  const auto misplaced = std::mismatch(given.begin(), given.end(), found.begin()).first;
+  if (misplaced != given.end()) {
+    wrong("E-quiz-answer", question_.options[*misplaced].span, but + order_text(found),
+          proof.values[*misplaced],
+          "in that order they are " + listed(texts) + " for " + built_text(proof));
+    return false;
+  }
+  std::string rising;
+  for (const std::string& text : texts) rising += (rising.empty() ? "" : " < ") + text;
+  result.proofs.push_back({built_model(proof), "", rising});
+  return true;
 }
 
 bool Examiner::prove(const Proof& proof, QuestionResult& result) {
@@ -164,8 +210,9 @@ bool Examiner::prove(const Proof& proof, QuestionResult& result) {
     result.because = proof.because.text;
     return true;
   }
-  const bool proved =
-      proof.options.empty() ? prove_value(proof, result) : prove_options(proof, result);
+  const bool proved = !proof.options.empty()  ? prove_options(proof, result)
+                      : !proof.values.empty() ? prove_order(proof, result)
+                                              : prove_value(proof, result);
   // What is held against `equals` says nothing of the answer.
   result.proved = result.proved || (proved && !proof.equals);
   return proved;

@@ -72,9 +72,9 @@ struct LabResult {
 
 // One way in which an answer was found, or the reason why none was needed.
 struct ProofResult {
-  std::string built;       // "7 hinge, 2 slide and 3 free joints", "pick_place"
-  std::string expression;  // what was evaluated; empty for options
-  std::string value;       // what it gave
+  std::string built;       // "a model with 7 hinge joints", "pick_place.xml"
+  std::string expression;  // what was evaluated; empty where each option or item was
+  std::string value;       // what it gave; an order's numbers as "1 < 2 < 3"
 };
 
 struct QuestionResult {

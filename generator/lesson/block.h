@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -15,6 +14,7 @@
 #include "lesson/lab.h"
 #include "lesson/located_text.h"
 #include "lesson/markdown.h"
+#include "lesson/quiz.h"
 
 namespace mjcourse {
 
@@ -57,40 +57,6 @@ struct Callout {
   std::string kind;
   Document title;
   bool folded = false;
-};
-
-// How a question's answer is found without the author.
-struct Proof {
-  std::map<std::string, int> joints;  // kind → how many; or
-  LocatedText model;                  // a model of the course; or
-  LocatedText mjcf;                   // the model itself; or
-  LocatedText because;                // no proof: the reason why the answer is only asserted
-  LocatedText run;                    // a script before the value
-  double seconds = 0;                 // simulated between `run` and the value
-  LocatedText value;                  // an expression; or
-  std::vector<LocatedText> options;   // one for each option: exactly the right ones hold
-  std::optional<double> equals;       // what `value` must be; without it, the question's answer
-  Span span;
-};
-
-struct Question {
-  enum class Kind { numeric, choice };
-  Kind kind = Kind::numeric;
-  Document text;
-  std::vector<Document> options;
-  double answer = 0;  // the number, or the index of the right option
-  Span answer_span;
-  double tolerance = 0;
-  std::string unit;
-  Document explanation;
-  std::vector<Proof> proofs;
-  Span span;
-};
-
-// ```quiz
-struct Quiz {
-  std::string id, title;
-  std::vector<Question> questions;
 };
 
 // Shown by its neighbour: the "Output:" paragraph and the output below an example.

@@ -166,7 +166,9 @@ void JsonObject::finish() {
   for (const JsonMember& member : value_.members) {
     const std::string& key = member.key.text;
     if (std::find(asked_.begin(), asked_.end(), key) != asked_.end()) continue;
-    reading_.error("E-json-key", member.key.span(), "a " + what_ + " has no key \"" + key + "\"",
+    const std::string article =
+        std::string("aeiou").find(what_[0]) != std::string::npos ? "an " : "a ";
+    reading_.error("E-json-key", member.key.span(), article + what_ + " has no key \"" + key + "\"",
                    suggest(key, asked_));
   }
 }

@@ -58,6 +58,8 @@ class PageWriter {
   nlohmann::json data_of(const Quiz& quiz, std::size_t index);
   nlohmann::json data_of(const Question& question, const QuestionResult& result,
                          const std::string& id, std::size_t number);
+  void add_options(const Question& question, nlohmann::json& data);
+  void add_items(const Question& question, nlohmann::json& data);
   nlohmann::json data_of(const Io& io) const;
   nlohmann::json data_of(const Callout& callout, const std::string& inner) const;
   std::string render(const std::string& name, const nlohmann::json& data);

@@ -9,7 +9,7 @@ interface LabHandle {
 }
 
 interface LabCode {
-  openLab(element: HTMLElement): Promise<LabHandle>;
+  readonly openLab: (element: HTMLElement) => Promise<LabHandle>;
 }
 
 const near = "300px";

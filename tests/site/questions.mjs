@@ -11,14 +11,14 @@ await testSite(async (visitor) => {
         for (const question of await page.locator(".quiz .question").all()) {
           ++count;
           const where = `${path} ${await question.getAttribute("id")}`;
-          const answer = question.locator("details > .right");
-          const explanation = question.locator("details > .explain");
+          const answer = question.locator("details.answer > .right").first();
+          const explanation = question.locator("details.answer > .explain");
           visitor.expect(
             !(await answer.isVisible()),
             where,
             "the answer shows before it is asked for",
           );
-          await question.locator("details > summary").click();
+          await question.locator("details.answer > summary").click();
           for (const part of [answer, explanation]) {
             const text = (await part.isVisible()) ? (await part.innerText()).trim() : "";
             visitor.expect(
@@ -28,7 +28,7 @@ await testSite(async (visitor) => {
             );
           }
           visitor.expect(
-            (await question.locator("details > .mark").count()) === 1,
+            (await question.locator("details.answer > .mark").count()) === 1,
             where,
             "does not say whether the answer is proved",
           );

@@ -1,80 +1,60 @@
-// A knowledge check answers back: wrong and right in words, again for free, remembered, forgotten.
+// A knowledge check answers back: wrong and right in words, with the hint and what the author has to
+// say of an option; again for free; remembered, and forgotten.
+//
+//   node tests/site/quiz.mjs SITE KIND…
+//
+// The site must have questions of these kinds. They are answered with the keyboard alone; an order is
+// also tried with the pointer.
 
 import { pages, testSite } from "./browser.mjs";
+import { Trial } from "./question-trial.mjs";
 
-// Every way in which a reader may write the right number.
-const spellings = (key) => [key, `${key},0`, `${key}.0`, `${key}e0`, ` ${key} `, `+${key}`];
+const wanted = process.argv.slice(3);
 
 await testSite(async (visitor) => {
-  let count = 0;
+  const met = new Set();
   for (const path of pages) {
     await visitor.visit(path, {}, async (page) => {
-      for (const question of await page.locator(".quiz .question").all()) {
-        ++count;
-        await tryQuestion(visitor, page, question, path);
+      const questions = await page.locator(".quiz .question").all();
+      for (const question of questions) {
+        const trial = await Trial.of(question, page, path, visitor);
+        met.add(trial.kind);
+        await trial.run();
       }
-      if ((await page.locator(".quiz").count()) > 0) await tryMemory(visitor, page, path);
+      if (questions.length > 0) await tryMemory(visitor, page, path);
     });
   }
-  visitor.expect(count > 0, "the site", "there are no questions");
+  for (const kind of wanted) visitor.expect(met.has(kind), "the site", `has no ${kind} question`);
 });
-
-async function tryQuestion(visitor, page, question, path) {
-  const where = `${path} ${await question.getAttribute("id")}`;
-  const { kind, key } = await question.evaluate((form) => ({ ...form.dataset }));
-  const status = question.getByRole("status");
-  const explanation = question.locator(".explain");
-  const says = async (words, after) => {
-    const text = await status.innerText();
-    visitor.expect(text.includes(words), where, `after ${after} it says "${text}"`);
-  };
-
-  if (kind === "numeric") {
-    const field = question.getByRole("textbox");
-    for (const [given, words] of [
-      ["-7", "Not yet"],
-      ["−7", "Not yet"],
-      ["seven", "not a number"],
-    ]) {
-      await field.fill(given);
-      await field.press("Enter");
-      await says(words, given);
-    }
-    visitor.expect(!(await explanation.isVisible()), where, "a wrong answer opens the explanation");
-    for (const spelling of spellings(key)) {
-      await field.fill(spelling);
-      visitor.expect((await status.innerText()) === "", where, "an old verdict stays");
-      await field.press("Enter");
-      await says("Right", spelling);
-    }
-  } else {
-    const options = await question.getByRole("radio").all();
-    const values = await Promise.all(options.map((option) => option.getAttribute("value")));
-    // With the keyboard: the arrow keys go through the options, and Enter checks.
-    await options[0].focus();
-    await page.keyboard.press("Space");
-    for (const value of values) {
-      await page.keyboard.press("Enter");
-      await says(value === key ? "Right" : "Not yet", value);
-      await page.keyboard.press("ArrowDown");
-    }
-    await question.locator(`input[value="${key}"]`).check();
-    await question.getByRole("button", { name: "Check" }).click();
-    await says("Right", key);
-  }
-  visitor.expect(await explanation.isVisible(), where, "a right answer explains nothing");
-}
 
 async function tryMemory(visitor, page, path) {
   const verdicts = () => page.locator('.question[data-verdict="right"]').count();
+  const visible = (selector) => page.locator(selector).filter({ visible: true }).count();
+  const reload = async () => {
+    await page.waitForLoadState("networkidle"); // what a reload breaks off counts as failed
+    await page.reload();
+  };
   const all = await page.locator(".question").count();
-  await page.waitForLoadState("networkidle"); // what a reload breaks off counts as failed
-  await page.reload();
+  const hints = await page.locator("details.hint").count();
+  const orders = () => page.locator("li[data-letter]").evaluateAll((l) => l.map((i) => i.id));
+  await reload();
+  const sorted = await orders();
   visitor.expect((await verdicts()) === all, path, "a reload forgets the answers");
+  visitor.expect((await visible(".explain")) === all, path, "a reload folds the answers");
+  visitor.expect((await visible(".hint > div")) === hints, path, "a reload takes back a hint");
   await page.getByRole("button", { name: "Forget my answers" }).click();
-  visitor.expect((await verdicts()) === 0, path, "the answers are not forgotten");
-  await page.waitForLoadState("networkidle");
-  await page.reload();
-  visitor.expect((await verdicts()) === 0, path, "forgotten answers come back");
-  visitor.expect((await page.locator("input:checked").count()) === 0, path, "an option is chosen");
+  for (const again of [false, true]) {
+    if (again) await reload();
+    const when = again ? "after a reload" : "at once";
+    const forgotten = async (good, what) => visitor.expect(good, path, `${what} ${when}`);
+    await forgotten((await verdicts()) === 0, "the answers are not forgotten");
+    await forgotten((await visible(".explain")) === 0, "the answers stay unfolded");
+    await forgotten((await visible(".hint")) === 0, "the hints stay");
+    await forgotten((await page.locator("input:checked").count()) === 0, "an option is chosen");
+    const shuffled = (await orders()).join() !== sorted.join() || sorted.length === 0;
+    await forgotten(shuffled, "the items stay in order");
+    const kept = await page.evaluate(() => Object.keys(localStorage));
+    const answers = kept.filter((key) => key.startsWith("mjcourse.answer"));
+    await forgotten(answers.length === 0, `the browser keeps ${answers}`);
+  }
 }

@@ -1,91 +1,110 @@
 // One question, from a form that only shows to one that answers back.
 //
-// Right or wrong is said in words, in a status line; a right answer opens the explanation. Trying
-// again is free. The form's data-key is what is right, data-tolerance by how much a number may differ.
+// Right or wrong is said in words; a wrong answer brings the hint, a right one the explanation.
+// Trying again is free, and so is giving up: the answer is there to be unfolded from the first.
 
-import { recallAnswer, rememberAnswer } from "./answers.js";
-import { parseNumber } from "./number.js";
-
-type Verdict = "right" | "wrong" | "unclear" | "none";
-
-const words: Readonly<Record<Verdict, string>> = {
-  right: "Right.",
-  wrong: "Not yet: try again.",
-  unclear: "That is not a number: write it as 30, 3e1 or 0.5.",
-  none: "",
-};
+import { noAnswer, recallAnswer, rememberAnswer, type Answer } from "./answers.js";
+import { judge } from "./judge.js";
+import { Sortable } from "./sortable.js";
+import { VerdictLine } from "./verdict.js";
 
 export class Question {
   readonly #form: HTMLFormElement;
-  readonly #status = document.createElement("p");
+  readonly #verdict: VerdictLine;
+  readonly #sortable: Sortable | undefined;
+  readonly #hint: HTMLDetailsElement | null;
+  readonly #solution: HTMLDetailsElement | null;
+  #answer: Answer;
 
   constructor(form: HTMLFormElement) {
     this.#form = form;
-    const row = document.createElement("div");
-    row.className = "check";
-    const button = document.createElement("button");
-    button.textContent = "Check";
-    this.#status.className = "verdict";
-    this.#status.setAttribute("role", "status");
-    row.append(button, this.#status);
-    form.querySelector("fieldset")?.after(row);
+    this.#verdict = new VerdictLine(form);
+    this.#hint = form.querySelector<HTMLDetailsElement>("details.hint");
+    this.#solution = form.querySelector<HTMLDetailsElement>("details.answer");
+    this.#sortable = this.#makeSortable();
+    this.#addButton();
 
     form.addEventListener("submit", (event) => {
       event.preventDefault();
       this.#answered();
     });
     // An old verdict must not stand beside a new answer.
-    form.addEventListener("input", () => this.#say("none"));
-    const before = recallAnswer(form.id);
-    if (before !== null) this.#restore(before);
+    form.addEventListener("input", () => this.#verdict.say("none"));
+    this.#answer = recallAnswer(form.id);
+    this.#restore();
+    this.#solution?.addEventListener("toggle", () => {
+      this.#keep({ shown: this.#solution?.open ?? false });
+    });
   }
 
   forget(): void {
-    rememberAnswer(this.#form.id, null);
+    this.#keep(noAnswer);
     this.#form.reset();
-    this.#say("none");
-    this.#explain(false);
+    this.#sortable?.arrange();
+    this.#verdict.say("none");
+    this.#unfold();
   }
 
-  /** What is entered or chosen; "" for nothing. */
-  get #given(): string {
-    const given = new FormData(this.#form).get(this.#form.id);
-    return typeof given === "string" ? given.trim() : "";
+  #makeSortable(): Sortable | undefined {
+    const list = this.#form.querySelector<HTMLUListElement>("ul.items");
+    if (!list) return undefined;
+    return new Sortable(list, this.#form.id, (place, count) =>
+      this.#verdict.tell(`Now in place ${place} of ${count}.`),
+    );
   }
 
-  #judge(given: string): Verdict {
-    if (given === "") return "none";
-    const { kind, key, tolerance } = this.#form.dataset;
-    if (kind !== "numeric") return given === key ? "right" : "wrong";
-    const value = parseNumber(given);
-    if (value === undefined) return "unclear";
-    // Decimals are not exact in binary: a tolerance of 0 still allows for that.
-    const right = Number(key);
-    const allowed = Number(tolerance) + 1e-12 * Math.max(1, Math.abs(right));
-    return Math.abs(value - right) <= allowed ? "right" : "wrong";
+  #addButton(): void {
+    const row = document.createElement("div");
+    row.className = "check";
+    const button = document.createElement("button");
+    button.textContent = "Check";
+    row.append(button, this.#verdict.element);
+    this.#form.querySelector("fieldset")?.after(row);
+  }
+
+  /** What is entered, chosen or put in order; empty for nothing. */
+  get #given(): string[] {
+    const parts = new FormData(this.#form).getAll(this.#form.id);
+    return parts
+      .filter((part) => typeof part === "string")
+      .map((part) => part.trim())
+      .filter((part) => part !== "");
   }
 
   #answered(): void {
     const given = this.#given;
-    const verdict = this.#judge(given);
-    this.#say(verdict);
-    if (verdict === "right" || verdict === "wrong") rememberAnswer(this.#form.id, given);
-    if (verdict === "right") this.#explain(true);
+    const verdict = judge(this.#form, given);
+    const hinted = verdict === "wrong" && this.#hint !== null && !this.#answer.missed;
+    this.#verdict.say(verdict, given, hinted);
+    if (verdict !== "right" && verdict !== "wrong") return;
+    const missed = this.#answer.missed || verdict === "wrong";
+    this.#keep({ given, missed, shown: this.#answer.shown || verdict === "right" });
+    this.#unfold();
   }
 
-  #restore(given: string): void {
-    const field = this.#form.elements.namedItem(this.#form.id);
-    if (field instanceof HTMLInputElement || field instanceof RadioNodeList) field.value = given;
-    this.#say(this.#judge(given));
+  #restore(): void {
+    const { given } = this.#answer;
+    for (const field of this.#form.elements) {
+      if (!(field instanceof HTMLInputElement) || field.name !== this.#form.id) continue;
+      if (field.type === "text") field.value = given[0] ?? "";
+      else if (field.type !== "hidden") field.checked = given.includes(field.value);
+    }
+    if (given.length > 0) this.#sortable?.arrange(given);
+    this.#verdict.say(judge(this.#form, given), given);
+    this.#unfold();
   }
 
-  #say(verdict: Verdict): void {
-    this.#form.dataset["verdict"] = verdict;
-    this.#status.textContent = words[verdict];
+  #keep(change: Partial<Answer>): void {
+    this.#answer = { ...this.#answer, ...change };
+    rememberAnswer(this.#form.id, this.#answer);
   }
 
-  #explain(open: boolean): void {
-    const answer = this.#form.querySelector("details");
-    if (answer) answer.open = open;
+  /** Shows the hint once it was earned, and the answer once it was found or asked for. */
+  #unfold(): void {
+    if (this.#hint) {
+      this.#hint.hidden = !this.#answer.missed;
+      this.#hint.open = true;
+    }
+    if (this.#solution) this.#solution.open = this.#answer.shown;
   }
 }

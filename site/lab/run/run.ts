@@ -328,6 +328,7 @@ export class Run {
     this.#pair.operate(work);
     // a keyframe is another start
     if (this.time < time) this.#timeline.startAnew(this.#pair);
+    if (this.#pair.ghost) this.#timeline.ghostArrived(this.#pair.ghost);
     this.#arrived();
     if (this.trouble === undefined) this.#timeline.keepOperation(this.#pair, this.#circumstances);
   }

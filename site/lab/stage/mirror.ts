@@ -15,6 +15,7 @@ import { square } from "./shapes.js";
 
 export class Mirror {
   private readonly scene = new Scene();
+  /** The top of a box. */
   private readonly lid: Kind = {
     id: -1,
     type: geomTypes.box,
@@ -23,7 +24,8 @@ export class Mirror {
     map: undefined,
     extent: undefined,
   };
-  private readonly outlines = new Map<Kind, Instances>();
+  private readonly sheet = square(1, 1);
+  private readonly outlines = new Map<number, Instances>();
   private readonly material = depthMaterial({
     depthTest: false,
     depthWrite: false,
@@ -44,7 +46,8 @@ export class Mirror {
     const isBox = geom.type[0] === geomTypes.box;
     const top = isBox ? geom.size[2]! : 0;
     if (heightAbove(geom, eye.position) < top) return;
-    this.outline(geom, isBox ? this.lid : this.kinds.of(geom)!);
+    // A plane is cut into many pieces for the light's sake, which its outline does not need.
+    this.outline(geom, isBox ? this.lid : { ...this.kinds.of(geom)!, shape: this.sheet });
     renderer.render(this.scene, eye.camera);
 
     const { cast, materials, gaze } = this;
@@ -70,10 +73,10 @@ export class Mirror {
 
   /** Leaves the outline of `geom` alone on the scene. */
   private outline(geom: Geom, kind: Kind): void {
-    let outline = this.outlines.get(kind);
+    let outline = this.outlines.get(kind.id);
     if (outline === undefined) {
       outline = new Instances(kind, [this.material], new Matrix4());
-      this.outlines.set(kind, outline);
+      this.outlines.set(kind.id, outline);
       this.scene.add(...outline.meshes);
     }
     for (const other of this.outlines.values()) {

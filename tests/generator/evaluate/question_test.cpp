@@ -18,6 +18,17 @@ std::string choice(const std::string& answer, const std::string& proofs) {
          "]}]}\n```\n";
 }
 
+std::string several(const std::string& answer, const std::string& proofs) {
+  return "```quiz\n{\"id\": \"q\", \"questions\": [{\"kind\": \"multi\", \"answer\": " + answer +
+         ", \"q\": \"?\", \"options\": [\"one\", \"two\", \"three\"], \"verify\": [\n" + proofs +
+         "]}]}\n```\n";
+}
+std::string order(const std::string& proofs) {
+  return "```quiz\n{\"id\": \"q\", \"questions\": [{\"kind\": \"order\", \"q\": \"?\", "
+         "\"items\": [\"one\", \"`two`\", \"three\"], \"verify\": [\n" +
+         proofs + "]}]}\n```\n";
+}
+
 // "built | expression | value" of each proof of the only question.
 std::string proofs_of(const EvaluationOf& evaluation) {
   std::string text = evaluation.mistakes();
@@ -35,11 +46,11 @@ TEST(Question, IsProvedByBuildingWhatItDescribes) {
     {"mjcf": ["<mujoco>", "</mujoco>"], "run": ["const a = 3;"], "value": "a + 5"},
     {"model": "ball", "value": "model.nv", "equals": 7})"));
   EXPECT_EQ(proofs_of(found),
-            "ball | model.nq | 8\n"
-            "1 hinge and 1 free joints | model.nq | 8\n"
-            "2 ball joints | model.nq | 8\n"
+            "ball.xml | model.nq | 8\n"
+            "a model with 1 hinge and 1 free joints | model.nq | 8\n"
+            "a model with 2 ball joints | model.nq | 8\n"
             "the model in the question | a + 5 | 8\n"
-            "ball | model.nv | 7\n");
+            "ball.xml | model.nv | 7\n");
   EXPECT_TRUE(found.result<QuizResult>().questions[0].proved);
   EXPECT_EQ(found.tally().answers_proved, 1);
 }
@@ -48,15 +59,20 @@ TEST(Question, MayRunAScriptAndTheClockFirst) {
   EXPECT_EQ(proofs_of(EvaluationOf(number(
                 "2.5", R"({"model": "ball", "run": "data.qvel[0] = 2; model.opt.gravity[2] = 0",
                            "seconds": 1.25, "value": "qpos('free')[0]"})"))),
-            "ball | qpos('free')[0] | 2.5\n");
+            "ball.xml | qpos('free')[0] | 2.5\n");
 }
 
 TEST(Question, AllowsForItsToleranceAndForBinary) {
   EXPECT_EQ(evaluated_mistakes(number("0.1", R"j({"model": "ball", "value": "0.3 - 0.2"})j")), "");
-  const std::string tolerant = R"j("tol": 0.5, )j";
-  std::string question = number("8.5", R"j({"model": "ball", "value": "model.nq"})j");
-  question.insert(question.find("\"q\": \"?\""), tolerant);
-  EXPECT_EQ(evaluated_mistakes(question), "");
+  const auto tolerant = [](const std::string& answer, const std::string& tolerance) {
+    std::string question = number(answer, R"j({"model": "ball", "value": "model.nq"})j");
+    question.insert(question.find("\"q\": \"?\""), "\"tol\": " + tolerance + ", ");
+    return evaluated_mistakes(question);
+  };
+  EXPECT_EQ(tolerant("8.5", "0.5"), "");
+  EXPECT_EQ(tolerant("10", "\"20%\""), "");
+  EXPECT_NE(tolerant("10", "\"19%\""), "");
+  EXPECT_EQ(tolerant("-10", "180"), "");
 }
 
 TEST(Question, WithAWrongAnswerIsAnError) {
@@ -99,7 +115,7 @@ TEST(Question, IsOnlyAssertedWithoutAProofOfItsAnswer) {
 TEST(Choice, IsProvedWhenOnlyTheRightOptionHolds) {
   EXPECT_EQ(proofs_of(EvaluationOf(
                 choice("1", R"({"model": "ball", "options": ["false", "model.nq == 8"]})"))),
-            "ball |  | two\n");
+            "ball.xml |  | 1 (\"two\")\n");
 }
 
 TEST(Choice, OfWhichTwoOptionsHoldIsAnError) {
@@ -131,6 +147,83 @@ TEST(Choice, StartsAfreshForEachOption) {
                 choice("1", R"j({"model": "ball", "run": "step(1)", "options": ["data.time > 0.003",
                                                                        "data.time > 0.001"]})j")),
             "");
+}
+
+TEST(Several, AreProvedWhenExactlyTheyHold) {
+  EXPECT_EQ(proofs_of(EvaluationOf(several(
+                "[2, 0]", R"({"model": "ball", "options": ["true", "model.nq == 7", "true"]})"))),
+            "ball.xml |  | 0 (\"one\") and 2 (\"three\")\n");
+}
+
+TEST(Several, OfWhichOneMoreHoldsIsAnError) {
+  EXPECT_EQ(
+      evaluated_mistakes(
+          several("[0]", R"({"model": "ball", "options": ["true", "false", "true"]})")),
+      R"(content/1-a/1.1-x.md:5:55: error: the answer is given as option 0 ("one"), but the build finds 0 ("one") and 2 ("three") [E-quiz-answer]
+  5 | …: [{"kind": "multi", "answer": [0], "q": "?", "options": ["one", "two", "three"], "verify": [
+    |                                 ^~~
+  note: content/1-a/1.1-x.md:6:49: this holds for ball
+  6 | {"model": "ball", "options": ["true", "false", "true"]}]}]}
+    |                                                 ^~~~
+)");
+}
+
+TEST(Several, OfWhichOneDoesNotHoldIsAnError) {
+  EXPECT_EQ(
+      evaluated_mistakes(
+          several("[0, 1, 2]", R"({"model": "ball", "options": ["true", "false", "true"]})")),
+      R"(content/1-a/1.1-x.md:5:55: error: the answer is given as options 0 ("one"), 1 ("two") and 2 ("three"), but the build finds 0 ("one") and 2 ("three") [E-quiz-answer]
+  5 | …: [{"kind": "multi", "answer": [0, 1, 2], "q": "?", "options": ["one", "two", "three"], "veri…
+    |                                 ^~~~~~~~~
+  note: content/1-a/1.1-x.md:6:40: this does not hold for ball
+  6 | {"model": "ball", "options": ["true", "false", "true"]}]}]}
+    |                                        ^~~~~
+)");
+}
+
+TEST(Order, IsProvedByNumbersThatGrow) {
+  EXPECT_EQ(proofs_of(EvaluationOf(order(
+                R"({"model": "ball", "run": "step(1);", "values": ["-1", "data.time", "model.nq"]},
+                   {"joints": {"free": 1}, "value": "model.nv", "equals": 6})"))),
+            "ball.xml |  | -1 < 0.002 < 8\n"
+            "a model with 1 free joint | model.nv | 6\n");
+}
+
+TEST(Order, StartsAfreshForEachItem) {
+  EXPECT_EQ(proofs_of(EvaluationOf(order(
+                R"({"model": "ball", "run": "step(1);", "values": ["data.time", "2 * data.time",
+                    "3 * data.time"]})"))),
+            "ball.xml |  | 0.002 < 0.004 < 0.006\n");
+}
+
+TEST(Order, OfWhichTheNumbersDoNotGrowIsAnError) {
+  EXPECT_EQ(
+      evaluated_mistakes(order(R"({"joints": {"ball": 1}, "values": ["3", "model.nq", "-0.5"]})")),
+      R"(content/1-a/1.1-x.md:5:65: error: the order is given as "one", "two", "three", but the build finds "three", "one", "two" [E-quiz-answer]
+  5 | …q", "questions": [{"kind": "order", "q": "?", "items": ["one", "`two`", "three"], "verify": [
+    |                                                          ^~~~~
+  note: content/1-a/1.1-x.md:6:37: in that order they are -0.5, 3 and 4 for 1 ball joint
+  6 | {"joints": {"ball": 1}, "values": ["3", "model.nq", "-0.5"]}]}]}
+    |                                     ^
+)");
+}
+
+TEST(Order, OfTwoEqualNumbersIsAnError) {
+  EXPECT_EQ(
+      evaluated_mistakes(order(R"({"model": "ball", "values": ["1", "0.1 + 0.2", "0.3"]})")),
+      R"(content/1-a/1.1-x.md:5:72: error: the order is given as "one", "two", "three", but the build finds "three" and "two" equal [E-quiz-answer]
+  5 | …q", "questions": [{"kind": "order", "q": "?", "items": ["one", "`two`", "three"], "verify": [
+    |                                                                 ^~~~~~~
+  note: content/1-a/1.1-x.md:6:36: both are 0.3 for ball
+  6 | {"model": "ball", "values": ["1", "0.1 + 0.2", "0.3"]}]}]}
+    |                                    ^~~~~~~~~
+)");
+}
+
+TEST(Order, IsAssertedWithoutAProofOfIt) {
+  const EvaluationOf found(order(R"({"model": "ball", "value": "model.nv", "equals": 7})"));
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_EQ(found.tally().answers_asserted, 1);
 }
 
 TEST(Proof, ShowsAMistakeInItsScriptAtItsLine) {

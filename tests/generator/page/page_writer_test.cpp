@@ -68,5 +68,44 @@ TEST_F(PageWriterTest, ShowsAnOutputOnlyWithItsExample) {
   EXPECT_TRUE(html.ends_with("<p>After.</p>\n")) << html;
 }
 
+// The page of a quiz with one question.
+std::string quiz(const std::string& question) {
+  return "```quiz\n{\"id\": \"q.1\", \"questions\": [" + question + "]}\n```\n";
+}
+
+void expect_in(const std::string& html, const std::string& part) {
+  EXPECT_NE(html.find(part), std::string::npos) << "no " << part << "\n" << html;
+}
+
+TEST_F(PageWriterTest, SaysHowFarANumberMayBeOff) {
+  const std::string percent =
+      body(quiz(R"({"kind": "numeric", "q": "?", "answer": -40, "tol": "2.5%", "unit": "N"})"));
+  expect_in(percent, "data-kind=\"numeric\" data-key=\"-40\" data-tolerance=\"1\"");
+  expect_in(percent, ">Your answer, to within 2.5\u00a0%</label>");
+  expect_in(body(quiz(R"({"kind": "numeric", "q": "?", "answer": 4, "tol": 0.5, "unit": "N"})")),
+            ">Your answer, to within 0.5\u00a0N</label>");
+  expect_in(body(quiz(R"({"kind": "numeric", "q": "?", "answer": 4})")), ">Your answer</label>");
+}
+
+TEST_F(PageWriterTest, KeepsWhatThereIsToSayOfAnOptionInTheAnswer) {
+  const std::string html = body(quiz(R"({"kind": "multi", "q": "?", "answer": [2, 0], "hint": "*h*",
+    "options": ["a", {"text": "b", "feedback": "No `b`."}, "c"]})"));
+  expect_in(html, "data-key=\"A C\"");
+  expect_in(html, "<p class=\"right\"><strong>A. a</strong></p>");
+  expect_in(html, "<p class=\"right\"><strong>C. c</strong></p>");
+  expect_in(html, "<div><p><em>h</em></p>\n</div>");
+  expect_in(html,
+            "<li data-option=\"B\"><span class=\"letter\">B</span> <div><p>No <code>b</code>.");
+  EXPECT_EQ(html.find("data-option=\"A\""), std::string::npos) << html;
+}
+
+TEST_F(PageWriterTest, MixesTheItemsOfAnOrder) {
+  const std::string html = body(quiz(R"({"kind": "order", "q": "?", "items": ["a", "b", "*c*"]})"));
+  expect_in(html, "data-key=\"B A C\"");
+  expect_in(html, "data-letter=\"A\"><span class=\"item\" id=\"quiz-q-1-1-A-text\">b</span></li>");
+  expect_in(html, "data-letter=\"B\"><span class=\"item\" id=\"quiz-q-1-1-B-text\">a</span></li>");
+  expect_in(html, "<ol class=\"right\">\n<li>a</li>\n<li>b</li>\n<li><em>c</em></li>\n</ol>");
+}
+
 }  // namespace
 }  // namespace mjcourse

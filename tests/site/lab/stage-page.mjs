@@ -62,9 +62,7 @@ function difference(a, b) {
   if (a.length !== b.length) return { mean: 255, far: 1 };
   let [sum, far] = [0, 0];
   for (let i = 0; i < a.length; i += 4) {
-    const off =
-      [0, 1, 2].reduce((total, k) => total + Math.abs(a[i + k] - b[i + k]), 0) /
-      3;
+    const off = [0, 1, 2].reduce((total, k) => total + Math.abs(a[i + k] - b[i + k]), 0) / 3;
     sum += off;
     if (off > 24) ++far;
   }
@@ -85,8 +83,7 @@ function withOverlays(names) {
 
 // What the overlay `name` changes; for those that only name what another shows, beside that one.
 function overlayChanges(name) {
-  const others =
-    { "force-labels": ["forces"], "joint-labels": ["joints"] }[name] ?? [];
+  const others = { "force-labels": ["forces"], "joint-labels": ["joints"] }[name] ?? [];
   return difference(withOverlays(others), withOverlays([...others, name])).mean;
 }
 
@@ -116,9 +113,7 @@ async function loseContext() {
   const before = pixels(canvas);
   const extension = webgl.getExtension("WEBGL_lose_context");
   const heard = (type) =>
-    new Promise((resolve) =>
-      webgl.canvas.addEventListener(type, resolve, { once: true }),
-    );
+    new Promise((resolve) => webgl.canvas.addEventListener(type, resolve, { once: true }));
   const lost = heard("webglcontextlost");
   extension.loseContext();
   await lost;
@@ -156,5 +151,5 @@ Object.assign(window, {
   overlayChanges,
   ghostChanges,
 });
-Object.assign(window, { growMemory, loseContext, drawingTime });
+Object.assign(window, { withOverlays, growMemory, loseContext, drawingTime });
 window.overlays = () => scene.overlays;

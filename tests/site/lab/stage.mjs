@@ -51,8 +51,7 @@ async function buildSite(folder, mjcourse) {
 // What the lesson's page says of its labs, with addresses as the stage's page has them.
 async function readLabs(site) {
   const html = await readFile(path.join(site, lesson), "utf8");
-  const attribute = (text, name) =>
-    new RegExp(`\\b${name}="([^"]*)"`).exec(text)?.[1];
+  const attribute = (text, name) => new RegExp(`\\b${name}="([^"]*)"`).exec(text)?.[1];
   return html
     .split("<sim-lab ")
     .slice(1)
@@ -72,7 +71,10 @@ async function testStage(visitor, labs) {
     const expect = (good, what) => visitor.expect(good, "the stage", what);
     await page.waitForFunction(() => "open" in window);
     for (const lab of labs) await tryPoster(page, lab, expect);
-    await page.evaluate((lab) => window.open(lab), labs[2]);
+    await page.evaluate(async (lab) => {
+      await window.open(lab);
+      window.resize(lab.width / 2, lab.height / 2); // software draws small pictures faster
+    }, labs[2]);
     await tryOverlays(page, expect);
     await tryGhost(page, labs[2], expect);
     await trySizesAndMemory(page, labs[2], expect);
@@ -84,10 +86,7 @@ async function testStage(visitor, labs) {
 
 async function tryPoster(page, lab, expect) {
   await page.evaluate((shown) => window.open(shown), lab);
-  const { mean, far } = await page.evaluate(
-    (poster) => window.compare(poster),
-    lab.poster,
-  );
+  const { mean, far } = await page.evaluate((poster) => window.compare(poster), lab.poster);
   const found = `mean difference ${mean.toFixed(2)}, ${(100 * far).toFixed(2)} % of pixels far off`;
   console.log(`${lab.poster}: ${found}`);
   expect(mean <= closest.mean && far <= closest.far, `${lab.poster}: ${found}`);
@@ -97,29 +96,17 @@ async function tryOverlays(page, expect) {
   const names = await page.evaluate(() => window.overlays());
   expect(names.length > 20, `there are ${names.length} overlays`);
   for (const name of names) {
-    const change = await page.evaluate(
-      (overlay) => window.overlayChanges(overlay),
-      name,
-    );
+    const change = await page.evaluate((overlay) => window.overlayChanges(overlay), name);
     expect(change > 0.001, `the overlay ${name} changes nothing`);
   }
 }
 
 async function tryGhost(page, { module }, expect) {
   const changes = (steps) =>
-    page.evaluate(
-      ([address, count]) => window.ghostChanges(address, count),
-      [module, steps],
-    );
-  expect(
-    (await changes(200)) > 0.3,
-    "the ghost of a run elsewhere is not seen",
-  );
+    page.evaluate(([address, count]) => window.ghostChanges(address, count), [module, steps]);
+  expect((await changes(200)) > 0.3, "the ghost of a run elsewhere is not seen");
   // But through what is clear.
-  expect(
-    (await changes(0)) < 0.1,
-    "the ghost of a run at the same place is seen",
-  );
+  expect((await changes(0)) < 0.1, "the ghost of a run at the same place is seen");
 }
 
 async function trySizesAndMemory(page, { width, height, poster }, expect) {
@@ -127,30 +114,20 @@ async function trySizesAndMemory(page, { width, height, poster }, expect) {
     async ([wide, high, address]) => {
       window.resize(0, 0);
       window.draw();
-      window.resize(wide / 2, high / 2);
-      window.draw();
       window.growMemory();
       window.resize(wide, high);
-      window.draw();
+      window.withOverlays(["tendons"]); // as at first
       return window.compare(address);
     },
     [width, height, poster],
   );
-  expect(mean < 255, "a canvas has not the size of its poster again");
+  expect(mean <= closest.mean, `after other sizes, and in another memory, it is off by ${mean}`);
 }
 
 async function tryLoss(page, expect) {
-  const { events, wasLost, isLost, kept, again } = await page.evaluate(() =>
-    window.loseContext(),
-  );
-  expect(
-    wasLost && !isLost,
-    "the stage does not know that its context was lost, or is back",
-  );
-  expect(
-    events.join() === "lost,restored",
-    `of a lost context it told ${events.join()}`,
-  );
+  const { events, wasLost, isLost, kept, again } = await page.evaluate(() => window.loseContext());
+  expect(wasLost && !isLost, "the stage does not know that its context was lost, or is back");
+  expect(events.join() === "lost,restored", `of a lost context it told ${events.join()}`);
   expect(kept === 0, "without a context the last picture does not stay");
   expect(again < 0.01, `with a new context the picture is another by ${again}`);
 }
@@ -159,8 +136,7 @@ const folder = await mkdtemp(path.join(tmpdir(), "mjcourse-stage-"));
 try {
   const site = await buildSite(folder, process.argv[2]);
   const labs = await readLabs(site);
-  if (labs[0].module === undefined)
-    console.log("MuJoCo for the browser was not built");
+  if (labs[0].module === undefined) console.log("MuJoCo for the browser was not built");
   else {
     process.argv[2] = site; // which the browser is shown
     const { testSite } = await import("../browser.mjs");

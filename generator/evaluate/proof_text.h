@@ -1,0 +1,25 @@
+// The words for what a proof builds and finds, in messages and in the page.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lesson/quiz.h"
+
+namespace mjcourse {
+
+// "0.1", "1e+20": as many digits as tell two numbers apart that a lesson would.
+std::string number_text(double value);
+
+// "a", "a and b", "a, b and c"
+std::string listed(const std::vector<std::string>& words);
+
+// How many joints of a kind the proof asks for.
+int joint_count(const Proof& proof, const std::string& kind);
+
+// What the proof builds, as a message names it: "7 hinge, 2 slide and 3 free joints", "pick_place".
+std::string built_text(const Proof& proof);
+// The same as a page names it: "a model with 1 ball joint", "pick_place.xml".
+std::string built_model(const Proof& proof);
+
+}  // namespace mjcourse
