@@ -1,23 +1,11 @@
 // The files a reader's browser loads: one stylesheet with its fonts, one small script, the favicon.
 
-import { readFile } from "node:fs/promises";
 import path from "node:path";
 
 import { build } from "esbuild";
 
+import { cutFonts } from "./fonts.mjs";
 import { manifestOf, targets } from "./manifest.mjs";
-
-// KaTeX's stylesheet names each font in three formats; every browser that runs this site reads WOFF2.
-const katexWoff2Only = {
-  name: "katex-woff2-only",
-  setup(hooks) {
-    hooks.onLoad({ filter: /katex(\.min)?\.css$/ }, async ({ path: file }) => {
-      const css = await readFile(file, "utf8");
-      const older = /,\s*url\([^)]*\.(?:woff|ttf)\)\s*format\(["'](?:woff|truetype)["']\)/g;
-      return { contents: css.replace(older, ""), loader: "css" };
-    });
-  },
-};
 
 // Builds into `out` and returns the manifest: plain name → hashed path below `out`.
 export async function buildPublic(site, out) {
@@ -38,7 +26,7 @@ export async function buildPublic(site, out) {
     charset: "utf8",
     target: targets,
     loader: { ".woff2": "file", ".svg": "copy" },
-    plugins: [katexWoff2Only],
+    plugins: [cutFonts],
     logLevel: "warning",
   });
   return manifestOf(metafile, site, out);

@@ -1,6 +1,13 @@
-// The fonts that a page asks for arrive, and its text and formulas are set in them.
+// The fonts that a page asks for arrive, and its text and formulas are set in them; and they weigh no
+// more than 100 KB together, with everything unfolded.
 
 import { pages, testSite } from "./browser.mjs";
+
+const mostBytes = 100_000;
+
+function unfold() {
+  for (const details of document.querySelectorAll("details")) details.open = true;
+}
 
 // For each family that a page declares from a file: what became of its faces.
 async function faces() {
@@ -11,12 +18,21 @@ async function faces() {
   }));
 }
 
+// The sizes of the files that were loaded.
+const sizes = () =>
+  performance
+    .getEntriesByType("resource")
+    .filter(({ name }) => name.endsWith(".woff2"))
+    .map(({ encodedBodySize }) => encodedBodySize);
+
 const firstFamily = (selector) =>
   getComputedStyle(document.querySelector(selector)).fontFamily.split(",")[0].replaceAll('"', "");
 
 await testSite(async (visitor) => {
   for (const path of pages) {
     await visitor.visit(path, {}, async (page) => {
+      await page.evaluate(unfold);
+      await page.waitForLoadState("networkidle");
       const all = await page.evaluate(faces);
       const loaded = new Set(all.filter((f) => f.status === "loaded").map((f) => f.family));
       for (const selector of ["body", "h1", ".prose p", "pre code", ".katex .mathnormal"]) {
@@ -24,6 +40,11 @@ await testSite(async (visitor) => {
         const family = await page.evaluate(firstFamily, selector);
         visitor.expect(loaded.has(family), path, `${selector} is to be set in ${family}, not here`);
       }
+      const files = await page.evaluate(sizes);
+      const bytes = files.reduce((sum, size) => sum + size, 0);
+      const good = files.length > 0 && files.every((size) => size > 0) && bytes <= mostBytes;
+      visitor.expect(good, path, `${files.length} fonts weigh ${bytes} bytes`);
+      console.log(`${path}: ${files.length} fonts, ${bytes} bytes`);
     });
   }
 });

@@ -8,6 +8,8 @@ function formulas() {
     spoken: formula.querySelectorAll(":scope > .katex-mathml > math").length,
     drawn: formula.querySelectorAll(":scope > .katex-html[aria-hidden='true']").length,
     height: formula.getBoundingClientRect().height,
+    // Roots, arrows and wide accents.
+    drawings: [...formula.querySelectorAll("svg")].map((svg) => svg.getBoundingClientRect().height),
     folded: formula.closest("details:not([open])") !== null,
   }));
 }
@@ -19,9 +21,11 @@ await testSite(async (visitor) => {
   for (const path of pages) {
     await visitor.visit(path, { javaScript: false }, async (page) => {
       for (const error of await page.evaluate(errors)) visitor.complain(path, error);
-      for (const { tex, spoken, drawn, height, folded } of await page.evaluate(formulas)) {
+      for (const formula of await page.evaluate(formulas)) {
+        const { tex, spoken, drawn, height, drawings, folded } = formula;
         ++count;
-        const whole = tex !== "" && spoken === 1 && drawn === 1 && (height > 0 || folded);
+        const seen = folded || (height > 0 && drawings.every((svg) => svg > 1));
+        const whole = tex !== "" && spoken === 1 && drawn === 1 && seen;
         visitor.expect(whole, path, `a formula that is not whole: ${tex}`);
       }
     });

@@ -158,7 +158,7 @@ void main() {
   if (dot(mirror, vec4(place, 1.0)) < 0.0) discard;
   color = vec4(plain, alpha);
 #ifndef CLEAR
-  for (int k = 0; k < 0; k++) {
+  for (int k = 0; k < shadowCount; k++) {
     if (shaded[k] != vec3(0.0)) color.rgb += shaded[k] * seen(k);
   }
 #endif

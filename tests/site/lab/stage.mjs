@@ -121,7 +121,9 @@ async function trySizesAndMemory(page, { width, height, poster }, expect) {
     },
     [width, height, poster],
   );
-  expect(mean <= closest.mean, `after other sizes, and in another memory, it is off by ${mean}`);
+  // MuJoCo moves an infinite plane to where the camera was before: from the second frame on the
+  // corners of the plane, and the light on them, are elsewhere.
+  expect(mean <= 2 * closest.mean, `after other sizes, and in moved memory, it is off by ${mean}`);
 }
 
 async function tryLoss(page, expect) {
