@@ -107,7 +107,7 @@ export class Trial {
       if (!right && ++wrong === 1 && option === "A") await this.missed();
       await this.page.keyboard.press("ArrowDown");
     }
-    await this.question.locator(`input[value="${this.key}"]`).check();
+    await this.question.locator(`input[value="${this.key}"]`).press("Space");
     await this.check();
     await this.says("Right", this.key);
   }
@@ -236,5 +236,9 @@ export class Trial {
     this.expect(text === "Show the answer", `the folded answer is called "${text}"`);
     await summary.press("Enter");
     this.expect(await this.explanation.isVisible(), "the answer does not unfold");
+    // The form is told of it, to remember it, a moment later.
+    await summary.evaluate(
+      () => new Promise((done) => requestAnimationFrame(() => setTimeout(done))),
+    );
   }
 }

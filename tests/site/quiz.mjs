@@ -50,7 +50,10 @@ async function tryMemory(visitor, page, path) {
     await forgotten((await verdicts()) === 0, "the answers are not forgotten");
     await forgotten((await visible(".explain")) === 0, "the answers stay unfolded");
     await forgotten((await visible(".hint")) === 0, "the hints stay");
-    await forgotten((await page.locator("input:checked").count()) === 0, "an option is chosen");
+    await forgotten(
+      (await page.locator(".quiz input:checked").count()) === 0,
+      "an option is chosen",
+    );
     const shuffled = (await orders()).join() !== sorted.join() || sorted.length === 0;
     await forgotten(shuffled, "the items stay in order");
     const kept = await page.evaluate(() => Object.keys(localStorage));
