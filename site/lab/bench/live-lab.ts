@@ -65,7 +65,7 @@ export class LiveLab implements Follower {
     if (playing) this.#lab.querySelector(".lab-play")?.remove();
     this.#transport.refresh();
     this.#head.refresh();
-    this.#trouble.show(run.trouble);
+    this.#trouble.show(run.trouble, run.readingTrouble);
     this.#panel.refresh();
   }
 

@@ -136,25 +136,21 @@ export class Run {
 
   // Readings.
 
-  /** Undefined when the expression gives no number: readoutTrouble() says why. */
-  readout(index: number): number | undefined {
-    return this.#number(this.lab.readouts[index]!.value);
-  }
-
-  readoutTrouble(index: number): ScriptTrouble | undefined {
-    const read = this.#pair.run.scripts.tryNumber(this.lab.readouts[index]!.value);
-    return read instanceof ScriptTrouble ? read : undefined;
-  }
-
   /** The readout as the build prints it, "–" where it gives no number. */
   printed(index: number): string {
-    const value = this.readout(index);
-    return value === undefined ? "–" : fixed(value, this.lab.readouts[index]!.digits);
+    const { value, digits } = this.lab.readouts[index]!;
+    const number = this.#number(value);
+    return number === undefined ? "–" : fixed(number, digits);
   }
 
-  /** The present values of a plot's traces; NaN for what gives no number. */
-  traces(plot: number): readonly number[] {
-    return this.#timeline.traces(this.#pair.run, plot);
+  /** Why the first readout or trace that gives no number gives none. */
+  get readingTrouble(): ScriptTrouble | undefined {
+    const { scripts } = this.#pair.run;
+    for (const { value } of [...this.lab.readouts, ...this.lab.plots.flatMap((p) => p.traces)]) {
+      const read = scripts.tryNumber(value);
+      if (read instanceof ScriptTrouble) return read;
+    }
+    return undefined;
   }
 
   // What moves it.

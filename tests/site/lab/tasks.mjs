@@ -78,6 +78,14 @@ async function tryEditor(lab, expect) {
     const said = await root.locator(".lab-task [role=status]").innerText();
     expect(said === verdict, `to ${text} it says ${said}`);
   }
+
+  // A model without what is read is a model; what cannot be read of it is said.
+  await lab.edit("<mujoco/>");
+  const alert = root.getByRole("alert");
+  await alert.filter({ hasText: "This cannot be read" }).waitFor({ timeout: 30_000 });
+  const words = await alert.innerText();
+  expect(words.includes("model.body_mass[1] is out of range 0..0"), `the alert says ${words}`);
   await lab.press("The lesson’s text again");
+  expect((await alert.innerText()) === "", "the alert stays");
   expect((await lab.reading("mass")) === "1.00", "the lesson's model does not come back");
 }
