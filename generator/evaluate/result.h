@@ -20,9 +20,23 @@ struct FormulaResult {
   std::string markup;
 };
 
+// What a program told its lesson by result(), table() and snapshot() of the helper header, by name.
+using Reported = std::variant<double, std::string, std::vector<double>>;
+struct Records {
+  struct Column {
+    std::string name;
+    std::vector<double> values;
+  };
+  std::map<std::string, Reported> results;
+  std::map<std::string, std::vector<Column>> tables;  // their columns are equally long
+  // The parts of a state by MuJoCo's names of them: "time", "qpos", "mocap_pos" …
+  std::map<std::string, std::map<std::string, std::vector<double>>> snapshots;
+};
+
 struct ExampleResult {
   std::string code;    // as it was compiled
   std::string output;  // its stdout
+  Records records = {};
 };
 
 struct OutputResult {
