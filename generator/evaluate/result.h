@@ -39,6 +39,11 @@ struct ExampleResult {
   Records records = {};
 };
 
+struct ValueResult {
+  std::string text;    // as the page shows it
+  std::string origin;  // "model.nq of joint_zoo.xml"
+};
+
 struct OutputResult {
   int lines = 0;
 };
@@ -86,7 +91,7 @@ struct LabResult {
 
 // One way in which an answer was found, or the reason why none was needed.
 struct ProofResult {
-  std::string built;       // "a model with 7 hinge joints", "pick_place.xml"
+  std::string built;       // "a model with 7 hinge joints", "pick_place.xml", "l1_2_example.cpp"
   std::string expression;  // what was evaluated; empty where each option or item was
   std::string value;       // what it gave; an order's numbers as "1 < 2 < 3"
 };
@@ -94,20 +99,23 @@ struct ProofResult {
 struct QuestionResult {
   bool proved = false;
   std::vector<ProofResult> proofs;
-  std::string because;  // why the answer is only asserted; may be empty
+  bool by_program = false;  // all its proofs are results of examples
+  std::string because;      // why the answer is only asserted; may be empty
 };
 
 struct QuizResult {
   std::vector<QuestionResult> questions;
 };
 
-using Result = std::variant<FormulaResult, ExampleResult, OutputResult, LabResult, QuizResult>;
+using Result =
+    std::variant<FormulaResult, ValueResult, ExampleResult, OutputResult, LabResult, QuizResult>;
 
 // How much was verified; what failed is not counted.
 struct Tally {
   int formulas = 0;
   int programs = 0;
   int outputs = 0;
+  int values = 0;
   int answers_proved = 0;
   int answers_asserted = 0;
   int labs = 0;
