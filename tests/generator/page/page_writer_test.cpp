@@ -63,6 +63,22 @@ TEST_F(PageWriterTest, WritesAValueAsTextThatKnowsItsOrigin) {
   EXPECT_NE(callout.find("Of " + value), std::string::npos) << callout;
 }
 
+TEST_F(PageWriterTest, SaysThatAProgramProvedAnAnswer) {
+  QuestionResult question;
+  question.proved = question.by_program = true;
+  question.proofs = {{"tell.cpp", "ratio", "0.5"}};
+  results_.of_block[0] = ValueResult{"8", "model.nq of zoo.xml"};
+  results_.of_block[1] = QuizResult{{question}};
+  const std::string html = body(
+      "```quiz\n{\"id\": \"q\", \"questions\": [{\"kind\": \"numeric\", \"q\": \"Of `{zoo} x`?\", "
+      "\"answer\": 0.5}]}\n```\n");
+  EXPECT_NE(html.find("proved by running the program</p>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<li><code>ratio</code> is 0.5 in tell.cpp</li>"), std::string::npos) << html;
+  EXPECT_NE(html.find("Of <span class=\"value\" title=\"computed: model.nq of zoo.xml\">8</span>?"),
+            std::string::npos)
+      << html;
+}
+
 TEST_F(PageWriterTest, WritesWhatACalloutHoldsIntoIt) {
   const std::string html = body("> [!pitfall] Of $q$\n> The *body*.\n");
   EXPECT_NE(html.find("Of <span class=\"math\">q</span>"), std::string::npos) << html;
