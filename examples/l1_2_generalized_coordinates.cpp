@@ -59,6 +59,7 @@ void recover_velocity(const Model& model) {
   print("free joint, true qvel           :", true_v.segment<6>(b));
   print("mj_differentiatePos(dt, q0, q1)  :", proper.segment<6>(b));
   print("naive (q1 - q0) / dt, 7 numbers  :", naive.segment<7>(a));
+  result("naive_qz", naive[a + 6]);  // for the lesson's text to quote
 }
 
 void integrate_pose(const Model& model) {

@@ -69,6 +69,16 @@ int main() {
                 compiled_vadr);
     agree = agree && qadr == compiled_qadr && vadr == compiled_vadr;
   }
+
+  // For the lesson's text to quote.
+  const Model zoo = load_model("joint_zoo");
+  const int hinge = id_of(model, mjOBJ_JOINT, "hinge");
+  const int before = id_of(zoo, mjOBJ_JOINT, "hinge");
+  result("nq", model->nq);
+  result("nv", model->nv);
+  result("qpos_shift", model->jnt_qposadr[hinge] - zoo->jnt_qposadr[before]);
+  result("qvel_shift", model->jnt_dofadr[hinge] - zoo->jnt_dofadr[before]);
+
   std::printf("prediction and model agree: %s\n", agree ? "yes" : "no");
   return agree ? 0 : 1;
 }

@@ -26,6 +26,7 @@ std::string tally_text(const Tally& tally) {
   std::vector<std::string> parts;
   add_count(parts, tally.programs, "program run", "programs run");
   add_count(parts, tally.outputs, "output compared", "outputs compared");
+  add_count(parts, tally.values, "value computed", "values computed");
   add_count(parts, tally.answers_proved, "answer proved", "answers proved");
   add_count(parts, tally.answers_asserted, "answer asserted", "answers asserted");
   add_count(parts, tally.labs, "lab rehearsed", "labs rehearsed");

@@ -11,6 +11,7 @@
 #include "evaluate/compiler.h"
 #include "evaluate/example.h"
 #include "evaluate/formula.h"
+#include "evaluate/inline_value.h"
 #include "evaluate/lab.h"
 #include "evaluate/output.h"
 #include "evaluate/question.h"
@@ -84,7 +85,7 @@ class ExampleCrew {
   std::vector<std::jthread> threads_;
 };
 
-// What one lesson's formulas, labs and questions come to.
+// What one lesson's formulas, labs, questions and inline values come to.
 class LessonEvaluator {
  public:
   LessonEvaluator(const Lesson& lesson, Workshop& workshop, Progress& progress,
@@ -95,13 +96,27 @@ class LessonEvaluator {
         results_(results),
         diagnostics_(diagnostics) {}
 
-  void run() {
+  // First what needs no example, then what may quote one.
+  void run_beside_examples() { run(false); }
+  void run_after_examples() { run(true); }
+
+ private:
+  void run(bool quoting) {
     for (std::size_t i = 0; i < lesson_.blocks.size(); ++i) {
-      std::visit([&](const auto& block) { evaluate_block(i, block); }, lesson_.blocks[i]);
+      const Block& block = lesson_.blocks[i];
+      const bool quotes =
+          std::holds_alternative<InlineValue>(block) || std::holds_alternative<Quiz>(block);
+      if (quotes != quoting) continue;
+      std::visit([&](const auto& known) { evaluate_block(i, known); }, block);
     }
   }
 
- private:
+  void evaluate_block(std::size_t index, const InlineValue& value) {
+    auto result = evaluate_value(value, lesson_, workshop_, diagnostics_);
+    if (!result) return;
+    results_.of_block[index] = *std::move(result);
+    ++results_.tally.values;
+  }
   void evaluate_block(std::size_t index, const Math& math) {
     auto result = evaluate_formula(math, lesson_, workshop_, diagnostics_);
     if (!result) return;
@@ -176,20 +191,24 @@ Evaluation evaluate(const Course& course, const std::filesystem::path& root, con
   progress.plan(count_tasks(course));
   ExampleCrew crew(course, root, progress);
   Workshop workshop(course, root, assets);
+  std::vector<LessonEvaluator> evaluators;
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
-    LessonEvaluator(course.lessons[i], workshop, progress, evaluation.lessons[i],
-                    evaluation.diagnostics)
-        .run();
+    evaluators.emplace_back(course.lessons[i], workshop, progress, evaluation.lessons[i],
+                            evaluation.diagnostics);
   }
+  for (LessonEvaluator& evaluator : evaluators) evaluator.run_beside_examples();
   for (Task& task : crew.finish()) {
     LessonResults& results = evaluation.lessons[task.lesson];
+    const auto& example = std::get<Example>(course.lessons[task.lesson].blocks[task.block]);
     if (task.result) {
       results.of_block[task.block] = *std::move(task.result);
       ++results.tally.programs;
     }
+    workshop.reports().add(example.name(), results.get<ExampleResult>(task.block));
     evaluation.diagnostics.insert(evaluation.diagnostics.end(), task.diagnostics.begin(),
                                   task.diagnostics.end());
   }
+  for (LessonEvaluator& evaluator : evaluators) evaluator.run_after_examples();
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
     compare_outputs(course.lessons[i], evaluation.lessons[i], evaluation.diagnostics);
   }

@@ -1,6 +1,7 @@
 #include "evaluate/example.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <regex>
 #include <sstream>
@@ -9,11 +10,14 @@
 
 #include "base/temporary_folder.h"
 #include "evaluate/compile_errors.h"
+#include "evaluate/records.h"
 
 namespace mjcourse {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::uintmax_t kMostRecords = 16 << 20;  // bytes
 
 // The last lines of what a program wrote, for a person to see why it ended.
 std::string tail(std::string_view text) {
@@ -119,6 +123,32 @@ std::optional<LocatedText> code_of(const Example& example, const Lesson& lesson,
   return example.code.text.empty() ? std::nullopt : std::optional(example.code);
 }
 
+// What the program wrote into `file` for its lesson; a fault is shown where the code names the
+// record.
+Records records_in(const fs::path& file, const LocatedText& code, const Example& example,
+                   const Lesson& lesson, Diagnostics& diagnostics) {
+  if (!fs::exists(file)) return {};
+  const auto report = [&](Span span, const std::string& message, const std::string& cure) {
+    diagnostics.push_back(
+        error_at(place_of(*lesson.source, span), "E-example-record", message, cure));
+  };
+  if (fs::file_size(file) > kMostRecords) {
+    report(example.span, "the program reported more than 16 MiB to the lesson",
+           "report what the lesson shows");
+    return {};
+  }
+  std::vector<RecordFault> faults;
+  Records records =
+      read_records(DiskFiles(file.parent_path()).read(file.filename()).value(), faults);
+  for (const RecordFault& fault : faults) {
+    const std::size_t at = code.text.find("\"" + fault.name + "\"");
+    const bool found = !fault.name.empty() && at != code.text.npos && !code.offsets.empty();
+    report(found ? code.span(at, at + fault.name.size() + 2) : example.span, fault.message,
+           fault.cure);
+  }
+  return records;
+}
+
 }  // namespace
 
 std::optional<ExampleResult> evaluate_example(const Example& example, const Lesson& lesson,
@@ -144,7 +174,9 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Less
   command.arguments = {binary.string()};
   command.folder = folder.path() / "run";
   fs::create_directory(command.folder);
-  command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string()};
+  const fs::path records = folder.path() / "records";
+  command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string(),
+                         "MJCOURSE_RECORDS=" + fs::absolute(records).string()};
   command.seconds = example.seconds;
   Outcome outcome = run(command);
   if (std::optional<Diagnostic> wrong = judge(outcome, example)) {
@@ -152,7 +184,8 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Less
     diagnostics.push_back(std::move(*wrong));
     return std::nullopt;
   }
-  return ExampleResult{code->text, std::move(outcome.out)};
+  return ExampleResult{code->text, std::move(outcome.out),
+                       records_in(records, *code, example, lesson, diagnostics)};
 }
 
 }  // namespace mjcourse

@@ -2,7 +2,7 @@
 //
 // Steps: the fence and its file must be the same text; the text is compiled with `#line`, so that
 // the compiler's complaints name the lesson; the program runs in an empty folder of its own, with
-// no input, against the clock; its stdout is the result.
+// no input, against the clock; its stdout is the result, and what it reported to its lesson.
 #pragma once
 
 #include <filesystem>

@@ -42,11 +42,13 @@ int joint_count(const Proof& proof, const std::string& kind) {
 }
 
 std::string built_text(const Proof& proof) {
+  if (!proof.example.text.empty()) return proof.example.text;
   if (!proof.model.text.empty()) return proof.model.text;
   return proof.mjcf.text.empty() ? joints_text(proof) : "the model in the question";
 }
 
 std::string built_model(const Proof& proof) {
+  if (!proof.example.text.empty()) return proof.example.text + ".cpp";
   if (!proof.model.text.empty()) return proof.model.text + ".xml";
   return proof.mjcf.text.empty() ? "a model with " + joints_text(proof) : built_text(proof);
 }

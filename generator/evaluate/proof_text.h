@@ -17,7 +17,8 @@ std::string listed(const std::vector<std::string>& words);
 // How many joints of a kind the proof asks for.
 int joint_count(const Proof& proof, const std::string& kind);
 
-// What the proof builds, as a message names it: "7 hinge, 2 slide and 3 free joints", "pick_place".
+// What the proof builds, or the example that it asks, as a message names it: "7 hinge, 2 slide and
+// 3 free joints", "pick_place".
 std::string built_text(const Proof& proof);
 // The same as a page names it: "a model with 1 ball joint", "pick_place.xml".
 std::string built_model(const Proof& proof);

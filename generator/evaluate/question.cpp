@@ -33,6 +33,7 @@ class Examiner {
  private:
   std::optional<Simulation> build(const Proof& proof);
   bool prove(const Proof& proof, QuestionResult& result);
+  std::optional<double> find_value(const Proof& proof);
   bool prove_value(const Proof& proof, QuestionResult& result);
   bool prove_options(const Proof& proof, QuestionResult& result);
   bool prove_order(const Proof& proof, QuestionResult& result);
@@ -83,12 +84,29 @@ std::optional<Simulation> Examiner::build(const Proof& proof) {
   return workshop_.simulate(described, *lesson_.source, diagnostics_);
 }
 
-bool Examiner::prove_value(const Proof& proof, QuestionResult& result) {
+std::optional<double> Examiner::find_value(const Proof& proof) {
+  if (!proof.example.text.empty()) {
+    const auto reported =
+        workshop_.reports().find(proof.example, proof.value, *lesson_.source, diagnostics_);
+    if (!reported) return std::nullopt;
+    if (const auto* number = std::get_if<double>(&*reported)) return *number;
+    diagnostics_.push_back(error_at(place_of(*lesson_.source, proof.value.span()), "E-proof-value",
+                                    "the result `" + proof.value.text + "` is not a number",
+                                    "report the number by itself"));
+    return std::nullopt;
+  }
   std::optional<Simulation> simulation = build(proof);
-  if (!simulation) return false;
+  if (!simulation) return std::nullopt;
   World world(workshop_.world_bundle(), *simulation, kScriptLimit);
   const auto value = world.number(Program{proof.run.text, proof.seconds, proof.value.text});
-  if (!value) return script_error(value.error(), proof, proof.value);
+  if (value) return *value;
+  script_error(value.error(), proof, proof.value);
+  return std::nullopt;
+}
+
+bool Examiner::prove_value(const Proof& proof, QuestionResult& result) {
+  const std::optional<double> value = find_value(proof);
+  if (!value) return false;
   const double expected = proof.equals.value_or(question_.answer);
   const double allowed = question_.tolerance.around(expected) + rounding(*value);
   if (!(std::abs(*value - expected) <= allowed)) {
@@ -221,6 +239,8 @@ bool Examiner::prove(const Proof& proof, QuestionResult& result) {
 std::optional<QuestionResult> Examiner::run() {
   QuestionResult result;
   bool good = true;
+  result.by_program = std::all_of(question_.proofs.begin(), question_.proofs.end(),
+                                  [](const Proof& proof) { return !proof.example.text.empty(); });
   for (const Proof& proof : question_.proofs) good = prove(proof, result) && good;
   return good ? std::optional(result) : std::nullopt;
 }

@@ -1,4 +1,5 @@
-// Knowledge checks: each answer found again by building what the question describes.
+// Knowledge checks: each answer found again by building what the question describes, or among what
+// an example reported.
 #pragma once
 
 #include <optional>

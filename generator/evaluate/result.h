@@ -20,9 +20,28 @@ struct FormulaResult {
   std::string markup;
 };
 
+// What a program told its lesson by result(), table() and snapshot() of the helper header, by name.
+using Reported = std::variant<double, std::string, std::vector<double>>;
+struct Records {
+  struct Column {
+    std::string name;
+    std::vector<double> values;
+  };
+  std::map<std::string, Reported> results;
+  std::map<std::string, std::vector<Column>> tables;  // their columns are equally long
+  // The parts of a state by MuJoCo's names of them: "time", "qpos", "mocap_pos" …
+  std::map<std::string, std::map<std::string, std::vector<double>>> snapshots;
+};
+
 struct ExampleResult {
   std::string code;    // as it was compiled
   std::string output;  // its stdout
+  Records records = {};
+};
+
+struct ValueResult {
+  std::string text;    // as the page shows it
+  std::string origin;  // "model.nq of joint_zoo.xml"
 };
 
 struct OutputResult {
@@ -72,7 +91,7 @@ struct LabResult {
 
 // One way in which an answer was found, or the reason why none was needed.
 struct ProofResult {
-  std::string built;       // "a model with 7 hinge joints", "pick_place.xml"
+  std::string built;       // "a model with 7 hinge joints", "pick_place.xml", "l1_2_example.cpp"
   std::string expression;  // what was evaluated; empty where each option or item was
   std::string value;       // what it gave; an order's numbers as "1 < 2 < 3"
 };
@@ -80,20 +99,23 @@ struct ProofResult {
 struct QuestionResult {
   bool proved = false;
   std::vector<ProofResult> proofs;
-  std::string because;  // why the answer is only asserted; may be empty
+  bool by_program = false;  // all its proofs are results of examples
+  std::string because;      // why the answer is only asserted; may be empty
 };
 
 struct QuizResult {
   std::vector<QuestionResult> questions;
 };
 
-using Result = std::variant<FormulaResult, ExampleResult, OutputResult, LabResult, QuizResult>;
+using Result =
+    std::variant<FormulaResult, ValueResult, ExampleResult, OutputResult, LabResult, QuizResult>;
 
 // How much was verified; what failed is not counted.
 struct Tally {
   int formulas = 0;
   int programs = 0;
   int outputs = 0;
+  int values = 0;
   int answers_proved = 0;
   int answers_asserted = 0;
   int labs = 0;

@@ -6,6 +6,7 @@ Tally& Tally::operator+=(const Tally& other) {
   formulas += other.formulas;
   programs += other.programs;
   outputs += other.outputs;
+  values += other.values;
   answers_proved += other.answers_proved;
   answers_asserted += other.answers_asserted;
   labs += other.labs;

@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "course/course.h"
+#include "evaluate/reports.h"
 #include "physics/renderer.h"
 #include "physics/simulation.h"
 #include "report/diagnostic.h"
@@ -25,6 +26,9 @@ class Workshop {
   const std::filesystem::path& root() const { return root_; }
   Typesetter& typesetter() { return typesetter_; }
   const std::string& world_bundle() const { return world_bundle_; }
+
+  // Complete once all examples were run.
+  Reports& reports() { return reports_; }
 
   // The off-screen renderer, made at first use; or why there is none.
   tl::expected<Renderer*, std::string> renderer();
@@ -43,6 +47,7 @@ class Workshop {
   std::filesystem::path root_;
   std::string world_bundle_;
   Typesetter typesetter_;
+  Reports reports_;
   std::optional<Renderer> renderer_;
 };
 

@@ -24,6 +24,14 @@ struct Math {
   bool display = false;
 };
 
+// `{joint_zoo} model.nq` or `{l1_2_example} naive_qz :.4f` in a code span: a value of a model in
+// its initial state, or a result that an example reported.
+struct InlineValue {
+  LocatedText source;      // the model's or the example's name
+  LocatedText expression;  // over the model; or the result's name
+  LocatedText format;      // "f", ".4f", "d" …, as in printf; empty for the shortest sensible
+};
+
 // ```cpp file=…: a whole program.
 struct Example {
   LocatedText file;                   // relative to the course: "examples/x.cpp"
@@ -62,6 +70,6 @@ struct Callout {
 // Shown by its neighbour: the "Output:" paragraph and the output below an example.
 struct Shown {};
 
-using Block = std::variant<Math, Example, Output, Io, Callout, Lab, Quiz, Shown>;
+using Block = std::variant<Math, InlineValue, Example, Output, Io, Callout, Lab, Quiz, Shown>;
 
 }  // namespace mjcourse

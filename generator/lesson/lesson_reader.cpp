@@ -8,6 +8,7 @@
 
 #include "lesson/callout.h"
 #include "lesson/fence.h"
+#include "lesson/read_value.h"
 
 namespace mjcourse {
 namespace {
@@ -25,13 +26,6 @@ std::string slug_of(const std::string& text) {
   }
   while (slug.ends_with('-')) slug.pop_back();
   return slug.empty() ? "section" : slug;
-}
-
-// `{joint_zoo} model.nq` in a code span
-bool is_inline_value(std::string_view code) {
-  const std::size_t close = code.find('}');
-  return code.starts_with('{') && close != code.npos && close > 1 && close + 1 < code.size() &&
-         code[close + 1] == ' ';
 }
 
 }  // namespace
@@ -67,6 +61,7 @@ void LessonReader::walk(cmark_node* node, Region& region) {
   if (type == math_inline_type() || type == math_block_type()) return read_math(node, region);
   if (type == CMARK_NODE_BLOCK_QUOTE) read_callout(node);
   if (type == CMARK_NODE_HEADING) read_heading(node, region);
+  if (type == CMARK_NODE_CODE) read_code_span(node, region);
   if (type == CMARK_NODE_LINK) read_link(node, region);
   refuse_inline(node, region);
   // The title of a callout was moved out of the tree, and is walked with it.
@@ -121,6 +116,13 @@ void LessonReader::read_math(cmark_node* node, Region& region) {
   add(node, Math{tex, math.display});
 }
 
+void LessonReader::read_code_span(cmark_node* node, Region& region) {
+  const std::string code = cmark_node_get_literal(node);
+  if (!is_value(code)) return;
+  std::optional<InlineValue> value = read_value(find(code, region), reading_);
+  if (value) add(node, *std::move(value));
+}
+
 void LessonReader::read_link(cmark_node* node, Region& region) {
   // The target stands behind the link's text; a look ahead must not move the cursor past that.
   Region ahead{region.text, region.cursor};
@@ -164,9 +166,6 @@ void LessonReader::refuse_inline(cmark_node* node, Region& region) {
   if (type == CMARK_NODE_IMAGE) {
     text = cmark_node_get_url(node);
     what = "an image";
-  } else if (type == CMARK_NODE_CODE && is_inline_value(cmark_node_get_literal(node))) {
-    text = cmark_node_get_literal(node);
-    what = "an inline value";
   } else if (type == CMARK_NODE_TEXT) {
     const std::string_view literal = cmark_node_get_literal(node);
     const std::size_t open = literal.find("[[");

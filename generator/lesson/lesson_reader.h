@@ -40,6 +40,7 @@ class LessonReader {
   void read_callout(cmark_node* node);
   void read_heading(cmark_node* node, const Region& region);
   void read_math(cmark_node* node, Region& region);
+  void read_code_span(cmark_node* node, Region& region);
   void read_link(cmark_node* node, Region& region);
   void refuse_inline(cmark_node* node, Region& region);
   void read_fence(cmark_node* node);

@@ -28,6 +28,14 @@ Span LocatedText::span_at(int line, int column, int width) const {
   return span(begin, skip_characters(text, begin, width));
 }
 
+LocatedText LocatedText::part(std::size_t begin, std::size_t end) const {
+  LocatedText part{text.substr(begin, end - begin), {}};
+  for (std::size_t at = begin; !offsets.empty() && at <= end; ++at) {
+    part.offsets.push_back(span(at, at).begin);
+  }
+  return part;
+}
+
 void LocatedText::append_line(const LocatedText& more) {
   if (offsets.empty()) {
     *this = more;

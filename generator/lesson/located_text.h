@@ -26,6 +26,9 @@ struct LocatedText {
   }
   Span span() const { return span(0, text.size()); }
 
+  // Bytes [begin, end) of `text`, where they stood.
+  LocatedText part(std::size_t begin, std::size_t end) const;
+
   // The place of `line` and `column` (from 1, in characters) of `text`, `width` characters wide.
   Span span_at(int line, int column, int width) const;
 

@@ -18,10 +18,11 @@ struct Proof {
   std::map<std::string, int> joints;  // kind → how many; or
   LocatedText model;                  // a model of the course; or
   LocatedText mjcf;                   // the model itself; or
+  LocatedText example;                // one whose result is the value; or
   LocatedText because;                // no proof: the reason why the answer is only asserted
   LocatedText run;                    // a script before the value
   double seconds = 0;                 // simulated between `run` and the value
-  LocatedText value;                  // an expression; or
+  LocatedText value;                  // an expression, or the result's name; or
   std::vector<LocatedText> options;   // one for each option: exactly the right ones hold; or
   std::vector<LocatedText> values;    // one for each item: they grow in the right order
   std::optional<double> equals;       // what `value` must be; without it, the question's answer

@@ -65,6 +65,12 @@ Form form_of(Question::Kind kind) {
 std::pair<std::string, std::string> fault_of(const Proof& proof, const Question& question) {
   const Form form = form_of(question.kind);
   const bool listed = question.kind != Question::Kind::numeric;
+  if (!proof.example.text.empty() && !(proof.run.text.empty() && proof.seconds == 0 &&
+                                       proof.options.empty() && proof.values.empty())) {
+    return {
+        "an \"example\" has run already: it takes the name of a result as \"value\", and no script",
+        ""};
+  }
   const auto& expressions = question.kind == Question::Kind::order ? proof.values : proof.options;
   const std::string key = std::string("\"") + form.key + "\"";
   if (!listed && !(proof.options.empty() && proof.values.empty())) {
@@ -103,6 +109,7 @@ std::optional<Proof> read_proof(const JsonValue& value, const Question& question
   proof.joints = read_joints(object.find("joints"), reading);
   proof.model = object.string("model");
   proof.mjcf = object.script("mjcf");
+  proof.example = object.string("example");
   proof.because = object.string("because");
   proof.run = object.script("run");
   proof.seconds = object.number("seconds", 0);
@@ -115,15 +122,16 @@ std::optional<Proof> read_proof(const JsonValue& value, const Question& question
   proof.equals = object.optional_number("equals");
   proof.options = read_expressions(object, "options", reading);
   proof.values = read_expressions(object, "values", reading);
-  object.not_yet("example");
   object.finish();
 
   if (value.kind != JsonValue::Kind::object) return std::nullopt;
   const int sources = (by_joints ? 1 : 0) + (proof.model.text.empty() ? 0 : 1) +
-                      (proof.mjcf.text.empty() ? 0 : 1) + (proof.because.text.empty() ? 0 : 1);
+                      (proof.mjcf.text.empty() ? 0 : 1) + (proof.example.text.empty() ? 0 : 1) +
+                      (proof.because.text.empty() ? 0 : 1);
   std::string wrong, cure;
   if (sources != 1) {
-    wrong = "a proof needs exactly one of \"joints\", \"model\", \"mjcf\" and \"because\"";
+    wrong =
+        "a proof needs exactly one of \"joints\", \"model\", \"mjcf\", \"example\" and \"because\"";
   } else if (proof.because.text.empty()) {
     std::tie(wrong, cure) = fault_of(proof, question);
   }

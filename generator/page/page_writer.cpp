@@ -115,6 +115,12 @@ std::string PageWriter::write_block(std::size_t index, const std::string& inner)
     return math->display ? "<div class=\"math\">" + markup + "</div>\n"
                          : "<span class=\"math\">" + markup + "</span>";
   }
+  if (const auto* value = std::get_if<InlineValue>(&block)) {
+    const auto* result = results_.get<ValueResult>(index);
+    if (result == nullptr) return "<code>" + escape_html(value->expression.text) + "</code>";
+    return "<span class=\"value\" title=\"computed: " + escape_html(result->origin) + "\">" +
+           escape_html(result->text) + "</span>";
+  }
   if (const auto* example = std::get_if<Example>(&block)) {
     return render("example", data_of(*example, index));
   }

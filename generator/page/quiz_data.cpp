@@ -111,6 +111,7 @@ json PageWriter::data_of(const Question& question, const QuestionResult& result,
             {"explain", html(question.explanation)},
             {"remarks", json::array()},
             {"proved", result.proved},
+            {"by_program", result.by_program},
             {"proof", json::array()},
             {"because", result.because}};
   if (kind == Question::Kind::numeric) {

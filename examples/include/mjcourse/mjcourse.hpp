@@ -1,5 +1,6 @@
 // What the course's example programs share: models that free themselves, the
-// state as Eigen vectors, and vectors printed the way the lessons show them.
+// state as Eigen vectors, vectors printed the way the lessons show them, and
+// what a program tells its lesson.
 // Read it once, top to bottom; it is all there is.
 //
 //   const Model model = load_model("joint_zoo");  // models/joint_zoo.xml
@@ -17,10 +18,13 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <initializer_list>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -210,6 +214,100 @@ inline void print(std::string_view label,
 inline void print(std::string_view label, double x) {
   std::printf("%.*s %s\n", static_cast<int>(label.size()), label.data(),
               to_text(x).c_str());
+}
+
+// ---- telling the lesson -----------------------------------------------------
+
+// What a program finds, its lesson can quote: after result("error", x), the
+// lesson's `{name_of_the_program} error` is x. While the lesson is built, the
+// environment variable MJCOURSE_RECORDS names a file, which gets a line of JSON
+// for each record; everywhere else the three reporters below do nothing.
+
+// JSON has no word for what is not finite: it becomes null, which the build of
+// the lesson refuses.
+inline std::string to_json(double x) {
+  char buffer[32];
+  std::snprintf(buffer, sizeof buffer, "%.17g", x);
+  return std::isfinite(x) ? buffer : "null";
+}
+inline std::string to_json(std::string_view text) {
+  std::string json = "\"";
+  for (const char c : text) {
+    char code[8];
+    std::snprintf(code, sizeof code, "\\u%04x", static_cast<unsigned char>(c));
+    const bool special = c == '"' || c == '\\' || (c >= 0 && c < ' ');
+    json += special ? std::string(code) : std::string(1, c);
+  }
+  return json + '"';
+}
+inline std::string to_json(const Eigen::Ref<const Eigen::VectorXd>& vector) {
+  std::string json;
+  for (const double x : vector)
+    json += (json.empty() ? "[" : ", ") + to_json(x);
+  return json.empty() ? "[]" : json + "]";
+}
+
+inline void record(const char* kind, std::string_view name,
+                   const std::string& json) {
+  const char* path = std::getenv("MJCOURSE_RECORDS");
+  if (path == nullptr) return;
+  std::ofstream file(path, std::ios::app);
+  file << "{\"" + std::string(kind) + "\": " + to_json(name) +
+              ", \"value\": " + json + "}\n"
+       << std::flush;
+  if (!file) throw std::runtime_error(std::string("cannot write to ") + path);
+}
+
+// A number, a text or a vector that the lesson may speak of, by a name made of
+// letters, digits and _ that no other result of the program has.
+inline void result(std::string_view name, double x) {
+  record("result", name, to_json(x));
+}
+inline void result(std::string_view name, std::string_view text) {
+  record("result", name, to_json(text));
+}
+inline void result(std::string_view name,
+                   const Eigen::Ref<const Eigen::VectorXd>& vector) {
+  record("result", name, to_json(vector));
+}
+
+// A table for the lesson to plot; its columns have names and are equally long:
+// table("energy", {{"time", t}, {"kinetic", e}}).
+struct Column {
+  Column(std::string_view title, const Eigen::Ref<const Eigen::VectorXd>& v)
+      : name(title), values(v) {}
+  Column(std::string_view title, const std::vector<double>& v)
+      : name(title),
+        values(Eigen::Map<const Eigen::VectorXd>(
+            v.data(), static_cast<Eigen::Index>(v.size()))) {}
+  std::string name;
+  Eigen::VectorXd values;
+};
+inline void table(std::string_view name,
+                  std::initializer_list<Column> columns) {
+  std::string json;
+  for (const auto& [title, values] : columns) {
+    json += json.empty() ? "[" : ", ";
+    json += "[" + to_json(title) + ", " + to_json(values) + "]";
+  }
+  record("table", name, json.empty() ? "[]" : json + "]");
+}
+
+// The state as it is now, for the lesson to draw.
+inline void snapshot(std::string_view name, const mjModel* model,
+                     const mjData* data) {
+  std::string json = "{\"time\": " + to_json(data->time);
+  const auto add = [&](const char* field, const mjtNum* numbers, int count) {
+    json += ", \"" + std::string(field) +
+            "\": " + to_json(Eigen::Map<const Eigen::VectorXd>(numbers, count));
+  };
+  add("qpos", data->qpos, model->nq);
+  add("qvel", data->qvel, model->nv);
+  add("act", data->act, model->na);
+  add("ctrl", data->ctrl, model->nu);
+  add("mocap_pos", data->mocap_pos, 3 * model->nmocap);
+  add("mocap_quat", data->mocap_quat, 4 * model->nmocap);
+  record("snapshot", name, json + "}");
 }
 
 }  // namespace mjcourse

@@ -50,8 +50,8 @@ TEST(Proof, IsReadInEveryForm) {
 
 TEST(Proof, BuildsOneThing) {
   const std::string form =
-      "E-proof-form <{> a proof needs exactly one of \"joints\", \"model\", \"mjcf\" and "
-      "\"because\"\n";
+      "E-proof-form <{> a proof needs exactly one of \"joints\", \"model\", \"mjcf\", "
+      "\"example\" and \"because\"\n";
   EXPECT_EQ(numeric(R"({"value": "1"})"), form);
   EXPECT_EQ(numeric(R"({"model": "a", "joints": {}, "value": "1"})"), form);
   EXPECT_EQ(numeric(R"({"model": "a", "mjcf": "<mujoco/>", "value": "1"})"), form);
@@ -117,10 +117,16 @@ TEST(Proof, IsLeftOutWhenItDoesNotSayWhatToDo) {
   EXPECT_EQ(reading.only<Quiz>().questions[0].proofs.size(), 1u);
 }
 
-TEST(Proof, OfAnExampleIsNotThereYet) {
-  EXPECT_EQ(numeric(R"({"example": "x", "because": "y"})"),
-            "E-not-yet <example> \"example\" belongs to the lesson language, but this version of "
-            "mjcourse cannot do it yet | leave it out for now\n");
+TEST(Proof, OfAnExampleNamesAResult) {
+  EXPECT_EQ(numeric(R"({"example": "x", "value": "y"})"), "");
+  EXPECT_EQ(numeric(R"({"example": "x"})"), "E-proof-form <{> a proof needs a \"value\"\n");
+  EXPECT_EQ(mcq(R"({"example": "x", "value": "y", "equals": 1})"), "");
+  const std::string form =
+      "E-proof-form <{> an \"example\" has run already: it takes the name of a result as "
+      "\"value\", and no script\n";
+  EXPECT_EQ(numeric(R"({"example": "x", "value": "y", "run": "z"})"), form);
+  EXPECT_EQ(numeric(R"({"example": "x", "value": "y", "seconds": 1})"), form);
+  EXPECT_EQ(mcq(R"({"example": "x", "options": ["y", "z"]})"), form);
 }
 
 }  // namespace

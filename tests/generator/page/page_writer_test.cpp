@@ -51,6 +51,34 @@ TEST_F(PageWriterTest, PutsAFormulasMarkupInItsPlace) {
       << table;
 }
 
+TEST_F(PageWriterTest, WritesAValueAsTextThatKnowsItsOrigin) {
+  results_.of_block[0] = ValueResult{"a < b", "x[\"y\"] of zoo.xml"};
+  const std::string value =
+      "<span class=\"value\" title=\"computed: x[&quot;y&quot;] of zoo.xml\">a &lt; b</span>";
+  EXPECT_EQ(body("a `{zoo} x` `{x}`\n"), "<p>a " + value + " <code>{x}</code></p>\n");
+  const std::string table = body("| a |\n|---|\n| `{zoo} x` |\n");
+  EXPECT_NE(table.find("<td>" + value + "</td>"), std::string::npos) << table;
+  results_.of_block[1] = results_.of_block[0];  // the callout itself comes first
+  const std::string callout = body("> [!note] Of `{zoo} x`\n> Text.\n");
+  EXPECT_NE(callout.find("Of " + value), std::string::npos) << callout;
+}
+
+TEST_F(PageWriterTest, SaysThatAProgramProvedAnAnswer) {
+  QuestionResult question;
+  question.proved = question.by_program = true;
+  question.proofs = {{"tell.cpp", "ratio", "0.5"}};
+  results_.of_block[0] = ValueResult{"8", "model.nq of zoo.xml"};
+  results_.of_block[1] = QuizResult{{question}};
+  const std::string html = body(
+      "```quiz\n{\"id\": \"q\", \"questions\": [{\"kind\": \"numeric\", \"q\": \"Of `{zoo} x`?\", "
+      "\"answer\": 0.5}]}\n```\n");
+  EXPECT_NE(html.find("proved by running the program</p>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<li><code>ratio</code> is 0.5 in tell.cpp</li>"), std::string::npos) << html;
+  EXPECT_NE(html.find("Of <span class=\"value\" title=\"computed: model.nq of zoo.xml\">8</span>?"),
+            std::string::npos)
+      << html;
+}
+
 TEST_F(PageWriterTest, WritesWhatACalloutHoldsIntoIt) {
   const std::string html = body("> [!pitfall] Of $q$\n> The *body*.\n");
   EXPECT_NE(html.find("Of <span class=\"math\">q</span>"), std::string::npos) << html;

@@ -1,0 +1,32 @@
+// Reports: what the examples of the whole course told, for those who quote it by the example's
+// name.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "evaluate/result.h"
+#include "lesson/located_text.h"
+#include "report/diagnostic.h"
+
+namespace mjcourse {
+
+class Reports {
+ public:
+  // `result` is null for an example that failed. It must outlive this.
+  void add(const std::string& example, const ExampleResult* result);
+
+  std::vector<std::string> examples() const;
+
+  // What `example` reported as `result`. Nothing when there is no such example or result
+  // (reported), or when the example failed, which was reported where it stands.
+  std::optional<Reported> find(const LocatedText& example, const LocatedText& result,
+                               const SourceText& lesson, Diagnostics& diagnostics) const;
+
+ private:
+  std::map<std::string, const ExampleResult*> results_;
+};
+
+}  // namespace mjcourse
