@@ -31,6 +31,7 @@ std::string tally_text(const Tally& tally) {
   add_count(parts, tally.labs, "lab rehearsed", "labs rehearsed");
   add_count(parts, tally.pictures, "picture drawn", "pictures drawn");
   add_count(parts, tally.formulas, "formula set", "formulas set");
+  add_count(parts, tally.unchecked, "listing unchecked", "listings unchecked");
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
   return text.empty() ? "nothing to verify" : text;

@@ -21,8 +21,8 @@ struct FormulaResult {
 };
 
 struct ExampleResult {
-  std::string code;    // as it was compiled
-  std::string output;  // its stdout
+  std::string code;    // as a reader sees it
+  std::string output;  // its stdout, or what the compiler says of a program that must not compile
 };
 
 struct OutputResult {
@@ -94,6 +94,7 @@ struct Tally {
   int formulas = 0;
   int programs = 0;
   int outputs = 0;
+  int unchecked = 0;
   int answers_proved = 0;
   int answers_asserted = 0;
   int labs = 0;

@@ -6,6 +6,7 @@ Tally& Tally::operator+=(const Tally& other) {
   formulas += other.formulas;
   programs += other.programs;
   outputs += other.outputs;
+  unchecked += other.unchecked;
   answers_proved += other.answers_proved;
   answers_asserted += other.answers_asserted;
   labs += other.labs;

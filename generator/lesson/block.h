@@ -24,15 +24,25 @@ struct Math {
   bool display = false;
 };
 
-// ```cpp file=…: a whole program.
+// ```cpp file=…: a whole program, or a region of one.
 struct Example {
-  LocatedText file;                   // relative to the course: "examples/x.cpp"
-  LocatedText code;                   // the fence's body; empty to show the file
-  double seconds = 10;                // wall clock of a run
-  Span span;                          // the opening fence
-  std::optional<std::size_t> output;  // the block that states its output
+  LocatedText file;                      // relative to the course: "examples/x.cpp"
+  std::optional<LocatedText> region;     // the name behind `#`
+  LocatedText code;                      // the fence's body; empty to show the file
+  double seconds = 10;                   // wall clock of a run
+  int exit_code = 0;                     // as it is expected
+  bool compiles = true;                  // false: the compiler's refusal is what it shows
+  bool optimize = false;                 // -O2, for a program that computes much
+  std::vector<std::string> arguments{};  // of its command line
+  Span span{};                           // the opening fence
+  std::optional<std::size_t> output{};   // the block that states its output
 
   std::string name() const;  // "x" of "examples/x.cpp"
+};
+
+// ```cpp unchecked: code that is shown and not run, and says so.
+struct Unchecked {
+  LocatedText code;
 };
 
 // ```text: what an example prints, as the lesson states it.
@@ -62,6 +72,6 @@ struct Callout {
 // Shown by its neighbour: the "Output:" paragraph and the output below an example.
 struct Shown {};
 
-using Block = std::variant<Math, Example, Output, Io, Callout, Lab, Quiz, Shown>;
+using Block = std::variant<Math, Example, Unchecked, Output, Io, Callout, Lab, Quiz, Shown>;
 
 }  // namespace mjcourse

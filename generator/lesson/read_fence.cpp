@@ -1,75 +1,18 @@
 // What a fence's first word means, and the kinds that are a few lines to read.
-#include <charconv>
 #include <string_view>
 
 #include "base/nearest.h"
 #include "lesson/fence.h"
 #include "lesson/lesson_reader.h"
+#include "lesson/read_code.h"
 #include "lesson/read_lab.h"
 #include "lesson/read_quiz.h"
 
 namespace mjcourse {
 namespace {
 
-std::optional<double> read_number(Fence& fence, const std::string& option, Reading& reading) {
-  const std::optional<LocatedText> text = fence.option(option);
-  if (!text) return std::nullopt;
-  double value = 0;
-  const char* end = text->text.data() + text->text.size();
-  const auto [stop, failure] = std::from_chars(text->text.data(), end, value);
-  if (failure == std::errc() && stop == end && value >= 0) return value;
-  reading.error("E-fence-option", text->span(),
-                "`" + option + "` must be a number, not less than 0");
-  return std::nullopt;
-}
-
-void refuse_option(Fence& fence, const std::string& option, Reading& reading) {
-  if (const auto value = fence.option(option)) {
-    reading.error("E-not-yet", value->span(),
-                  "`" + option +
-                      "=` belongs to the lesson language, but this version of mjcourse "
-                      "cannot do it yet");
-  }
-}
-
 std::string word(const Fence& fence, std::size_t index) {
   return index < fence.words().size() ? fence.words()[index].text : "";
-}
-
-std::optional<Example> read_example(Fence& fence, Reading& reading) {
-  for (const char* later : {"snippet", "unchecked"}) {
-    if (word(fence, 1) != later) continue;
-    reading.error("E-not-yet", fence.words()[1].span(),
-                  "`cpp " + std::string(later) +
-                      "` belongs to the lesson language, but this version "
-                      "of mjcourse cannot do it yet",
-                  "write a whole program: `cpp file=examples/NAME.cpp`");
-    return std::nullopt;
-  }
-  const std::optional<LocatedText> file = fence.option("file");
-  if (!file) {
-    reading.error("E-fence-kind", fence.span(),
-                  "a plain `cpp` fence would show code that nobody ran",
-                  "name the program's file: `cpp file=examples/NAME.cpp`");
-    return std::nullopt;
-  }
-  const std::string& path = file->text;
-  if (path.find(".cpp#") != path.npos) {
-    reading.error("E-not-yet", file->span(),
-                  "a region of a file belongs to the lesson language, but this version of mjcourse "
-                  "cannot do it yet",
-                  "show the whole file");
-    return std::nullopt;
-  }
-  if (!path.starts_with("examples/") || !path.ends_with(".cpp") || path.find("..") != path.npos) {
-    reading.error("E-example-file", file->span(), "an example is a file `examples/NAME.cpp`");
-    return std::nullopt;
-  }
-  Example example{*file, fence.body(), 10, fence.span(), {}};
-  example.seconds = read_number(fence, "timeout", reading).value_or(example.seconds);
-  for (const char* later : {"expect", "args"}) refuse_option(fence, later, reading);
-  fence.finish("cpp", reading);
-  return example;
 }
 
 // "INPUT: …" lines; a line without a label goes on with the row above it.
@@ -124,11 +67,6 @@ void report_unknown(const Fence& fence, Reading& reading) {
 
 }  // namespace
 
-std::string Example::name() const {
-  const std::size_t slash = file.text.rfind('/') + 1;
-  return file.text.substr(slash, file.text.rfind('.') - slash);
-}
-
 void LessonReader::read_fence(cmark_node* node) {
   Fence fence(node, source());
   if (!fence.closed()) {
@@ -138,7 +76,7 @@ void LessonReader::read_fence(cmark_node* node) {
   }
   const std::string kind = word(fence, 0);
   if (kind == "cpp") {
-    if (auto example = read_example(fence, reading_)) add(node, std::move(*example));
+    if (auto code = read_code(fence, reading_)) add(node, std::move(*code));
   } else if (kind == "text") {
     read_output(node, fence);
   } else if (kind == "io") {
@@ -207,7 +145,7 @@ void LessonReader::read_output(cmark_node* node, Fence& fence) {
                    "`text output=NAME`");
     return;
   }
-  const std::optional<double> tolerance = read_number(fence, "tol", reading_);
+  const std::optional<double> tolerance = fence.number("tol", reading_);
   fence.finish("text", reading_);
   std::get<Example>(lesson_.blocks[*example]).output = lesson_.blocks.size();
   add(node, Output{fence.body(), tolerance, *example, fence.span()});

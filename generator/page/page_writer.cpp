@@ -118,6 +118,9 @@ std::string PageWriter::write_block(std::size_t index, const std::string& inner)
   if (const auto* example = std::get_if<Example>(&block)) {
     return render("example", data_of(*example, index));
   }
+  if (const auto* unchecked = std::get_if<Unchecked>(&block)) {
+    return render("example", data_of(*unchecked));
+  }
   if (const auto* lab = std::get_if<Lab>(&block)) return render("lab", data_of(*lab, index));
   if (const auto* quiz = std::get_if<Quiz>(&block)) return render("quiz", data_of(*quiz, index));
   if (const auto* io = std::get_if<Io>(&block)) return render("io", data_of(*io));

@@ -31,6 +31,7 @@ std::map<std::string, std::string> read_templates(const DiskFiles& assets) {
 json verified_data(const Tally& tally, const std::string& mujoco) {
   return {{"programs", tally.programs},
           {"outputs", tally.outputs},
+          {"unchecked", tally.unchecked},
           {"answers_proved", tally.answers_proved},
           {"answers_asserted", tally.answers_asserted},
           {"labs", tally.labs},
