@@ -2,11 +2,14 @@
 
 #include <mujoco/mujoco.h>
 
+#include <map>
+#include <optional>
 #include <utility>
 
 #include "evaluate/example_crew.h"
 #include "evaluate/formula.h"
 #include "evaluate/lab.h"
+#include "evaluate/model_listing.h"
 #include "evaluate/output.h"
 #include "evaluate/question.h"
 #include "evaluate/region.h"
@@ -61,6 +64,20 @@ class LessonEvaluator {
     progress_.done();
   }
   void evaluate_block(std::size_t, const Unchecked&) { ++results_.tally.unchecked; }
+  void evaluate_block(std::size_t, const Snippet& snippet) {
+    workshop_.simulate_named(snippet.model, *lesson_.source, diagnostics_);
+  }
+  void evaluate_block(std::size_t index, const ModelExcerpt& excerpt) {
+    add_model(index, evaluate_excerpt(excerpt, lesson_, workshop_, diagnostics_));
+  }
+  void evaluate_block(std::size_t index, const InlineModel& model) {
+    add_model(index, evaluate_inline_model(model, lesson_, workshop_, diagnostics_));
+  }
+  void add_model(std::size_t index, std::optional<ModelResult> result) {
+    if (!result) return;
+    results_.of_block[index] = *std::move(result);
+    ++results_.tally.listed_models;
+  }
   // Nothing to find out here: examples and their outputs have a crew of their own.
   template <typename Other>
   void evaluate_block(std::size_t, const Other&) {}
@@ -103,11 +120,13 @@ std::map<std::string, ExampleResult> collect(std::vector<ExampleTask> tasks,
   for (ExampleTask& task : tasks) {
     evaluation.diagnostics.insert(evaluation.diagnostics.end(), task.diagnostics.begin(),
                                   task.diagnostics.end());
-    if (!task.result) continue;
     LessonResults& results = evaluation.lessons[task.lesson];
-    ++results.tally.programs;
-    programs[task.program.file.text] = *task.result;
-    results.of_block[task.block] = *std::move(task.result);
+    const auto found = static_cast<int>(task.results.size());
+    (task.program ? results.tally.programs : results.tally.snippets) += found;
+    for (auto& [block, result] : task.results) {
+      if (task.program) programs[task.program->file.text] = result;
+      results.of_block[block] = std::move(result);
+    }
   }
   return programs;
 }

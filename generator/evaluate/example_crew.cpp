@@ -5,33 +5,42 @@
 #include <utility>
 
 #include "evaluate/example.h"
+#include "evaluate/snippets.h"
 
 namespace mjcourse {
 namespace {
 
-template <typename Visit>
-void for_each_example(const Course& course, const Visit& visit) {
-  for (std::size_t l = 0; l < course.lessons.size(); ++l) {
-    for (std::size_t b = 0; b < course.lessons[l].blocks.size(); ++b) {
-      const auto* example = std::get_if<Example>(&course.lessons[l].blocks[b]);
-      if (example != nullptr) visit(l, b, *example);
+// The files of the programs that are shown whole.
+std::set<std::string> whole_programs(const Course& course) {
+  std::set<std::string> files;
+  for (const Lesson& lesson : course.lessons) {
+    for (const Block& block : lesson.blocks) {
+      const auto* example = std::get_if<Example>(&block);
+      if (example != nullptr && !example->region) files.insert(example->file.text);
     }
   }
+  return files;
 }
 
 }  // namespace
 
 std::vector<ExampleTask> plan_examples(const Course& course) {
-  std::set<std::string> planned;
-  for_each_example(course, [&](std::size_t, std::size_t, const Example& example) {
-    if (!example.region) planned.insert(example.file.text);
-  });
+  std::set<std::string> planned = whole_programs(course);
   std::vector<ExampleTask> tasks;
-  for_each_example(course, [&](std::size_t lesson, std::size_t block, const Example& example) {
-    if (example.region && !planned.insert(example.file.text).second) return;
-    ExampleTask& task = tasks.emplace_back(ExampleTask{lesson, block, example});
-    if (example.region) task.program.code = {};  // the file's
-  });
+  for (std::size_t l = 0; l < course.lessons.size(); ++l) {
+    const std::vector<Block>& blocks = course.lessons[l].blocks;
+    bool has_snippets = false;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      if (const auto* example = std::get_if<Example>(&blocks[b])) {
+        if (example->region && !planned.insert(example->file.text).second) continue;
+        tasks.push_back({l, b, *example, example->span});
+        if (example->region) tasks.back().program->code = {};  // the file's
+      } else if (const auto* snippet = std::get_if<Snippet>(&blocks[b]); snippet && !has_snippets) {
+        has_snippets = true;
+        tasks.push_back({l, b, std::nullopt, snippet->span});
+      }
+    }
+  }
   return tasks;
 }
 
@@ -55,7 +64,10 @@ std::vector<ExampleTask> ExampleCrew::finish() {
 
 void ExampleCrew::work() {
   for (std::size_t i = next_++; i < tasks_.size(); i = next_++) {
-    progress_.begin("compile and run " + tasks_[i].program.name());
+    const ExampleTask& task = tasks_[i];
+    progress_.begin("compile and run " +
+                    (task.program ? task.program->name()
+                                  : "the snippets of " + course_.lessons[task.lesson].number));
     evaluate(tasks_[i]);
     progress_.done();
   }
@@ -63,12 +75,14 @@ void ExampleCrew::work() {
 
 void ExampleCrew::evaluate(ExampleTask& task) {
   const Lesson& lesson = course_.lessons[task.lesson];
-  if (compiler_) {
-    task.result = evaluate_example(task.program, lesson, root_, *compiler_, task.diagnostics);
-  } else {
-    task.diagnostics.push_back(error_at(place_of(*lesson.source, task.program.span),
-                                        "E-example-compiler", "no C++ compiler was found",
-                                        "install clang-16"));
+  if (!compiler_) {
+    task.diagnostics.push_back(error_at(place_of(*lesson.source, task.span), "E-example-compiler",
+                                        "no C++ compiler was found", "install clang-16"));
+  } else if (!task.program) {
+    task.results = evaluate_snippets(lesson, course_, root_, *compiler_, task.diagnostics);
+  } else if (auto result =
+                 evaluate_example(*task.program, lesson, root_, *compiler_, task.diagnostics)) {
+    task.results[task.block] = *std::move(result);
   }
 }
 

@@ -1,8 +1,10 @@
-// ExampleCrew: runs the programs of all lessons, on as many threads as there are cores.
+// ExampleCrew: runs the programs and the snippets of all lessons, on as many threads as there are
+// cores.
 #pragma once
 
 #include <atomic>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -12,15 +14,17 @@
 
 namespace mjcourse {
 
-// A program to run, and what came of it.
+// A program to run, or all snippets of a lesson, and what came of it.
 struct ExampleTask {
-  std::size_t lesson, block;
-  Example program;  // all of it, also where the block shows a region
-  std::optional<ExampleResult> result = {};
+  std::size_t lesson, block;       // the snippets' first one
+  std::optional<Example> program;  // all of it, also where the block shows a region
+  Span span;                       // of the fence
+  std::map<std::size_t, ExampleResult> results = {};  // by block
   Diagnostics diagnostics = {};
 };
 
-// One task for each program that is shown whole, and one for each that is shown in regions alone.
+// One task for each program that is shown whole, and one for each that is shown in regions alone;
+// one for each lesson that has snippets.
 std::vector<ExampleTask> plan_examples(const Course& course);
 
 class ExampleCrew {

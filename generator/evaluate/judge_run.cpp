@@ -36,6 +36,16 @@ std::optional<UncaughtException> find_uncaught_exception(const std::string& err)
                            part.suffix()};
 }
 
+// What MuJoCo said when it ended the run, as examples/include/mjcourse/handlers.cpp and the program
+// of the snippets have it say: on the last line, with this code. Empty where it did not.
+std::string find_mujoco_error(const Outcome& outcome) {
+  constexpr int code = 70;
+  constexpr std::string_view start = "MuJoCo error: ";
+  const std::string last = tail(outcome.err);
+  const std::size_t at = last.rfind(start);
+  return outcome.code == code && at != last.npos ? last.substr(at + start.size()) : "";
+}
+
 std::string seconds_text(double seconds) {
   std::ostringstream text;
   text << seconds << " s";
@@ -45,6 +55,11 @@ std::string seconds_text(double seconds) {
 // An exit with another code than the expected one.
 Diagnostic wrong_exit(const Outcome& outcome, const ExpectedRun& expected) {
   Diagnostic found;
+  if (const std::string error = find_mujoco_error(outcome); !error.empty()) {
+    found.id = "E-example-mujoco";
+    found.message = "MuJoCo stopped the " + expected.what + ": " + error;
+    return found;
+  }
   found.id = "E-example-exit";
   found.message = "the " + expected.what + " exited with code " + std::to_string(outcome.code);
   if (expected.exit_code != 0) {

@@ -25,6 +25,11 @@ struct ExampleResult {
   std::string output;  // its stdout, or what the compiler says of a program that must not compile
 };
 
+// Of an excerpt or an inline model.
+struct ModelResult {
+  std::string refusal;  // MuJoCo's, of a model that must not compile
+};
+
 struct OutputResult {
   int lines = 0;
 };
@@ -87,13 +92,16 @@ struct QuizResult {
   std::vector<QuestionResult> questions;
 };
 
-using Result = std::variant<FormulaResult, ExampleResult, OutputResult, LabResult, QuizResult>;
+using Result =
+    std::variant<FormulaResult, ExampleResult, ModelResult, OutputResult, LabResult, QuizResult>;
 
 // How much was verified; what failed is not counted.
 struct Tally {
   int formulas = 0;
   int programs = 0;
+  int snippets = 0;
   int outputs = 0;
+  int listed_models = 0;
   int unchecked = 0;
   int answers_proved = 0;
   int answers_asserted = 0;

@@ -5,7 +5,9 @@ namespace mjcourse {
 Tally& Tally::operator+=(const Tally& other) {
   formulas += other.formulas;
   programs += other.programs;
+  snippets += other.snippets;
   outputs += other.outputs;
+  listed_models += other.listed_models;
   unchecked += other.unchecked;
   answers_proved += other.answers_proved;
   answers_asserted += other.answers_asserted;

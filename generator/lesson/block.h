@@ -45,7 +45,31 @@ struct Unchecked {
   LocatedText code;
 };
 
-// ```text: what an example prints, as the lesson states it.
+// ```cpp snippet: the body of a function, which sees `model` and `data`.
+struct Snippet {
+  LocatedText model;                    // its name
+  LocatedText code;                     // all that is compiled
+  std::string shown;                    // without the lines that began with `//| `
+  double seconds = 10;                  // wall clock of a run
+  Span span{};                          // the opening fence
+  std::optional<std::size_t> output{};  // the block that states its output
+};
+
+// ```xml model=…: lines of a model of the course.
+struct ModelExcerpt {
+  LocatedText model;  // its name
+  LocatedText text;
+  Span span;
+};
+
+// ```xml mjcf: a whole model inside the lesson.
+struct InlineModel {
+  LocatedText text;
+  bool compiles = true;  // false: MuJoCo's refusal is what it shows
+  Span span;
+};
+
+// ```text: what an example or a snippet prints, as the lesson states it.
 struct Output {
   LocatedText text;
   std::optional<double> tolerance;  // absolute; without one, a unit of the last printed place
@@ -72,6 +96,7 @@ struct Callout {
 // Shown by its neighbour: the "Output:" paragraph and the output below an example.
 struct Shown {};
 
-using Block = std::variant<Math, Example, Unchecked, Output, Io, Callout, Lab, Quiz, Shown>;
+using Block = std::variant<Math, Example, Unchecked, Snippet, ModelExcerpt, InlineModel, Output, Io,
+                           Callout, Lab, Quiz, Shown>;
 
 }  // namespace mjcourse

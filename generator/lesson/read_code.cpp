@@ -1,5 +1,6 @@
 #include "lesson/read_code.h"
 
+#include <algorithm>
 #include <charconv>
 #include <sstream>
 #include <string>
@@ -58,8 +59,9 @@ std::optional<Example> read_example(Fence& fence, Reading& reading) {
   if (!file) {
     reading.error("E-fence-kind", fence.span(),
                   "a plain `cpp` fence would show code that nobody ran",
-                  "name the program's file: `cpp file=examples/NAME.cpp`; or say that nobody runs "
-                  "it: `cpp unchecked`");
+                  "name the program's file: `cpp file=examples/NAME.cpp`; or let it be the body of "
+                  "a function: `cpp snippet model=NAME`; or say that nobody runs it: "
+                  "`cpp unchecked`");
     return std::nullopt;
   }
   const std::optional<LocatedText> region = take_region(*file);
@@ -81,6 +83,42 @@ std::optional<Example> read_example(Fence& fence, Reading& reading) {
   return example;
 }
 
+// A line that begins with `//| ` is compiled and not shown. Spaces take the place of the mark, so
+// that columns stay.
+void hide_lines(Snippet& snippet) {
+  constexpr std::string_view mark = "//|";
+  std::string& code = snippet.code.text;
+  for (std::size_t at = 0; at < code.size();) {
+    const std::size_t end = std::min(code.find('\n', at), code.size() - 1) + 1;
+    const std::size_t first = std::min(code.find_first_not_of(" \t", at), end);
+    if (code.compare(first, mark.size(), mark) == 0) {
+      code.replace(first, mark.size(), mark.size(), ' ');
+    } else {
+      snippet.shown += code.substr(at, end - at);
+    }
+    at = end;
+  }
+}
+
+std::optional<Snippet> read_snippet(Fence& fence, Reading& reading) {
+  const std::optional<LocatedText> model = fence.option("model");
+  if (!model) {
+    reading.error("E-fence-kind", fence.span(), "a snippet says which model it is about",
+                  "write `cpp snippet model=NAME`");
+    return std::nullopt;
+  }
+  Snippet snippet{*model, fence.body(), ""};
+  snippet.span = fence.span();
+  snippet.seconds = fence.number("timeout", reading).value_or(snippet.seconds);
+  hide_lines(snippet);
+  if (snippet.shown.find_first_not_of(" \n") == std::string::npos) {
+    reading.error("E-snippet-empty", fence.span(), "this snippet shows nothing",
+                  "write a line that does not begin with `//| `");
+  }
+  fence.finish("cpp snippet", reading);
+  return snippet;
+}
+
 }  // namespace
 
 std::string Example::name() const {
@@ -89,10 +127,12 @@ std::string Example::name() const {
 }
 
 std::optional<Block> read_code(Fence& fence, Reading& reading) {
-  if (fence.words().size() > 1 && fence.words()[1].text == "unchecked") {
+  const std::string kind = fence.words().size() > 1 ? fence.words()[1].text : "";
+  if (kind == "unchecked") {
     fence.finish("cpp unchecked", reading);
     return Unchecked{fence.body()};
   }
+  if (kind == "snippet") return read_snippet(fence, reading);
   return read_example(fence, reading);
 }
 

@@ -1,4 +1,4 @@
-// ```cpp: a program, a region of one, or code that nobody runs.
+// ```cpp: a program, a region of one, the body of a function, or code that nobody runs.
 #pragma once
 
 #include <optional>

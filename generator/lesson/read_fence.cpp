@@ -6,6 +6,7 @@
 #include "lesson/lesson_reader.h"
 #include "lesson/read_code.h"
 #include "lesson/read_lab.h"
+#include "lesson/read_model_fence.h"
 #include "lesson/read_quiz.h"
 
 namespace mjcourse {
@@ -50,7 +51,7 @@ void report_unknown(const Fence& fence, Reading& reading) {
   if (fence.indented()) {
     reading.error("E-fence-kind", fence.span(), "an indented block is code that nobody ran",
                   "remove the indentation, or use a fence");
-  } else if (kind == "xml" || kind == "figure" || kind == "plot") {
+  } else if (kind == "figure" || kind == "plot") {
     reading.error("E-not-yet", fence.words()[0].span(),
                   "a `" + kind +
                       "` fence belongs to the lesson language, but this version of "
@@ -58,10 +59,10 @@ void report_unknown(const Fence& fence, Reading& reading) {
                   "leave it out for now");
   } else if (kind.empty()) {
     reading.error("E-fence-kind", fence.span(), "this fence does not say what it holds",
-                  "known: cpp, text, io, lab, quiz");
+                  "known: cpp, xml, text, io, lab, quiz");
   } else {
     reading.error("E-fence-kind", fence.words()[0].span(), "there is no fence `" + kind + "`",
-                  suggest(kind, {"cpp", "text", "io", "lab", "quiz"}));
+                  suggest(kind, {"cpp", "xml", "text", "io", "lab", "quiz"}));
   }
 }
 
@@ -77,6 +78,8 @@ void LessonReader::read_fence(cmark_node* node) {
   const std::string kind = word(fence, 0);
   if (kind == "cpp") {
     if (auto code = read_code(fence, reading_)) add(node, std::move(*code));
+  } else if (kind == "xml") {
+    if (auto model = read_model_fence(fence, reading_)) add(node, std::move(*model));
   } else if (kind == "text") {
     read_output(node, fence);
   } else if (kind == "io") {
@@ -120,15 +123,16 @@ void LessonReader::refuse_second_quiz(const Quiz& quiz, Span span) {
   }
 }
 
-// The example whose output this is: the one named, or the one just above (a paragraph "Output:" may
-// stand between).
+// The code whose output this is: the example named, or the example or snippet just above (a
+// paragraph "Output:" may stand between).
 void LessonReader::read_output(cmark_node* node, Fence& fence) {
   const auto index_of = [this](cmark_node* at) -> std::optional<std::size_t> {
     const auto found = at != nullptr ? lesson_.block_of.find(at) : lesson_.block_of.end();
     if (found == lesson_.block_of.end()) return std::nullopt;
-    return std::holds_alternative<Example>(lesson_.blocks[found->second])
-               ? std::optional(found->second)
-               : std::nullopt;
+    const Block& block = lesson_.blocks[found->second];
+    const bool prints =
+        std::holds_alternative<Example>(block) || std::holds_alternative<Snippet>(block);
+    return prints ? std::optional(found->second) : std::nullopt;
   };
   cmark_node* above = cmark_node_previous(node);
   const bool labelled = above != nullptr && plain_text(above) == "Output:";
@@ -140,14 +144,20 @@ void LessonReader::read_output(cmark_node* node, Fence& fence) {
     example = index_of(labelled ? cmark_node_previous(above) : above);
   }
   if (!example) {
-    reading_.error("E-output-stray", fence.span(), "this output belongs to no example",
-                   "put it right after a `cpp file=…` fence, or name the example above: "
-                   "`text output=NAME`");
+    reading_.error(
+        "E-output-stray", fence.span(), "this output belongs to no program",
+        "put it right after a `cpp file=…` or `cpp snippet` fence, or name the example above: "
+        "`text output=NAME`");
     return;
   }
   const std::optional<double> tolerance = fence.number("tol", reading_);
   fence.finish("text", reading_);
-  std::get<Example>(lesson_.blocks[*example]).output = lesson_.blocks.size();
+  Block& printing = lesson_.blocks[*example];
+  if (auto* snippet = std::get_if<Snippet>(&printing)) {
+    snippet->output = lesson_.blocks.size();
+  } else {
+    std::get<Example>(printing).output = lesson_.blocks.size();
+  }
   add(node, Output{fence.body(), tolerance, *example, fence.span()});
   if (labelled) add(above, Shown{});
 }

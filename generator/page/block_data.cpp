@@ -49,6 +49,34 @@ json PageWriter::data_of(const Unchecked& unchecked) {
   return data;
 }
 
+json PageWriter::data_of(const Snippet& snippet, std::size_t index) {
+  json data = listing(snippet.shown, "cpp");
+  const auto* result = results_.get<ExampleResult>(index);
+  if (result != nullptr && !result->output.empty()) {
+    data["output"] = {{"text", result->output},
+                      {"proved", has_proved_output(snippet.output)},
+                      {"label", "Printed by these lines"}};
+  }
+  return data;
+}
+
+json PageWriter::data_of(const ModelExcerpt& excerpt) {
+  json data = listing(excerpt.text.text, "xml");
+  data["file"] = "models/" + excerpt.model.text + ".xml";
+  return data;
+}
+
+json PageWriter::data_of(const InlineModel& model, std::size_t index) {
+  json data = listing(model.text.text, "xml");
+  const auto* result = results_.get<ModelResult>(index);
+  if (result != nullptr && !result->refusal.empty()) {
+    data["output"] = {{"text", result->refusal},
+                      {"proved", false},
+                      {"label", "Said by MuJoCo, which refuses this model"}};
+  }
+  return data;
+}
+
 json PageWriter::listing(const std::string& code, const std::string& language) {
   return {{"id", nullptr},       {"file", nullptr},
           {"download", nullptr}, {"code", press_.highlighter.highlight(code, language)},

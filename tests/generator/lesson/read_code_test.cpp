@@ -52,6 +52,25 @@ TEST(ReadCode, TakesCodeThatNobodyRuns) {
   EXPECT_EQ(reading.only<Unchecked>().code.text, "x;\n");
 }
 
+TEST(ReadCode, HidesTheLinesOfASnippetThatSayIt) {
+  const ReadingOf reading = reading_of(
+      "```cpp snippet model=ball timeout=2\n//| int n = 2;\nuse(n);\n  //| }\n//|\n```\n");
+  EXPECT_EQ(reading.mistakes(), "");
+  const auto& snippet = reading.only<Snippet>();
+  EXPECT_EQ(snippet.model.text, "ball");
+  EXPECT_EQ(snippet.code.text, "    int n = 2;\nuse(n);\n      }\n   \n");
+  EXPECT_EQ(snippet.shown, "use(n);\n");
+  EXPECT_EQ(snippet.seconds, 2);
+}
+
+TEST(ReadCode, LetsASnippetStateItsOutput) {
+  const ReadingOf reading =
+      reading_of("```cpp snippet model=ball\nx;\n```\n\nOutput:\n\n```text\n1\n```\n");
+  EXPECT_EQ(reading.mistakes(), "");
+  EXPECT_EQ(reading.only<Snippet>().output, 1u);
+  EXPECT_EQ(reading.only<Output>().example, 0u);
+}
+
 // What is wrong with a fence with these words behind `cpp `.
 std::string mistake(const std::string& words) {
   std::string text;
@@ -85,6 +104,15 @@ TEST(ReadCode, RefusesWordsThatItDoesNotKnow) {
             "optimize: `optimize` takes no value; write `optimize` alone\n");
   EXPECT_EQ(mistake("unchecked optimize"),
             "optimize: a `cpp unchecked` fence has no option `optimize`; \n");
+}
+
+TEST(ReadCode, RefusesASnippetOfNothing) {
+  EXPECT_EQ(mistake("snippet"),
+            "```cpp snippet: a snippet says which model it is about; write `cpp snippet "
+            "model=NAME`\n");
+  EXPECT_EQ(mistake("snippet model=ball"),
+            "```cpp snippet model=ball: this snippet shows nothing; write a line that does not "
+            "begin with `//| `\n");
 }
 
 TEST(ReadCode, RefusesToRunARegionInAWayOfItsOwn) {

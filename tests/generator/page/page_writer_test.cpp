@@ -93,6 +93,24 @@ TEST_F(PageWriterTest, SaysOfUncheckedCodeThatItWasNotRun) {
   EXPECT_NE(html.find("a &lt; b;"), std::string::npos) << html;
 }
 
+TEST_F(PageWriterTest, ShowsOfASnippetWhatIsToBeSeen) {
+  results_.of_block[0] = ExampleResult{"use(n);\n", "out\n"};
+  const std::string html = body("```cpp snippet model=m\n//| int n = 2;\nuse(n);\n```\n");
+  EXPECT_EQ(html.find("n = "), std::string::npos) << html;
+  EXPECT_NE(html.find("<span>Printed by these lines</span>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<samp>out\n</samp>"), std::string::npos) << html;
+}
+
+TEST_F(PageWriterTest, ShowsModelsAndWhyMuJoCoRefusesThem) {
+  const std::string excerpt = body("```xml model=ball\n<geom/>\n```\n");
+  EXPECT_NE(excerpt.find("<span class=\"file\">models/ball.xml</span></figcaption>"),
+            std::string::npos)
+      << excerpt;
+  results_.of_block[0] = ModelResult{"line 1: no <mujoco>\n"};
+  const std::string refused = body("```xml mjcf expect=error\n<m/>\n```\n");
+  EXPECT_NE(refused.find("<samp>line 1: no &lt;mujoco&gt;\n</samp>"), std::string::npos) << refused;
+}
+
 // The page of a quiz with one question.
 std::string quiz(const std::string& question) {
   return "```quiz\n{\"id\": \"q.1\", \"questions\": [" + question + "]}\n```\n";
