@@ -131,7 +131,7 @@ void report_messages(const Compiled& compiled, const std::vector<Placed>& snippe
   }
   const bool linker = !compiled.succeeded && !compiled.refused();
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    parts[i].succeeded = !(linker && i == 0);
+    parts[i].succeeded = !linker || i > 0;
     parts[i].raw = compiled.raw;
     report_compile_messages(parts[i],
                             {snippets[i].snippet->code, snippets[i].line + 1, lesson.source->path(),
@@ -144,7 +144,7 @@ void report_messages(const Compiled& compiled, const std::vector<Placed>& snippe
 fs::path model_file(const Snippet& snippet, const Course& course, const fs::path& root) {
   const std::string& name = snippet.model.text;
   if (std::find(course.models.begin(), course.models.end(), name) == course.models.end()) return {};
-  fs::path path = fs::absolute(root / "models" / (name + ".xml"));
+  const fs::path path = fs::absolute(root / "models" / (name + ".xml"));
   return load_model_file(path.string()) ? path : fs::path();
 }
 
