@@ -25,13 +25,16 @@ void add_count(std::vector<std::string>& parts, int count, const char* one, cons
 std::string tally_text(const Tally& tally) {
   std::vector<std::string> parts;
   add_count(parts, tally.programs, "program run", "programs run");
+  add_count(parts, tally.snippets, "snippet run", "snippets run");
   add_count(parts, tally.outputs, "output compared", "outputs compared");
   add_count(parts, tally.values, "value computed", "values computed");
+  add_count(parts, tally.listed_models, "model listing checked", "model listings checked");
   add_count(parts, tally.answers_proved, "answer proved", "answers proved");
   add_count(parts, tally.answers_asserted, "answer asserted", "answers asserted");
   add_count(parts, tally.labs, "lab rehearsed", "labs rehearsed");
   add_count(parts, tally.pictures, "picture drawn", "pictures drawn");
   add_count(parts, tally.formulas, "formula set", "formulas set");
+  add_count(parts, tally.unchecked, "listing unchecked", "listings unchecked");
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
   return text.empty() ? "nothing to verify" : text;

@@ -1,16 +1,14 @@
 #include "evaluate/compiler.h"
 
+#include <algorithm>
 #include <regex>
 #include <sstream>
 
 namespace mjcourse {
 namespace {
 
-// Optimising would cost more than it saves: MuJoCo itself is optimised, and gives the same bits
-// however its caller was compiled.
 const std::vector<std::string> kFlags{
-    "-std=c++20",         "-O0", "-Wall", "-Wextra", "-fno-diagnostics-color", "-isystem",
-    "/usr/include/eigen3"};
+    "-std=c++20", "-Wall", "-Wextra", "-fno-diagnostics-color", "-isystem", "/usr/include/eigen3"};
 constexpr double kSeconds = 120;
 
 std::vector<CompilerMessage> parse(const std::string& text) {
@@ -28,6 +26,12 @@ std::vector<CompilerMessage> parse(const std::string& text) {
 
 }  // namespace
 
+bool Compiled::refused() const {
+  return !succeeded && std::any_of(messages.begin(), messages.end(), [](const auto& message) {
+    return message.severity == "error" || message.severity == "fatal error";
+  });
+}
+
 std::optional<Compiler> Compiler::find() {
   for (const char* name : {"clang++-16", "clang++-14", "clang++", "g++"}) {
     Command command;
@@ -39,10 +43,12 @@ std::optional<Compiler> Compiler::find() {
 
 Compiled Compiler::compile(const std::filesystem::path& source,
                            const std::filesystem::path& examples,
-                           const std::filesystem::path& binary,
-                           const std::filesystem::path& folder) const {
+                           const std::filesystem::path& binary, const std::filesystem::path& folder,
+                           bool optimize) const {
   Command command;
-  command.arguments = {name_};
+  // Optimising mostly costs more than it saves: MuJoCo itself is optimised, and gives the same bits
+  // however its caller was compiled.
+  command.arguments = {name_, optimize ? "-O2" : "-O0"};
   command.arguments.insert(command.arguments.end(), kFlags.begin(), kFlags.end());
   const std::filesystem::path include = examples / "include";
   command.arguments.insert(command.arguments.end(),

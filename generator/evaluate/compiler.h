@@ -22,6 +22,9 @@ struct Compiled {
   bool succeeded = false;
   std::vector<CompilerMessage> messages;
   std::string raw;  // everything the compiler and the linker said
+
+  // Did the compiler itself find something wrong, and not the linker or the clock?
+  bool refused() const;
 };
 
 class Compiler {
@@ -34,7 +37,8 @@ class Compiler {
   // Compile the program `source` against MuJoCo, Eigen and the helper header in the course's
   // `examples/include` into `binary`; `folder` is for files in between.
   Compiled compile(const std::filesystem::path& source, const std::filesystem::path& examples,
-                   const std::filesystem::path& binary, const std::filesystem::path& folder) const;
+                   const std::filesystem::path& binary, const std::filesystem::path& folder,
+                   bool optimize = false) const;
 
  private:
   explicit Compiler(std::string name) : name_(std::move(name)) {}

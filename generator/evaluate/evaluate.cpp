@@ -2,88 +2,22 @@
 
 #include <mujoco/mujoco.h>
 
-#include <algorithm>
-#include <atomic>
+#include <map>
 #include <optional>
-#include <thread>
 #include <utility>
 
-#include "evaluate/compiler.h"
-#include "evaluate/example.h"
+#include "evaluate/example_crew.h"
 #include "evaluate/formula.h"
 #include "evaluate/inline_value.h"
 #include "evaluate/lab.h"
+#include "evaluate/model_listing.h"
 #include "evaluate/output.h"
 #include "evaluate/question.h"
+#include "evaluate/region.h"
 #include "evaluate/workshop.h"
 
 namespace mjcourse {
 namespace {
-
-// An example of some lesson, and what came of it.
-struct Task {
-  std::size_t lesson, block;
-  std::optional<ExampleResult> result = {};
-  Diagnostics diagnostics = {};
-};
-
-std::vector<Task> plan_examples(const Course& course) {
-  std::vector<Task> tasks;
-  for (std::size_t l = 0; l < course.lessons.size(); ++l) {
-    for (std::size_t b = 0; b < course.lessons[l].blocks.size(); ++b) {
-      if (std::holds_alternative<Example>(course.lessons[l].blocks[b])) tasks.push_back({l, b});
-    }
-  }
-  return tasks;
-}
-
-// Runs all tasks on as many threads as there are cores.
-class ExampleCrew {
- public:
-  ExampleCrew(const Course& course, std::filesystem::path root, Progress& progress)
-      : course_(course),
-        root_(std::move(root)),
-        progress_(progress),
-        tasks_(plan_examples(course)),
-        compiler_(tasks_.empty() ? std::nullopt : Compiler::find()) {
-    const std::size_t cores = std::max(1u, std::thread::hardware_concurrency());
-    for (std::size_t i = 0; i < std::min(cores, tasks_.size()); ++i) {
-      threads_.emplace_back([this] { work(); });
-    }
-  }
-
-  std::vector<Task> finish() {
-    for (std::jthread& thread : threads_) thread.join();
-    return std::move(tasks_);
-  }
-  std::size_t size() const { return tasks_.size(); }
-
- private:
-  void work() {
-    for (std::size_t i = next_++; i < tasks_.size(); i = next_++) {
-      Task& task = tasks_[i];
-      const Lesson& lesson = course_.lessons[task.lesson];
-      const Example& example = std::get<Example>(lesson.blocks[task.block]);
-      progress_.begin("compile and run " + example.name());
-      if (compiler_) {
-        task.result = evaluate_example(example, lesson, root_, *compiler_, task.diagnostics);
-      } else {
-        task.diagnostics.push_back(error_at(place_of(*lesson.source, example.span),
-                                            "E-example-compiler", "no C++ compiler was found",
-                                            "install clang-16"));
-      }
-      progress_.done();
-    }
-  }
-
-  const Course& course_;
-  std::filesystem::path root_;
-  Progress& progress_;
-  std::vector<Task> tasks_;
-  std::optional<Compiler> compiler_;
-  std::atomic<std::size_t> next_ = 0;
-  std::vector<std::jthread> threads_;
-};
 
 // What one lesson's formulas, labs, questions and inline values come to.
 class LessonEvaluator {
@@ -144,6 +78,21 @@ class LessonEvaluator {
     results_.of_block[index] = std::move(result);
     progress_.done();
   }
+  void evaluate_block(std::size_t, const Unchecked&) { ++results_.tally.unchecked; }
+  void evaluate_block(std::size_t, const Snippet& snippet) {
+    workshop_.simulate_named(snippet.model, *lesson_.source, diagnostics_);
+  }
+  void evaluate_block(std::size_t index, const ModelExcerpt& excerpt) {
+    add_model(index, evaluate_excerpt(excerpt, lesson_, workshop_, diagnostics_));
+  }
+  void evaluate_block(std::size_t index, const InlineModel& model) {
+    add_model(index, evaluate_inline_model(model, lesson_, workshop_, diagnostics_));
+  }
+  void add_model(std::size_t index, std::optional<ModelResult> result) {
+    if (!result) return;
+    results_.of_block[index] = *std::move(result);
+    ++results_.tally.listed_models;
+  }
   // Nothing to find out here: examples and their outputs have a crew of their own.
   template <typename Other>
   void evaluate_block(std::size_t, const Other&) {}
@@ -168,17 +117,54 @@ void compare_outputs(const Lesson& lesson, LessonResults& results, Diagnostics& 
   }
 }
 
+// Labs and quizzes; the crew's programs come on top.
 int count_tasks(const Course& course) {
   int tasks = 0;
   for (const Lesson& lesson : course.lessons) {
     for (const Block& block : lesson.blocks) {
-      if (std::holds_alternative<Example>(block) || std::holds_alternative<Lab>(block) ||
-          std::holds_alternative<Quiz>(block)) {
-        ++tasks;
-      }
+      if (std::holds_alternative<Lab>(block) || std::holds_alternative<Quiz>(block)) ++tasks;
     }
   }
   return tasks;
+}
+
+// What the crew found, each under its block; gives the programs' results by their files, to which
+// `reports` points.
+std::map<std::string, ExampleResult> collect(std::vector<ExampleTask> tasks, Evaluation& evaluation,
+                                             Reports& reports) {
+  std::map<std::string, ExampleResult> programs;
+  for (ExampleTask& task : tasks) {
+    evaluation.diagnostics.insert(evaluation.diagnostics.end(), task.diagnostics.begin(),
+                                  task.diagnostics.end());
+    LessonResults& results = evaluation.lessons[task.lesson];
+    const auto found = static_cast<int>(task.results.size());
+    (task.program ? results.tally.programs : results.tally.snippets) += found;
+    if (task.program && task.results.empty()) reports.add(task.program->name(), nullptr);
+    for (auto& [block, result] : task.results) {
+      if (task.program) {
+        ExampleResult& kept = programs[task.program->file.text] = result;
+        reports.add(task.program->name(), &kept);
+      }
+      results.of_block[block] = std::move(result);
+    }
+  }
+  return programs;
+}
+
+// A region has what its program printed, but not its program's code.
+void show_regions(const Lesson& lesson, const std::filesystem::path& root,
+                  const std::map<std::string, ExampleResult>& programs, LessonResults& results,
+                  Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
+    const auto* example = std::get_if<Example>(&lesson.blocks[i]);
+    if (example == nullptr || !example->region) continue;
+    results.of_block.erase(i);
+    const auto code = evaluate_region(*example, lesson, root, diagnostics);
+    const auto program = programs.find(example->file.text);
+    if (code && program != programs.end()) {
+      results.of_block[i] = ExampleResult{*code, program->second.output};
+    }
+  }
 }
 
 }  // namespace
@@ -188,8 +174,9 @@ Evaluation evaluate(const Course& course, const std::filesystem::path& root, con
   Evaluation evaluation;
   evaluation.lessons.resize(course.lessons.size());
   evaluation.mujoco = mj_versionString();
-  progress.plan(count_tasks(course));
-  ExampleCrew crew(course, root, progress);
+  std::vector<ExampleTask> tasks = plan_examples(course);
+  progress.plan(count_tasks(course) + static_cast<int>(tasks.size()));
+  ExampleCrew crew(course, root, progress, std::move(tasks));
   Workshop workshop(course, root, assets);
   std::vector<LessonEvaluator> evaluators;
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
@@ -197,19 +184,10 @@ Evaluation evaluate(const Course& course, const std::filesystem::path& root, con
                             evaluation.diagnostics);
   }
   for (LessonEvaluator& evaluator : evaluators) evaluator.run_beside_examples();
-  for (Task& task : crew.finish()) {
-    LessonResults& results = evaluation.lessons[task.lesson];
-    const auto& example = std::get<Example>(course.lessons[task.lesson].blocks[task.block]);
-    if (task.result) {
-      results.of_block[task.block] = *std::move(task.result);
-      ++results.tally.programs;
-    }
-    workshop.reports().add(example.name(), results.get<ExampleResult>(task.block));
-    evaluation.diagnostics.insert(evaluation.diagnostics.end(), task.diagnostics.begin(),
-                                  task.diagnostics.end());
-  }
+  const auto programs = collect(crew.finish(), evaluation, workshop.reports());
   for (LessonEvaluator& evaluator : evaluators) evaluator.run_after_examples();
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
+    show_regions(course.lessons[i], root, programs, evaluation.lessons[i], evaluation.diagnostics);
     compare_outputs(course.lessons[i], evaluation.lessons[i], evaluation.diagnostics);
   }
   return evaluation;

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
-#include <regex>
-#include <sstream>
-#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/temporary_folder.h"
 #include "evaluate/compile_errors.h"
+#include "evaluate/judge_run.h"
 #include "evaluate/records.h"
+#include "evaluate/region.h"
 
 namespace mjcourse {
 namespace {
@@ -18,80 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostRecords = 16 << 20;  // bytes
-
-// The last lines of what a program wrote, for a person to see why it ended.
-std::string tail(std::string_view text) {
-  constexpr int lines = 8;
-  const std::size_t last = text.find_last_not_of(" \n");
-  text = text.substr(0, last == text.npos ? 0 : last + 1);
-  std::size_t begin = text.size();
-  for (int n = 0; n < lines && begin != text.npos && begin > 0; ++n) {
-    begin = text.rfind('\n', begin - 1);
-  }
-  text = begin == text.npos ? text : text.substr(begin);
-  return std::string(text.substr(std::min(text.find_first_not_of('\n'), text.size())));
-}
-
-// What an uncaught exception left on stderr: "std::runtime_error: no such model", and the lines of
-// its what() behind the first.
-struct UncaughtException {
-  std::string first_line, more;
-};
-std::optional<UncaughtException> find_uncaught_exception(const std::string& err) {
-  static const std::regex form(
-      R"(terminate called after throwing an instance of '([^']*)'(?:\s+what\(\):\s*([^\n]*)\n?)?)");
-  std::smatch part;
-  if (!std::regex_search(err, part, form)) return std::nullopt;
-  return UncaughtException{part[1].str() + (part[2].matched ? ": " + part[2].str() : ""),
-                           part.suffix()};
-}
-
-std::string seconds_text(double seconds) {
-  std::ostringstream text;
-  text << seconds << " s";
-  return text.str();
-}
-
-// What went wrong in a run, if anything did.
-std::optional<Diagnostic> judge(const Outcome& outcome, const Example& example) {
-  Diagnostic found;
-  switch (outcome.end) {
-    case Outcome::End::exited:
-      if (outcome.code == 0) return std::nullopt;
-      found.id = "E-example-exit";
-      found.message = "the program exited with code " + std::to_string(outcome.code);
-      break;
-    case Outcome::End::killed_by_signal:
-      found.id = "E-example-signal";
-      found.message = std::string("the program was killed: ") + strsignal(outcome.code);
-      if (const auto thrown = find_uncaught_exception(outcome.err)) {
-        found.id = "E-example-throws";
-        found.message = "the program threw " + thrown->first_line;
-        found.detail = tail(thrown->more);
-        found.cure = "catch it, or mend what it complains about";
-        return found;
-      }
-      break;
-    case Outcome::End::timed_out:
-      found.id = "E-example-timeout";
-      found.message =
-          "the program still ran after " + seconds_text(example.seconds) + ", and was stopped";
-      found.cure =
-          "look for a loop without an end; a program that needs longer says `timeout=SECONDS`";
-      break;
-    case Outcome::End::flooded:
-      found.id = "E-example-flood";
-      found.message = "the program printed more than 1 MiB, and was stopped";
-      found.cure = "print what a reader wants to read";
-      return found;
-    case Outcome::End::not_started:
-      found.id = "E-example-signal";
-      found.message = std::string("the program could not be started: ") + strerror(outcome.code);
-      break;
-  }
-  found.detail = tail(outcome.err);
-  return found;
-}
 
 // The code of an example: its fence's, or the file's where the fence is empty. Both must agree.
 std::optional<LocatedText> code_of(const Example& example, const Lesson& lesson,
@@ -149,6 +74,32 @@ Records records_in(const fs::path& file, const LocatedText& code, const Example&
   return records;
 }
 
+// `text` without the folders that this build happened to use.
+std::string without_folders(std::string text, const std::vector<fs::path>& folders) {
+  for (const fs::path& folder : folders) {
+    const std::string prefix = folder.lexically_normal().string() + "/";
+    for (std::size_t at = 0; (at = text.find(prefix, at)) != text.npos;)
+      text.erase(at, prefix.size());
+  }
+  return text;
+}
+
+// The command line that runs `binary` in an empty folder inside `folder`; what it reports goes into
+// the file `records`.
+Command run_command(const Example& example, const fs::path& binary, const fs::path& folder,
+                    const fs::path& root, const fs::path& records) {
+  Command command;
+  command.arguments = {binary.string()};
+  command.arguments.insert(command.arguments.end(), example.arguments.begin(),
+                           example.arguments.end());
+  command.folder = folder / "run";
+  fs::create_directory(command.folder);
+  command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string(),
+                         "MJCOURSE_RECORDS=" + fs::absolute(records).string()};
+  command.seconds = example.seconds;
+  return command;
+}
+
 }  // namespace
 
 std::optional<ExampleResult> evaluate_example(const Example& example, const Lesson& lesson,
@@ -156,35 +107,41 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Less
                                               Diagnostics& diagnostics) {
   const std::optional<LocatedText> code = code_of(example, lesson, root, diagnostics);
   if (!code) return std::nullopt;
+  const std::string shown = without_region_marks(code->text);
   const TemporaryFolder folder;
-  const std::string shown_as = code->offsets.empty() ? example.file.text : lesson.source->path();
-  const int first_line =
-      code->offsets.empty() ? 1 : lesson.source->position(code->span(0, 0).begin).line;
+  // The refusal that a page shows is what a learner sees who builds the file.
+  const bool in_file = code->offsets.empty() || !example.compiles;
+  const std::string shown_as = in_file ? example.file.text : lesson.source->path();
+  const int first_line = in_file ? 1 : lesson.source->position(code->span(0, 0).begin).line;
   const fs::path source = folder.path() / (example.name() + ".cpp");
   const fs::path binary = folder.path() / example.name();
   write_file(source,
              "#line " + std::to_string(first_line) + " \"" + shown_as + "\"\n" + code->text);
 
-  const Compiled compiled = compiler.compile(source, root / "examples", binary, folder.path());
+  const Compiled compiled =
+      compiler.compile(source, root / "examples", binary, folder.path(), example.optimize);
+  if (!example.compiles && compiled.refused()) {
+    return ExampleResult{shown,
+                         without_folders(compiled.raw, {fs::absolute(root), root, folder.path()})};
+  }
   report_compile_messages(compiled, {*code, first_line, shown_as, example.span}, lesson,
                           diagnostics);
   if (!compiled.succeeded) return std::nullopt;
-
-  Command command;
-  command.arguments = {binary.string()};
-  command.folder = folder.path() / "run";
-  fs::create_directory(command.folder);
-  const fs::path records = folder.path() / "records";
-  command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string(),
-                         "MJCOURSE_RECORDS=" + fs::absolute(records).string()};
-  command.seconds = example.seconds;
-  Outcome outcome = run(command);
-  if (std::optional<Diagnostic> wrong = judge(outcome, example)) {
-    wrong->place = place_of(*lesson.source, example.span);
-    diagnostics.push_back(std::move(*wrong));
+  const auto report = [&](Diagnostic wrong) {
+    wrong.place = place_of(*lesson.source, example.span);
+    diagnostics.push_back(std::move(wrong));
     return std::nullopt;
+  };
+  if (!example.compiles) {
+    return report(error_at({}, "E-example-compiles", "the program compiles, and is said not to",
+                           "remove `expect=compile-error`, or mend the lesson's point"));
   }
-  return ExampleResult{code->text, std::move(outcome.out),
+  const fs::path records = folder.path() / "records";
+  Outcome outcome = run(run_command(example, binary, folder.path(), root, records));
+  if (auto wrong = judge_run(outcome, {"program", example.seconds, example.exit_code})) {
+    return report(*std::move(wrong));
+  }
+  return ExampleResult{shown, std::move(outcome.out),
                        records_in(records, *code, example, lesson, diagnostics)};
 }
 

@@ -34,14 +34,19 @@ struct Records {
 };
 
 struct ExampleResult {
-  std::string code;    // as it was compiled
-  std::string output;  // its stdout
+  std::string code;    // as a reader sees it
+  std::string output;  // its stdout, or what the compiler says of a program that must not compile
   Records records = {};
 };
 
 struct ValueResult {
   std::string text;    // as the page shows it
   std::string origin;  // "model.nq of joint_zoo.xml"
+};
+
+// Of an excerpt or an inline model.
+struct ModelResult {
+  std::string refusal;  // MuJoCo's, of a model that must not compile
 };
 
 struct OutputResult {
@@ -107,15 +112,18 @@ struct QuizResult {
   std::vector<QuestionResult> questions;
 };
 
-using Result =
-    std::variant<FormulaResult, ValueResult, ExampleResult, OutputResult, LabResult, QuizResult>;
+using Result = std::variant<FormulaResult, ValueResult, ExampleResult, ModelResult, OutputResult,
+                            LabResult, QuizResult>;
 
 // How much was verified; what failed is not counted.
 struct Tally {
   int formulas = 0;
   int programs = 0;
+  int snippets = 0;
   int outputs = 0;
   int values = 0;
+  int listed_models = 0;
+  int unchecked = 0;
   int answers_proved = 0;
   int answers_asserted = 0;
   int labs = 0;

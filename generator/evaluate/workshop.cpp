@@ -88,21 +88,30 @@ void Workshop::report_model_file(const ModelError& error, const std::string& pat
 
 std::optional<Simulation> Workshop::simulate(const LocatedText& model, const SourceText& lesson,
                                              Diagnostics& diagnostics) {
-  if (model.text.starts_with('<')) {
-    tl::expected<Model, ModelError> loaded = load_model_text(model.text);
-    if (loaded) return Simulation(*std::move(loaded));
-    const ModelError& error = loaded.error();
-    Span span = model.span();
-    if (error.line > 0) {
-      const SourceText source("", model.text);
-      const std::size_t start = source.line_start(error.line);
-      const Span part = blamed(source.line(error.line), error.message);
-      span = model.span(start + part.begin, start + part.end);
-    }
-    diagnostics.push_back(
-        error_at(place_of(lesson, span), "E-model-mjcf", error.message, error.cure));
-    return std::nullopt;
+  return model.text.starts_with('<') ? simulate_mjcf(model, lesson, diagnostics)
+                                     : simulate_named(model, lesson, diagnostics);
+}
+
+std::optional<Simulation> Workshop::simulate_mjcf(const LocatedText& mjcf, const SourceText& lesson,
+                                                  Diagnostics& diagnostics) {
+  tl::expected<Model, ModelError> loaded = load_model_text(mjcf.text);
+  if (loaded) return Simulation(*std::move(loaded));
+  const ModelError& error = loaded.error();
+  Span span = mjcf.span();
+  if (error.line > 0) {
+    const SourceText source("", mjcf.text);
+    const std::size_t start = source.line_start(error.line);
+    const Span part = blamed(source.line(error.line), error.message);
+    span = mjcf.span(start + part.begin, start + part.end);
   }
+  diagnostics.push_back(
+      error_at(place_of(lesson, span), "E-model-mjcf", error.message, error.cure));
+  return std::nullopt;
+}
+
+std::optional<Simulation> Workshop::simulate_named(const LocatedText& model,
+                                                   const SourceText& lesson,
+                                                   Diagnostics& diagnostics) {
   const std::vector<std::string>& known = course_.models;
   if (std::find(known.begin(), known.end(), model.text) == known.end()) {
     diagnostics.push_back(error_at(place_of(lesson, model.span()), "E-model-unknown",

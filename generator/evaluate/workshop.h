@@ -39,6 +39,12 @@ class Workshop {
   std::optional<Simulation> simulate(const LocatedText& model, const SourceText& lesson,
                                      Diagnostics& diagnostics);
 
+  // The same, of a name alone and of MJCF alone.
+  std::optional<Simulation> simulate_named(const LocatedText& model, const SourceText& lesson,
+                                           Diagnostics& diagnostics);
+  std::optional<Simulation> simulate_mjcf(const LocatedText& mjcf, const SourceText& lesson,
+                                          Diagnostics& diagnostics);
+
  private:
   void report_model_file(const ModelError& error, const std::string& path, const LocatedText& model,
                          const SourceText& lesson, Diagnostics& diagnostics);

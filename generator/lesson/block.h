@@ -32,18 +32,52 @@ struct InlineValue {
   LocatedText format;      // "f", ".4f", "d" …, as in printf; empty for the shortest sensible
 };
 
-// ```cpp file=…: a whole program.
+// ```cpp file=…: a whole program, or a region of one.
 struct Example {
-  LocatedText file;                   // relative to the course: "examples/x.cpp"
-  LocatedText code;                   // the fence's body; empty to show the file
-  double seconds = 10;                // wall clock of a run
-  Span span;                          // the opening fence
-  std::optional<std::size_t> output;  // the block that states its output
+  LocatedText file;                      // relative to the course: "examples/x.cpp"
+  std::optional<LocatedText> region;     // the name behind `#`
+  LocatedText code;                      // the fence's body; empty to show the file
+  double seconds = 10;                   // wall clock of a run
+  int exit_code = 0;                     // as it is expected
+  bool compiles = true;                  // false: the compiler's refusal is what it shows
+  bool optimize = false;                 // -O2, for a program that computes much
+  std::vector<std::string> arguments{};  // of its command line
+  Span span{};                           // the opening fence
+  std::optional<std::size_t> output{};   // the block that states its output
 
   std::string name() const;  // "x" of "examples/x.cpp"
 };
 
-// ```text: what an example prints, as the lesson states it.
+// ```cpp unchecked: code that is shown and not run, and says so.
+struct Unchecked {
+  LocatedText code;
+};
+
+// ```cpp snippet: the body of a function, which sees `model` and `data`.
+struct Snippet {
+  LocatedText model;                    // its name
+  LocatedText code;                     // all that is compiled
+  std::string shown;                    // without the lines that began with `//| `
+  double seconds = 10;                  // wall clock of a run
+  Span span{};                          // the opening fence
+  std::optional<std::size_t> output{};  // the block that states its output
+};
+
+// ```xml model=…: lines of a model of the course.
+struct ModelExcerpt {
+  LocatedText model;  // its name
+  LocatedText text;
+  Span span;
+};
+
+// ```xml mjcf: a whole model inside the lesson.
+struct InlineModel {
+  LocatedText text;
+  bool compiles = true;  // false: MuJoCo's refusal is what it shows
+  Span span;
+};
+
+// ```text: what an example or a snippet prints, as the lesson states it.
 struct Output {
   LocatedText text;
   std::optional<double> tolerance;  // absolute; without one, a unit of the last printed place
@@ -70,6 +104,7 @@ struct Callout {
 // Shown by its neighbour: the "Output:" paragraph and the output below an example.
 struct Shown {};
 
-using Block = std::variant<Math, InlineValue, Example, Output, Io, Callout, Lab, Quiz, Shown>;
+using Block = std::variant<Math, InlineValue, Example, Unchecked, Snippet, ModelExcerpt,
+                           InlineModel, Output, Io, Callout, Lab, Quiz, Shown>;
 
 }  // namespace mjcourse

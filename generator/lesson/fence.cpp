@@ -1,6 +1,7 @@
 #include "lesson/fence.h"
 
 #include <algorithm>
+#include <charconv>
 #include <string_view>
 
 #include "base/nearest.h"
@@ -104,18 +105,46 @@ std::optional<LocatedText> Fence::option(const std::string& name) {
   return std::nullopt;
 }
 
+std::optional<double> Fence::number(const std::string& name, Reading& reading) {
+  const std::optional<LocatedText> text = option(name);
+  if (!text) return std::nullopt;
+  double value = 0;
+  const char* end = text->text.data() + text->text.size();
+  const auto [stop, failure] = std::from_chars(text->text.data(), end, value);
+  if (failure == std::errc() && stop == end && value >= 0) return value;
+  reading.error("E-fence-option", text->span(), "`" + name + "` must be a number, not less than 0");
+  return std::nullopt;
+}
+
+bool Fence::flag(const std::string& name) {
+  flags_.push_back(name);
+  return std::any_of(words_.begin(), words_.end(),
+                     [&](const LocatedText& word) { return word.text == name; });
+}
+
 void Fence::finish(const std::string& kind, Reading& reading) {
-  const auto refuse = [&](const LocatedText& name) {
+  std::vector<std::string> known = asked_;
+  known.insert(known.end(), flags_.begin(), flags_.end());
+  const auto check = [&](const LocatedText& name, const std::vector<std::string>& names) {
+    const auto is_in = [&](const std::vector<std::string>& list) {
+      return std::find(list.begin(), list.end(), name.text) != list.end();
+    };
+    if (is_in(names)) return;
+    if (is_in(known)) {
+      reading.error(
+          "E-fence-option", name.span(),
+          is_in(asked_) ? "`" + name.text + "` needs a value"
+                        : "`" + name.text + "` takes no value",
+          is_in(asked_) ? "write `" + name.text + "=…`" : "write `" + name.text + "` alone");
+      return;
+    }
     reading.error("E-fence-option", name.span(),
                   "a `" + kind + "` fence has no option `" + name.text + "`",
-                  asked_.empty() ? "" : suggest(name.text, asked_));
+                  known.empty() ? "" : suggest(name.text, known));
   };
   const auto of_kind = 1 + std::count(kind.begin(), kind.end(), ' ');
-  for (auto word = words_.begin() + of_kind; word < words_.end(); ++word) refuse(*word);
-  for (const Option& option : options_) {
-    const bool asked = std::find(asked_.begin(), asked_.end(), option.name.text) != asked_.end();
-    if (!asked) refuse(option.name);
-  }
+  for (auto word = words_.begin() + of_kind; word < words_.end(); ++word) check(*word, flags_);
+  for (const Option& option : options_) check(option.name, asked_);
 }
 
 }  // namespace mjcourse

@@ -28,6 +28,10 @@ class Fence {
 
   // The value of `name=value` or `name="value"`; nothing when it is not there.
   std::optional<LocatedText> option(const std::string& name);
+  // The value of `name=5`; nothing (reported) when it is no number, or less than 0.
+  std::optional<double> number(const std::string& name, Reading& reading);
+  // Is the word `name` among those behind the kind's own?
+  bool flag(const std::string& name);
   // Report the options that nothing asked for, and the words behind those of `kind` ("lab simlab").
   void finish(const std::string& kind, Reading& reading);
 
@@ -44,7 +48,8 @@ class Fence {
   std::vector<LocatedText> words_;
   std::vector<Option> options_;
   LocatedText body_;
-  std::vector<std::string> asked_;
+  std::vector<std::string> asked_;  // the names of options
+  std::vector<std::string> flags_;
 };
 
 }  // namespace mjcourse

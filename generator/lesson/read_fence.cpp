@@ -1,75 +1,19 @@
 // What a fence's first word means, and the kinds that are a few lines to read.
-#include <charconv>
 #include <string_view>
 
 #include "base/nearest.h"
 #include "lesson/fence.h"
 #include "lesson/lesson_reader.h"
+#include "lesson/read_code.h"
 #include "lesson/read_lab.h"
+#include "lesson/read_model_fence.h"
 #include "lesson/read_quiz.h"
 
 namespace mjcourse {
 namespace {
 
-std::optional<double> read_number(Fence& fence, const std::string& option, Reading& reading) {
-  const std::optional<LocatedText> text = fence.option(option);
-  if (!text) return std::nullopt;
-  double value = 0;
-  const char* end = text->text.data() + text->text.size();
-  const auto [stop, failure] = std::from_chars(text->text.data(), end, value);
-  if (failure == std::errc() && stop == end && value >= 0) return value;
-  reading.error("E-fence-option", text->span(),
-                "`" + option + "` must be a number, not less than 0");
-  return std::nullopt;
-}
-
-void refuse_option(Fence& fence, const std::string& option, Reading& reading) {
-  if (const auto value = fence.option(option)) {
-    reading.error("E-not-yet", value->span(),
-                  "`" + option +
-                      "=` belongs to the lesson language, but this version of mjcourse "
-                      "cannot do it yet");
-  }
-}
-
 std::string word(const Fence& fence, std::size_t index) {
   return index < fence.words().size() ? fence.words()[index].text : "";
-}
-
-std::optional<Example> read_example(Fence& fence, Reading& reading) {
-  for (const char* later : {"snippet", "unchecked"}) {
-    if (word(fence, 1) != later) continue;
-    reading.error("E-not-yet", fence.words()[1].span(),
-                  "`cpp " + std::string(later) +
-                      "` belongs to the lesson language, but this version "
-                      "of mjcourse cannot do it yet",
-                  "write a whole program: `cpp file=examples/NAME.cpp`");
-    return std::nullopt;
-  }
-  const std::optional<LocatedText> file = fence.option("file");
-  if (!file) {
-    reading.error("E-fence-kind", fence.span(),
-                  "a plain `cpp` fence would show code that nobody ran",
-                  "name the program's file: `cpp file=examples/NAME.cpp`");
-    return std::nullopt;
-  }
-  const std::string& path = file->text;
-  if (path.find(".cpp#") != path.npos) {
-    reading.error("E-not-yet", file->span(),
-                  "a region of a file belongs to the lesson language, but this version of mjcourse "
-                  "cannot do it yet",
-                  "show the whole file");
-    return std::nullopt;
-  }
-  if (!path.starts_with("examples/") || !path.ends_with(".cpp") || path.find("..") != path.npos) {
-    reading.error("E-example-file", file->span(), "an example is a file `examples/NAME.cpp`");
-    return std::nullopt;
-  }
-  Example example{*file, fence.body(), 10, fence.span(), {}};
-  example.seconds = read_number(fence, "timeout", reading).value_or(example.seconds);
-  for (const char* later : {"expect", "args"}) refuse_option(fence, later, reading);
-  fence.finish("cpp", reading);
-  return example;
 }
 
 // "INPUT: …" lines; a line without a label goes on with the row above it.
@@ -107,7 +51,7 @@ void report_unknown(const Fence& fence, Reading& reading) {
   if (fence.indented()) {
     reading.error("E-fence-kind", fence.span(), "an indented block is code that nobody ran",
                   "remove the indentation, or use a fence");
-  } else if (kind == "xml" || kind == "figure" || kind == "plot") {
+  } else if (kind == "figure" || kind == "plot") {
     reading.error("E-not-yet", fence.words()[0].span(),
                   "a `" + kind +
                       "` fence belongs to the lesson language, but this version of "
@@ -115,19 +59,14 @@ void report_unknown(const Fence& fence, Reading& reading) {
                   "leave it out for now");
   } else if (kind.empty()) {
     reading.error("E-fence-kind", fence.span(), "this fence does not say what it holds",
-                  "known: cpp, text, io, lab, quiz");
+                  "known: cpp, xml, text, io, lab, quiz");
   } else {
     reading.error("E-fence-kind", fence.words()[0].span(), "there is no fence `" + kind + "`",
-                  suggest(kind, {"cpp", "text", "io", "lab", "quiz"}));
+                  suggest(kind, {"cpp", "xml", "text", "io", "lab", "quiz"}));
   }
 }
 
 }  // namespace
-
-std::string Example::name() const {
-  const std::size_t slash = file.text.rfind('/') + 1;
-  return file.text.substr(slash, file.text.rfind('.') - slash);
-}
 
 void LessonReader::read_fence(cmark_node* node) {
   Fence fence(node, source());
@@ -138,7 +77,9 @@ void LessonReader::read_fence(cmark_node* node) {
   }
   const std::string kind = word(fence, 0);
   if (kind == "cpp") {
-    if (auto example = read_example(fence, reading_)) add(node, std::move(*example));
+    if (auto code = read_code(fence, reading_)) add(node, std::move(*code));
+  } else if (kind == "xml") {
+    if (auto model = read_model_fence(fence, reading_)) add(node, std::move(*model));
   } else if (kind == "text") {
     read_output(node, fence);
   } else if (kind == "io") {
@@ -182,15 +123,16 @@ void LessonReader::refuse_second_quiz(const Quiz& quiz, Span span) {
   }
 }
 
-// The example whose output this is: the one named, or the one just above (a paragraph "Output:" may
-// stand between).
+// The code whose output this is: the example named, or the example or snippet just above (a
+// paragraph "Output:" may stand between).
 void LessonReader::read_output(cmark_node* node, Fence& fence) {
   const auto index_of = [this](cmark_node* at) -> std::optional<std::size_t> {
     const auto found = at != nullptr ? lesson_.block_of.find(at) : lesson_.block_of.end();
     if (found == lesson_.block_of.end()) return std::nullopt;
-    return std::holds_alternative<Example>(lesson_.blocks[found->second])
-               ? std::optional(found->second)
-               : std::nullopt;
+    const Block& block = lesson_.blocks[found->second];
+    const bool prints =
+        std::holds_alternative<Example>(block) || std::holds_alternative<Snippet>(block);
+    return prints ? std::optional(found->second) : std::nullopt;
   };
   cmark_node* above = cmark_node_previous(node);
   const bool labelled = above != nullptr && plain_text(above) == "Output:";
@@ -202,14 +144,20 @@ void LessonReader::read_output(cmark_node* node, Fence& fence) {
     example = index_of(labelled ? cmark_node_previous(above) : above);
   }
   if (!example) {
-    reading_.error("E-output-stray", fence.span(), "this output belongs to no example",
-                   "put it right after a `cpp file=…` fence, or name the example above: "
-                   "`text output=NAME`");
+    reading_.error(
+        "E-output-stray", fence.span(), "this output belongs to no program",
+        "put it right after a `cpp file=…` or `cpp snippet` fence, or name the example above: "
+        "`text output=NAME`");
     return;
   }
-  const std::optional<double> tolerance = read_number(fence, "tol", reading_);
+  const std::optional<double> tolerance = fence.number("tol", reading_);
   fence.finish("text", reading_);
-  std::get<Example>(lesson_.blocks[*example]).output = lesson_.blocks.size();
+  Block& printing = lesson_.blocks[*example];
+  if (auto* snippet = std::get_if<Snippet>(&printing)) {
+    snippet->output = lesson_.blocks.size();
+  } else {
+    std::get<Example>(printing).output = lesson_.blocks.size();
+  }
   add(node, Output{fence.body(), tolerance, *example, fence.span()});
   if (labelled) add(above, Shown{});
 }

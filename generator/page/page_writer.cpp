@@ -124,6 +124,18 @@ std::string PageWriter::write_block(std::size_t index, const std::string& inner)
   if (const auto* example = std::get_if<Example>(&block)) {
     return render("example", data_of(*example, index));
   }
+  if (const auto* unchecked = std::get_if<Unchecked>(&block)) {
+    return render("example", data_of(*unchecked));
+  }
+  if (const auto* snippet = std::get_if<Snippet>(&block)) {
+    return render("example", data_of(*snippet, index));
+  }
+  if (const auto* excerpt = std::get_if<ModelExcerpt>(&block)) {
+    return render("example", data_of(*excerpt));
+  }
+  if (const auto* model = std::get_if<InlineModel>(&block)) {
+    return render("example", data_of(*model, index));
+  }
   if (const auto* lab = std::get_if<Lab>(&block)) return render("lab", data_of(*lab, index));
   if (const auto* quiz = std::get_if<Quiz>(&block)) return render("quiz", data_of(*quiz, index));
   if (const auto* io = std::get_if<Io>(&block)) return render("io", data_of(*io));

@@ -53,6 +53,12 @@ class PageWriter {
   std::string write_block(std::size_t index, const std::string& inner);
 
   nlohmann::json data_of(const Example& example, std::size_t index);
+  nlohmann::json data_of(const Unchecked& unchecked);
+  nlohmann::json data_of(const Snippet& snippet, std::size_t index);
+  nlohmann::json data_of(const ModelExcerpt& excerpt);
+  nlohmann::json data_of(const InlineModel& model, std::size_t index);
+  nlohmann::json listing(const std::string& code, const std::string& language);
+  bool has_proved_output(const std::optional<std::size_t>& output) const;
   nlohmann::json data_of(const Lab& lab, std::size_t index);
   nlohmann::json live_data(const Lab& lab, const LabResult& result);
   nlohmann::json data_of(const Quiz& quiz, std::size_t index);

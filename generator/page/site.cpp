@@ -30,8 +30,11 @@ std::map<std::string, std::string> read_templates(const DiskFiles& assets) {
 
 json verified_data(const Tally& tally, const std::string& mujoco) {
   return {{"programs", tally.programs},
+          {"snippets", tally.snippets},
           {"outputs", tally.outputs},
           {"values", tally.values},
+          {"listed_models", tally.listed_models},
+          {"unchecked", tally.unchecked},
           {"answers_proved", tally.answers_proved},
           {"answers_asserted", tally.answers_asserted},
           {"labs", tally.labs},

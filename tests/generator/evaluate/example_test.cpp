@@ -141,6 +141,57 @@ TEST(Example, MustNotFlood) {
             "  cure: print what a reader wants to read\n");
 }
 
+TEST(Example, MayExitWithAnExpectedCode) {
+  const EvaluationOf found = example("int main() { return 3; }\n", " expect=exit:3");
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_EQ(found.tally().programs, 1);
+  EXPECT_EQ(run_mistake("int main() {}\n", " expect=exit:3"),
+            "the program exited with code 0, and 3 was expected [E-example-exit]\n");
+}
+
+TEST(Example, GetsItsArguments) {
+  EXPECT_EQ(example("#include <cstdio>\nint main(int n, char** all) {\n"
+                    "  for (int i = 1; i < n; ++i) std::puts(all[i]);\n}\n",
+                    " args=\"a --b=1\"")
+                .result<ExampleResult>()
+                .output,
+            "a\n--b=1\n");
+}
+
+TEST(Example, MayBeOptimized) {
+  const std::string code =
+      "#include <cstdio>\nint main() {\n#ifdef __OPTIMIZE__\n  std::puts(\"fast\");\n#endif\n}\n";
+  EXPECT_EQ(example(code, " optimize").result<ExampleResult>().output, "fast\n");
+  EXPECT_EQ(example(code).result<ExampleResult>().output, "");
+}
+
+TEST(Example, MayBeOneThatDoesNotCompile) {
+  const std::string code = "int main() { return undeclared; }\n";
+  const EvaluationOf found = example(code, " expect=compile-error");
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_EQ(found.tally().programs, 1);
+  EXPECT_EQ(found.result<ExampleResult>().code, code);
+  EXPECT_EQ(found.result<ExampleResult>().output,
+            "examples/a.cpp:1:21: error: use of undeclared identifier 'undeclared'\n" + code +
+                "                    ^\n1 error generated.\n");
+  EXPECT_EQ(run_mistake("int main() {}\n", " expect=compile-error"),
+            "the program compiles, and is said not to [E-example-compiles]\n"
+            "  cure: remove `expect=compile-error`, or mend the lesson's point\n");
+}
+
+// That is the compiler's word, and not the linker's.
+TEST(Example, ThatDoesNotCompileIsNotOneThatDoesNotLink) {
+  EXPECT_EQ(run_mistake("void lost();\nint main() { lost(); }\n", " expect=compile-error"),
+            "the program does not link [E-example-compile]\n    undefined reference to `lost()'\n");
+}
+
+TEST(Unchecked, IsCountedAndNothingElse) {
+  const EvaluationOf found("```cpp unchecked\nthis is no program\n```\n");
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_EQ(found.tally().unchecked, 1);
+  EXPECT_EQ(found.tally().programs, 0);
+}
+
 const std::string kPrints = "#include <cstdio>\nint main() { std::puts(\"a 0.25\\nb\\nc\"); }\n";
 
 TEST(Output, IsWhatTheProgramPrints) {

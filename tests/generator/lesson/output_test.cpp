@@ -47,10 +47,10 @@ TEST(Output, MayGiveATolerance) {
 
 TEST(Output, MustBelongToAnExample) {
   const std::string expected =
-      R"(content/1-a/1.1-x.md:8:1: error: this output belongs to no example [E-output-stray]
+      R"(content/1-a/1.1-x.md:8:1: error: this output belongs to no program [E-output-stray]
   8 | ```text
     | ^~~~~~~
-  cure: put it right after a `cpp file=…` fence, or name the example above: `text output=NAME`
+  cure: put it right after a `cpp file=…` or `cpp snippet` fence, or name the example above: `text output=NAME`
 )";
   EXPECT_EQ(outputs(kA + "\nBetween.\n```text\n1\n```\n"), expected);
 }

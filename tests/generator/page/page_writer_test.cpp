@@ -96,6 +96,49 @@ TEST_F(PageWriterTest, ShowsAnOutputOnlyWithItsExample) {
   EXPECT_TRUE(html.ends_with("<p>After.</p>\n")) << html;
 }
 
+TEST_F(PageWriterTest, SaysHowAProgramWasRun) {
+  results_.of_block[0] = ExampleResult{"int main() {}\n", "out\n"};
+  EXPECT_NE(body("```cpp file=examples/a.cpp args=\"x y\" expect=exit:3\n```\n")
+                .find("<span>Printed by this program when run with x y, which exits with code 3"),
+            std::string::npos);
+  EXPECT_NE(body("```cpp file=examples/a.cpp expect=compile-error\n```\n")
+                .find("<span>Said by the compiler, which refuses this program</span>"),
+            std::string::npos);
+}
+
+TEST_F(PageWriterTest, ShowsAnOutputBelowTheRegionThatStatesIt) {
+  results_.of_block[0] = ExampleResult{"x;\n", "out\n"};
+  const std::string silent = body("```cpp file=examples/a.cpp#r\n```\n");
+  EXPECT_NE(silent.find("id=\"example-a-r\""), std::string::npos) << silent;
+  EXPECT_EQ(silent.find("out\n"), std::string::npos) << silent;
+  EXPECT_NE(body("```cpp file=examples/a.cpp#r\n```\n```text\nout\n```\n").find("out\n"),
+            std::string::npos);
+}
+
+TEST_F(PageWriterTest, SaysOfUncheckedCodeThatItWasNotRun) {
+  const std::string html = body("```cpp unchecked\na < b;\n```\n");
+  EXPECT_NE(html.find("<span class=\"mark asserted\">not run</span>"), std::string::npos) << html;
+  EXPECT_NE(html.find("a &lt; b;"), std::string::npos) << html;
+}
+
+TEST_F(PageWriterTest, ShowsOfASnippetWhatIsToBeSeen) {
+  results_.of_block[0] = ExampleResult{"use(n);\n", "out\n"};
+  const std::string html = body("```cpp snippet model=m\n//| int n = 2;\nuse(n);\n```\n");
+  EXPECT_EQ(html.find("n = "), std::string::npos) << html;
+  EXPECT_NE(html.find("<span>Printed by these lines</span>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<samp>out\n</samp>"), std::string::npos) << html;
+}
+
+TEST_F(PageWriterTest, ShowsModelsAndWhyMuJoCoRefusesThem) {
+  const std::string excerpt = body("```xml model=ball\n<geom/>\n```\n");
+  EXPECT_NE(excerpt.find("<span class=\"file\">models/ball.xml</span></figcaption>"),
+            std::string::npos)
+      << excerpt;
+  results_.of_block[0] = ModelResult{"line 1: no <mujoco>\n"};
+  const std::string refused = body("```xml mjcf expect=error\n<m/>\n```\n");
+  EXPECT_NE(refused.find("<samp>line 1: no &lt;mujoco&gt;\n</samp>"), std::string::npos) << refused;
+}
+
 // The page of a quiz with one question.
 std::string quiz(const std::string& question) {
   return "```quiz\n{\"id\": \"q.1\", \"questions\": [" + question + "]}\n```\n";

@@ -1,0 +1,25 @@
+// Snippets: the bodies of functions, all of a lesson's in one program.
+//
+// Steps: the program is made of one function for each, compiled with `#line` so that the compiler's
+// complaints name the lesson; then it is run once for each, from a fresh model and fresh data, so
+// none sees what another did and each has its output and its mistakes for itself.
+#pragma once
+
+#include <filesystem>
+#include <map>
+
+#include "course/course.h"
+#include "evaluate/compiler.h"
+#include "evaluate/result.h"
+#include "report/diagnostic.h"
+
+namespace mjcourse {
+
+// By their blocks; only of those that did what they should. A model that is wrong is not reported
+// here. Safe to call from several threads, each with its own diagnostics.
+std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, const Course& course,
+                                                       const std::filesystem::path& root,
+                                                       const Compiler& compiler,
+                                                       Diagnostics& diagnostics);
+
+}  // namespace mjcourse

@@ -1,0 +1,15 @@
+// ```cpp: a program, a region of one, the body of a function, or code that nobody runs.
+#pragma once
+
+#include <optional>
+
+#include "lesson/block.h"
+#include "lesson/fence.h"
+#include "lesson/reading.h"
+
+namespace mjcourse {
+
+// Nothing (reported) where the fence does not say which of these it is.
+std::optional<Block> read_code(Fence& fence, Reading& reading);
+
+}  // namespace mjcourse

@@ -1,0 +1,8 @@
+int main() {
+  // #region answer
+  return nq;
+  // #endregion
+}
+// #region rest
+int rest;
+// #endregion
