@@ -142,7 +142,7 @@ std::map<std::string, ExampleResult> collect(std::vector<ExampleTask> tasks, Eva
     if (task.program && task.results.empty()) reports.add(task.program->name(), nullptr);
     for (auto& [block, result] : task.results) {
       if (task.program) {
-        ExampleResult& kept = programs[task.program->file.text] = result;
+        const ExampleResult& kept = programs[task.program->file.text] = result;
         reports.add(task.program->name(), &kept);
       }
       results.of_block[block] = std::move(result);
