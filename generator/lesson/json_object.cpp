@@ -150,18 +150,6 @@ LocatedText JsonObject::required_script(const std::string& key) {
   return text;
 }
 
-void JsonObject::not_yet(const std::string& key) {
-  for (const JsonMember& member : value_.members) {
-    if (member.key.text != key) continue;
-    find(key);
-    reading_.error("E-not-yet", member.key.span(),
-                   "\"" + key +
-                       "\" belongs to the lesson language, but this version of mjcourse "
-                       "cannot do it yet",
-                   "leave it out for now");
-  }
-}
-
 void JsonObject::finish() {
   for (const JsonMember& member : value_.members) {
     const std::string& key = member.key.text;

@@ -53,9 +53,6 @@ class JsonObject {
   LocatedText script(const std::string& key);
   LocatedText required_script(const std::string& key);
 
-  // A key that the design knows and this version does not read: an error that says so.
-  void not_yet(const std::string& key);
-
   // Report the keys that nothing asked for.
   void finish();
 
