@@ -72,4 +72,15 @@ inline std::string mistakes_in(const std::string& body) {
   return reading_of(body).mistakes();
 }
 
+// Each mistake: id, what it underlines, message, cure.
+inline std::string underlined_mistakes(const ReadingOf& reading) {
+  std::string text;
+  for (const Diagnostic& d : reading.diagnostics) {
+    const auto column = static_cast<std::size_t>(d.place.column - 1);
+    text += d.id + " <" + d.place.excerpt.substr(column, static_cast<std::size_t>(d.place.width)) +
+            "> " + d.message + (d.cure.empty() ? "" : " | " + d.cure) + "\n";
+  }
+  return text;
+}
+
 }  // namespace mjcourse

@@ -19,13 +19,7 @@ inline ReadingOf lab_with(const std::string& members) {
 
 // Each mistake of such a lab: id, what it underlines, message, cure.
 inline std::string lab_mistakes(const std::string& members) {
-  std::string text;
-  for (const Diagnostic& d : lab_with(members).diagnostics) {
-    const auto column = static_cast<std::size_t>(d.place.column - 1);
-    text += d.id + " <" + d.place.excerpt.substr(column, static_cast<std::size_t>(d.place.width)) +
-            "> " + d.message + (d.cure.empty() ? "" : " | " + d.cure) + "\n";
-  }
-  return text;
+  return underlined_mistakes(lab_with(members));
 }
 
 }  // namespace mjcourse

@@ -13,13 +13,7 @@ inline ReadingOf quiz_of(const std::string& questions) {
 
 // Each mistake in the questions: id, what it underlines, message, cure.
 inline std::string quiz_mistakes(const std::string& questions) {
-  std::string text;
-  for (const Diagnostic& d : quiz_of(questions).diagnostics) {
-    const auto column = static_cast<std::size_t>(d.place.column - 1);
-    text += d.id + " <" + d.place.excerpt.substr(column, static_cast<std::size_t>(d.place.width)) +
-            "> " + d.message + (d.cure.empty() ? "" : " | " + d.cure) + "\n";
-  }
-  return text;
+  return underlined_mistakes(quiz_of(questions));
 }
 
 }  // namespace mjcourse
