@@ -5,6 +5,7 @@
 // appends to it, so that all mistakes of a lesson are shown in one run.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,15 @@ struct Note {
   Place place;  // without a file: the note belongs to the diagnostic's own place
 };
 
+// What to write into a file so that it is no longer wrong; `mjcourse accept` does it.
+struct Edit {
+  std::string file;  // relative to the course
+  std::optional<Span>
+      span;          // the bytes to replace; nothing: the whole file, which may not be there
+  std::string text;  // what comes there
+  std::string what;  // "the output of l1_2_second_box", for the one who is to agree
+};
+
 struct Diagnostic {
   std::string id;  // stable, for search engines and `explain`: "E-output-differs"
   Severity severity = Severity::error;
@@ -36,7 +46,8 @@ struct Diagnostic {
   std::string message;  // one line: what is wrong, with the values that show it
   std::string detail;   // more lines where they help: a diff, the compiler's own words
   std::vector<Note> notes;
-  std::string cure;  // what to do about it; empty when there is nothing to suggest
+  std::string cure;               // what to do about it; empty when there is nothing to suggest
+  std::optional<Edit> edit = {};  // where the course can be made right without its author's thought
 };
 
 using Diagnostics = std::vector<Diagnostic>;
