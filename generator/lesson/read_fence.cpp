@@ -1,10 +1,11 @@
-// What a fence's first word means, and the kinds that are a few lines to read.
+// What a fence's first word means, and which program an output belongs to.
 #include <string_view>
 
 #include "base/nearest.h"
 #include "lesson/fence.h"
 #include "lesson/lesson_reader.h"
 #include "lesson/read_code.h"
+#include "lesson/read_io.h"
 #include "lesson/read_lab.h"
 #include "lesson/read_model_fence.h"
 #include "lesson/read_quiz.h"
@@ -14,36 +15,6 @@ namespace {
 
 std::string word(const Fence& fence, std::size_t index) {
   return index < fence.words().size() ? fence.words()[index].text : "";
-}
-
-// "INPUT: …" lines; a line without a label goes on with the row above it.
-std::optional<Io> read_io(Fence& fence, LessonReader& reader) {
-  std::vector<std::pair<std::string, LocatedText>> rows;
-  const LocatedText& body = fence.body();
-  for (std::size_t at = 0; at < body.text.size();) {
-    const std::size_t end = std::min(body.text.find('\n', at), body.text.size());
-    std::size_t from = at;
-    for (const char* label : {"INPUT", "PROCESS", "OUTPUT"}) {
-      const std::string start = std::string(label) + ":";
-      if (body.text.compare(at, start.size(), start) != 0) continue;
-      rows.emplace_back(label, LocatedText{});
-      from = std::min(body.text.find_first_not_of(' ', at + start.size()), end);
-    }
-    if (rows.empty()) {
-      reader.reading().error(
-          "E-io-label", body.span(at, end),
-          "an `io` panel is made of lines `INPUT: …`, `PROCESS: …`, `OUTPUT: …`");
-      return std::nullopt;
-    }
-    rows.back().second.append_line({body.text.substr(from, end - from),
-                                    {body.offsets.begin() + static_cast<std::ptrdiff_t>(from),
-                                     body.offsets.begin() + static_cast<std::ptrdiff_t>(end) + 1}});
-    at = end + 1;
-  }
-  fence.finish("io", reader.reading());
-  Io io;
-  for (auto& [label, text] : rows) io.rows.push_back({label, reader.fragment(text)});
-  return io;
 }
 
 void report_unknown(const Fence& fence, Reading& reading) {
