@@ -23,14 +23,19 @@ constexpr Option kCourse{"--course", "a folder", [](Options& options, const std:
 constexpr Option kOut{"--out", "a folder",
                       [](Options& options, const std::string& value) { options.out = value; }};
 
+constexpr Option kDryRun{"--dry-run", "",
+                         [](Options& options, const std::string&) { options.dry_run = true; }};
+
 struct Named {
   std::string_view name;
   int (*command)(const Options&);
   std::vector<Option> options;
+  bool takes_places = false;  // words that are no options
 };
 
 const std::vector<Named>& commands() {
-  static const std::vector<Named> all{{"build", build, {kCourse, kOut}},
+  static const std::vector<Named> all{{"accept", accept, {kCourse, kDryRun}, true},
+                                      {"build", build, {kCourse, kOut}},
                                       {"check", check, {kCourse}}};
   return all;
 }
@@ -38,13 +43,21 @@ const std::vector<Named>& commands() {
 constexpr std::string_view kHelp =
     "usage: mjcourse COMMAND [OPTIONS]\n"
     "\n"
-    "  build   evaluate the course and write its site\n"
-    "  check   evaluate the course and write nothing\n"
+    "  build              evaluate the course and write its site\n"
+    "  check              evaluate the course and write nothing\n"
+    "  accept [WHERE...]  evaluate the course, show where it differs from what is committed, and\n"
+    "                     write what was computed: outputs, programs, regions, pictures\n"
     "\n"
+    "  WHERE          a lesson (1.2, its slug or its path), or the block at one of its lines\n"
+    "                 (1.2:210); none means all\n"
     "  --course DIR   the course: a folder with content/, models/ and examples/ (default: .)\n"
     "  --out DIR      where build puts the site (default: build/site in the course)\n"
+    "  --dry-run      accept shows the differences and writes nothing; the exit code is 1 if "
+    "there\n"
+    "                 are any\n"
     "\n"
-    "Exit code: 0 clean, 1 the course has errors, 2 wrong usage, 3 our fault.\n";
+    "Exit code: 0 clean, 1 the course has errors (after accept: those that it cannot mend),\n"
+    "2 wrong usage, 3 our fault.\n";
 
 int wrong_usage(const std::string& message) {
   std::cerr << "mjcourse: " << message << "\n`mjcourse --help` shows the commands\n";
@@ -67,6 +80,10 @@ int run_named(const Named& named, const std::vector<std::string>& arguments) {
     }
     const auto option = std::find_if(named.options.begin(), named.options.end(),
                                      [&](const Option& known) { return known.name == argument; });
+    if (option == named.options.end() && named.takes_places && !argument.starts_with('-')) {
+      options.where.push_back(argument);
+      continue;
+    }
     if (option == named.options.end()) return wrong_usage(no_option(named, argument));
     const bool needs_value = !option->value.empty();
     if (needs_value && i + 1 == arguments.size()) {

@@ -77,7 +77,7 @@ std::optional<Code> code_of(const Example& example, const ShownProgram& shown, c
 }
 
 // The program is as it should be, so its file can be written from the fence.
-void offer_file(const Example& example, const ShownProgram& shown,
+void offer_file(const Example& example, const ShownProgram& shown, const Lesson& lesson,
                 const tl::expected<std::string, std::string>& file, Diagnostic& differs) {
   const std::string& path = example.file.text;
   if (shown.contradicts_itself()) {
@@ -89,7 +89,7 @@ void offer_file(const Example& example, const ShownProgram& shown,
                         "`mjcourse accept` writes the fence's text into the file"
                       : "`mjcourse accept` saves the fence's text as " + path;
   differs.edit = Edit{path, std::nullopt, with_line_ends(example.code.text, crlf ? "\r\n" : "\n"),
-                      "the program " + path};
+                      "the program that lesson " + lesson.number + " shows"};
   if (file) differs.edit->before = *file;
 }
 
@@ -195,7 +195,7 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Show
   if (!found) return std::nullopt;
   auto result = compile_and_run(example, found->text, lesson, root, compiler, diagnostics);
   if (result && found->differs) {
-    offer_file(example, shown_by, file, diagnostics[*found->differs]);
+    offer_file(example, shown_by, lesson, file, diagnostics[*found->differs]);
   }
   return result;
 }

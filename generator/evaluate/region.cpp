@@ -84,9 +84,10 @@ std::optional<std::string> evaluate_region(const Example& example, const SourceT
   if (replacement) {
     differs.cure =
         "`mjcourse accept` writes the fence's lines into the file; or leave the fence empty";
-    differs.edit = Edit{program.path(), replacement->span, replacement->text,
-                        "the region `" + example.region->text + "` of " + program.path(),
-                        std::string(program.text())};
+    differs.edit =
+        Edit{program.path(), replacement->span, replacement->text,
+             "the region `" + example.region->text + "` that lesson " + lesson.number + " shows",
+             std::string(program.text())};
   }
   diagnostics.push_back(std::move(differs));
   return replacement ? std::optional(joined(ours)) : std::nullopt;

@@ -42,7 +42,6 @@ class Writer {
   Writer(const std::vector<DiffLine>& lines, const SameLine& same, const DiffStyle& style)
       : lines_(lines), style_(style), moves_(moved_lines(lines, same)) {
     for (const DiffLine& line : lines) {
-      if (line.kind != DiffLine::Kind::gone) continue;
       width_ = std::max(width_, std::to_string(line.line).size());
     }
     for (const Hunk& hunk : hunks_of(lines)) add(hunk);
@@ -70,13 +69,20 @@ class Writer {
  private:
   void add(const Hunk& hunk) {
     std::size_t gone = 0, come = 0;
+    const auto add_come = [&] {
+      // Where it begins the hunk, it has the number of the line that it stands before.
+      const bool begins = gone == 0 && come == 0;
+      const std::size_t first = hunk.gone.empty() ? hunk.come[0] : hunk.gone[0];
+      add_line(hunk.come[come], begins ? std::to_string(lines_[first].line) : "");
+      ++come;
+    };
     for (const auto& [i, j] : pairs(hunk)) {
-      while (gone < i) add_line(hunk.gone[gone++]);
-      while (come < j) add_line(hunk.come[come++]);
+      while (gone < i) add_gone(hunk.gone[gone++]);
+      while (come < j) add_come();
       add_pair(hunk.gone[gone++], hunk.come[come++]);
     }
-    while (gone < hunk.gone.size()) add_line(hunk.gone[gone++]);
-    while (come < hunk.come.size()) add_line(hunk.come[come++]);
+    while (gone < hunk.gone.size()) add_gone(hunk.gone[gone++]);
+    while (come < hunk.come.size()) add_come();
   }
 
   // Which line became which, in order, so that what stands together is as alike as can be; lines
@@ -108,10 +114,11 @@ class Writer {
     return found;
   }
 
-  void add_line(std::size_t index) {
+  void add_gone(std::size_t index) { add_line(index, std::to_string(lines_[index].line)); }
+
+  void add_line(std::size_t index, const std::string& number) {
     const DiffLine& line = lines_[index];
     const bool gone = line.kind == DiffLine::Kind::gone;
-    const std::string number = gone ? std::to_string(line.line) : "";
     const std::string margin = std::string(width_ - number.size(), ' ') + number;
     const char* sign = gone ? " -" : " +";
     rows_.push_back(
@@ -122,11 +129,11 @@ class Writer {
     const ChangedWords words = changed_words(lines_[gone].text, lines_[come].text);
     const std::string margin(width_ + 3, ' ');
     const bool marked = words.alike >= kAlike;
-    add_line(gone);
+    add_gone(gone);
     if (marked && words.come.empty() && !words.gone.empty()) {
       rows_.push_back({"", margin + words.gone});
     }
-    add_line(come);
+    add_line(come, "");
     if (marked && !words.come.empty()) rows_.push_back({"", margin + words.come});
   }
 
