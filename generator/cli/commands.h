@@ -2,17 +2,24 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace mjcourse {
 
 struct Options {
   std::filesystem::path course = ".";
   std::filesystem::path out;
+  std::vector<std::string> where;  // lessons, or lines of them; none: all
+  bool dry_run = false;
 };
 
 // Evaluate the course and replace the site; with errors the old site stays.
 int build(const Options& options);
 // Evaluate the course and report.
 int check(const Options& options);
+
+// Evaluate the course and write what was computed where something else is committed.
+int accept(const Options& options);
 
 }  // namespace mjcourse

@@ -1,5 +1,6 @@
 #include "cli/run.h"
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string_view>
@@ -10,28 +11,63 @@
 namespace mjcourse {
 namespace {
 
+struct Option {
+  std::string_view name;
+  std::string_view value;  // what must follow it: "a folder"; empty where nothing may
+  void (*take)(Options&, const std::string& value);
+};
+
+constexpr Option kCourse{"--course", "a folder", [](Options& options, const std::string& value) {
+                           options.course = value;
+                         }};
+constexpr Option kOut{"--out", "a folder",
+                      [](Options& options, const std::string& value) { options.out = value; }};
+
+constexpr Option kDryRun{"--dry-run", "",
+                         [](Options& options, const std::string&) { options.dry_run = true; }};
+
 struct Named {
   std::string_view name;
   int (*command)(const Options&);
-  bool takes_out;
+  std::vector<Option> options;
+  bool takes_places = false;  // words that are no options
 };
 
-constexpr Named kCommands[] = {{"build", build, true}, {"check", check, false}};
+const std::vector<Named>& commands() {
+  static const std::vector<Named> all{{"accept", accept, {kCourse, kDryRun}, true},
+                                      {"build", build, {kCourse, kOut}},
+                                      {"check", check, {kCourse}}};
+  return all;
+}
 
 constexpr std::string_view kHelp =
     "usage: mjcourse COMMAND [OPTIONS]\n"
     "\n"
-    "  build   evaluate the course and write its site\n"
-    "  check   evaluate the course and write nothing\n"
+    "  build              evaluate the course and write its site\n"
+    "  check              evaluate the course and write nothing\n"
+    "  accept [WHERE...]  evaluate the course, show where it differs from what is committed, and\n"
+    "                     write what was computed: outputs, programs, regions, pictures\n"
     "\n"
+    "  WHERE          a lesson (1.2, its slug or its path), or the block at one of its lines\n"
+    "                 (1.2:210); none means all\n"
     "  --course DIR   the course: a folder with content/, models/ and examples/ (default: .)\n"
     "  --out DIR      where build puts the site (default: build/site in the course)\n"
+    "  --dry-run      accept shows the differences and writes nothing; the exit code is 1 if "
+    "there\n"
+    "                 are any\n"
     "\n"
-    "Exit code: 0 clean, 1 the course has errors, 2 wrong usage, 3 our fault.\n";
+    "Exit code: 0 clean, 1 the course has errors (after accept: those that it cannot mend),\n"
+    "2 wrong usage, 3 our fault.\n";
 
 int wrong_usage(const std::string& message) {
   std::cerr << "mjcourse: " << message << "\n`mjcourse --help` shows the commands\n";
   return kWrongUsage;
+}
+
+std::string no_option(const Named& named, const std::string& argument) {
+  std::vector<std::string> known;
+  for (const Option& option : named.options) known.emplace_back(option.name);
+  return std::string(named.name) + " has no option " + argument + "; " + suggest(argument, known);
 }
 
 int run_named(const Named& named, const std::vector<std::string>& arguments) {
@@ -42,15 +78,18 @@ int run_named(const Named& named, const std::vector<std::string>& arguments) {
       std::cout << kHelp;
       return kClean;
     }
-    const bool is_out = argument == "--out" && named.takes_out;
-    if (argument != "--course" && !is_out) {
-      std::vector<std::string> known{"--course"};
-      if (named.takes_out) known.push_back("--out");
-      return wrong_usage(std::string(named.name) + " has no option " + argument + "; " +
-                         suggest(argument, known));
+    const auto option = std::find_if(named.options.begin(), named.options.end(),
+                                     [&](const Option& known) { return known.name == argument; });
+    if (option == named.options.end() && named.takes_places && !argument.starts_with('-')) {
+      options.where.push_back(argument);
+      continue;
     }
-    if (i + 1 == arguments.size()) return wrong_usage(argument + " needs a folder");
-    (is_out ? options.out : options.course) = arguments[++i];
+    if (option == named.options.end()) return wrong_usage(no_option(named, argument));
+    const bool needs_value = !option->value.empty();
+    if (needs_value && i + 1 == arguments.size()) {
+      return wrong_usage(argument + " needs " + std::string(option->value));
+    }
+    option->take(options, needs_value ? arguments[++i] : "");
   }
   if (options.out.empty()) options.out = options.course / "build" / "site";
   options.course = std::filesystem::absolute(options.course);  // tools run in folders of their own
@@ -71,7 +110,7 @@ int run_command(const std::vector<std::string>& arguments) {
   }
   try {
     std::vector<std::string> names;
-    for (const Named& named : kCommands) {
+    for (const Named& named : commands()) {
       if (arguments[0] == named.name) return run_named(named, arguments);
       names.emplace_back(named.name);
     }

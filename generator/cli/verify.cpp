@@ -9,6 +9,7 @@
 #include <iostream>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "cli/progress_bar.h"
@@ -53,14 +54,6 @@ void sort_diagnostics(Diagnostics& diagnostics) {
                    });
 }
 
-void print_diagnostics(const Diagnostics& diagnostics) {
-  TerminalStyle style;
-  style.colours = isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-  for (const Diagnostic& diagnostic : diagnostics) {
-    std::cerr << format_for_terminal(diagnostic, style) << '\n';
-  }
-}
-
 // Errors in `file`, and those elsewhere that a note says it has a part in: a model that it uses.
 bool concerns(const Diagnostic& diagnostic, const std::string& file) {
   return diagnostic.place.file == file ||
@@ -95,19 +88,38 @@ std::filesystem::path assets_folder() {
   return named != nullptr ? named : MJCOURSE_DEFAULT_ASSETS;
 }
 
-Verified verify_course(const Options& options) {
-  const auto start = std::chrono::steady_clock::now();
+void print_diagnostics(const Diagnostics& diagnostics) {
+  TerminalStyle style;
+  style.colours = isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    std::cerr << format_for_terminal(diagnostic, style) << '\n';
+  }
+}
+
+Verified read_course_of(const Options& options) {
   Verified verified;
-  Diagnostics reading;
-  verified.course = read_course(DiskFiles(options.course), reading);
+  verified.course = read_course(DiskFiles(options.course), verified.evaluation.diagnostics);
+  return verified;
+}
+
+void evaluate_course(const Options& options, Verified& verified) {
+  Diagnostics all = std::move(verified.evaluation.diagnostics);
   if (verified.course) {
     ProgressBar progress;
     verified.evaluation =
         evaluate(*verified.course, options.course, DiskFiles(assets_folder()), progress);
   }
-  Diagnostics& all = verified.evaluation.diagnostics;
-  all.insert(all.begin(), reading.begin(), reading.end());
-  sort_diagnostics(all);
+  Diagnostics& found = verified.evaluation.diagnostics;
+  all.insert(all.end(), found.begin(), found.end());
+  found = std::move(all);
+  sort_diagnostics(found);
+}
+
+Verified verify_course(const Options& options) {
+  const auto start = std::chrono::steady_clock::now();
+  Verified verified = read_course_of(options);
+  evaluate_course(options, verified);
+  const Diagnostics& all = verified.evaluation.diagnostics;
   print_diagnostics(all);
 
   Tally total;

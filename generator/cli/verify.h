@@ -1,4 +1,4 @@
-// What build and check have in common: read the course, evaluate it, tell what was found.
+// What the commands have in common: read the course, evaluate it, tell what was found.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,13 @@ struct Verified {
   bool failed = false;
 };
 
-// Prints every diagnostic to stderr; a line for each lesson and a summary to stdout.
+// The steps one by one, none of which prints: read the course, then evaluate it, if there is one.
+Verified read_course_of(const Options& options);
+void evaluate_course(const Options& options, Verified& verified);
+// To stderr.
+void print_diagnostics(const Diagnostics& diagnostics);
+
+// All of it. Prints every diagnostic to stderr; a line for each lesson and a summary to stdout.
 Verified verify_course(const Options& options);
 
 // What the site's build made: the environment's MJCOURSE_ASSETS, else the folder that the build of

@@ -5,6 +5,7 @@
 #include "base/nearest.h"
 #include "course/course.h"
 #include "course/link_target.h"
+#include "lesson/is_utf8.h"
 #include "lesson/read_lesson.h"
 #include "lesson/reading.h"
 #include "lesson/yaml_map.h"
@@ -117,6 +118,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics) 
                    diagnostics);
     return std::nullopt;
   }
+  if (!is_utf8(kPath, *bytes, diagnostics)) return std::nullopt;
   const SourceText source(kPath, *bytes);
   Reading reading(source, diagnostics);
   const LocatedText text = located(source, {0, source.text().size()});

@@ -14,6 +14,7 @@
 #include "evaluate/output.h"
 #include "evaluate/question.h"
 #include "evaluate/region.h"
+#include "evaluate/shown_program.h"
 #include "evaluate/workshop.h"
 
 namespace mjcourse {
@@ -153,17 +154,22 @@ std::map<std::string, ExampleResult> collect(std::vector<ExampleTask> tasks, Eva
 
 // A region has what its program printed, but not its program's code.
 void show_regions(const Lesson& lesson, const std::filesystem::path& root,
-                  const std::map<std::string, ExampleResult>& programs, LessonResults& results,
-                  Diagnostics& diagnostics) {
+                  const ShownPrograms& shown, const std::map<std::string, ExampleResult>& programs,
+                  LessonResults& results, Diagnostics& diagnostics) {
   for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
     const auto* example = std::get_if<Example>(&lesson.blocks[i]);
     if (example == nullptr || !example->region) continue;
     results.of_block.erase(i);
-    const auto code = evaluate_region(*example, lesson, root, diagnostics);
-    const auto program = programs.find(example->file.text);
-    if (code && program != programs.end()) {
-      results.of_block[i] = ExampleResult{*code, program->second.output};
-    }
+    const std::string& file = example->file.text;
+    const Example* whole = shown.at(file).text();
+    const auto text = whole != nullptr ? whole->code.text : DiskFiles(root).read(file);
+    if (!text) continue;  // reported where the program is run
+    const auto program = programs.find(file);
+    const bool ran = program != programs.end();
+    const bool may_edit = ran && whole == nullptr && !shown.at(file).contradicts_itself();
+    const auto code =
+        evaluate_region(*example, SourceText(file, *text), may_edit, lesson, diagnostics);
+    if (code && ran) results.of_block[i] = ExampleResult{*code, program->second.output};
   }
 }
 
@@ -176,7 +182,8 @@ Evaluation evaluate(const Course& course, const std::filesystem::path& root, con
   evaluation.mujoco = mj_versionString();
   std::vector<ExampleTask> tasks = plan_examples(course);
   progress.plan(count_tasks(course) + static_cast<int>(tasks.size()));
-  ExampleCrew crew(course, root, progress, std::move(tasks));
+  const ShownPrograms shown = shown_programs(course);
+  ExampleCrew crew(course, shown, root, progress, std::move(tasks));
   Workshop workshop(course, root, assets);
   std::vector<LessonEvaluator> evaluators;
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
@@ -187,7 +194,8 @@ Evaluation evaluate(const Course& course, const std::filesystem::path& root, con
   const auto programs = collect(crew.finish(), evaluation, workshop.reports());
   for (LessonEvaluator& evaluator : evaluators) evaluator.run_after_examples();
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
-    show_regions(course.lessons[i], root, programs, evaluation.lessons[i], evaluation.diagnostics);
+    show_regions(course.lessons[i], root, shown, programs, evaluation.lessons[i],
+                 evaluation.diagnostics);
     compare_outputs(course.lessons[i], evaluation.lessons[i], evaluation.diagnostics);
   }
   return evaluation;

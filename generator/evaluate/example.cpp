@@ -18,34 +18,79 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostRecords = 16 << 20;  // bytes
 
-// The code of an example: its fence's, or the file's where the fence is empty. Both must agree.
-std::optional<LocatedText> code_of(const Example& example, const Lesson& lesson,
-                                   const fs::path& root, Diagnostics& diagnostics) {
-  const std::string& path = example.file.text;
-  const auto file = DiskFiles(root).read(path);
-  if (example.code.text.empty() && file) return LocatedText{*file, {}};
-  if (file && *file == example.code.text) return example.code;
-  Diagnostic found = error_at(place_of(*lesson.source, example.file.span()), "E-example-file", "");
-  if (!file) {
-    found.message = "cannot read " + file.error();
-    found.cure = "save the fence's text as " + path;
-  } else {
-    const auto [ours, theirs] = std::mismatch(example.code.text.begin(), example.code.text.end(),
-                                              file->begin(), file->end());
-    const auto line = 1 + std::count(example.code.text.begin(), ours, '\n');
-    const auto at = static_cast<std::size_t>(ours - example.code.text.begin());
-    found.message = "the fence and " + path + " differ, first in line " + std::to_string(line);
-    found.notes.push_back(
-        {"the lesson has", place_of(*lesson.source, example.code.span(at, at + 1))});
-    const SourceText source(path, *file);
-    const auto there = static_cast<std::size_t>(theirs - file->begin());
-    found.notes.push_back({"the file has", place_of(source, {there, there + 1})});
-    found.cure =
-        "make them the same text: the fence is what a reader sees, the file what a learner builds";
+// What is compiled, and the diagnostic that says that its file is another text.
+struct Code {
+  LocatedText text;
+  std::optional<std::size_t> differs;
+};
+
+std::string with_line_ends(const std::string& text, std::string_view line_end) {
+  std::string written;
+  for (const char c : text) {
+    if (c == '\n') {
+      written += line_end;
+    } else if (c != '\r') {
+      written += c;
+    }
   }
-  diagnostics.push_back(std::move(found));
+  return written;
+}
+
+// The fence and the file differ: the first line of each that does.
+Diagnostic difference(const Example& example, const std::string& file, const Lesson& lesson) {
+  const std::string& path = example.file.text;
+  const auto [ours, theirs] =
+      std::mismatch(example.code.text.begin(), example.code.text.end(), file.begin(), file.end());
+  const auto line = 1 + std::count(example.code.text.begin(), ours, '\n');
+  const auto at = static_cast<std::size_t>(ours - example.code.text.begin());
+  Diagnostic found = error_at(
+      place_of(*lesson.source, example.file.span()), "E-example-file",
+      "the fence and " + path + " differ, first in line " + std::to_string(line),
+      "make them the same text: the fence is what a reader sees, the file what a learner builds");
+  found.notes.push_back(
+      {"the lesson has", place_of(*lesson.source, example.code.span(at, at + 1))});
+  const SourceText source(path, file);
+  const auto there = static_cast<std::size_t>(theirs - file.begin());
+  found.notes.push_back({"the file has", place_of(source, {there, there + 1})});
+  return found;
+}
+
+// The code of an example: its fence's, or the file's where the fence is empty. Both must agree, but
+// for how their lines end.
+std::optional<Code> code_of(const Example& example, const ShownProgram& shown, const Lesson& lesson,
+                            const tl::expected<std::string, std::string>& file,
+                            Diagnostics& diagnostics) {
+  const bool empty = example.code.text.empty();
+  if (empty && file) return Code{{with_shown_regions(*file, shown), {}}, std::nullopt};
+  const std::string text = with_line_ends(file.value_or(""), "\n");
+  if (file && text == example.code.text) return Code{example.code, std::nullopt};
+  if (file) {
+    diagnostics.push_back(difference(example, text, lesson));
+  } else {
+    diagnostics.push_back(error_at(place_of(*lesson.source, example.file.span()), "E-example-file",
+                                   "cannot read " + file.error(),
+                                   empty ? "write it: the fence is empty, so its text is the file's"
+                                         : "save the fence's text as " + example.file.text));
+  }
   // What the lesson shows is still worth compiling.
-  return example.code.text.empty() ? std::nullopt : std::optional(example.code);
+  return empty ? std::nullopt : std::optional(Code{example.code, diagnostics.size() - 1});
+}
+
+// The program is as it should be, so its file can be written from the fence.
+void offer_file(const Example& example, const ShownProgram& shown, const Lesson& lesson,
+                const tl::expected<std::string, std::string>& file, Diagnostic& differs) {
+  const std::string& path = example.file.text;
+  if (shown.contradicts_itself()) {
+    differs.cure = "other fences show this file with other words: make them the same first";
+    return;
+  }
+  const bool crlf = file && file->find("\r\n") != file->npos;
+  differs.cure = file ? "the fence is what a reader sees, the file what a learner builds: "
+                        "`mjcourse accept` writes the fence's text into the file"
+                      : "`mjcourse accept` saves the fence's text as " + path;
+  differs.edit = Edit{path, std::nullopt, with_line_ends(example.code.text, crlf ? "\r\n" : "\n"),
+                      "the program that lesson " + lesson.number + " shows"};
+  if (file) differs.edit->before = *file;
 }
 
 // What the program wrote into `file` for its lesson; a fault is shown where the code names the
@@ -100,23 +145,18 @@ Command run_command(const Example& example, const fs::path& binary, const fs::pa
   return command;
 }
 
-}  // namespace
-
-std::optional<ExampleResult> evaluate_example(const Example& example, const Lesson& lesson,
-                                              const fs::path& root, const Compiler& compiler,
-                                              Diagnostics& diagnostics) {
-  const std::optional<LocatedText> code = code_of(example, lesson, root, diagnostics);
-  if (!code) return std::nullopt;
-  const std::string shown = without_region_marks(code->text);
+std::optional<ExampleResult> compile_and_run(const Example& example, const LocatedText& code,
+                                             const Lesson& lesson, const fs::path& root,
+                                             const Compiler& compiler, Diagnostics& diagnostics) {
+  const std::string shown = without_region_marks(code.text);
   const TemporaryFolder folder;
   // The refusal that a page shows is what a learner sees who builds the file.
-  const bool in_file = code->offsets.empty() || !example.compiles;
+  const bool in_file = code.offsets.empty() || !example.compiles;
   const std::string shown_as = in_file ? example.file.text : lesson.source->path();
-  const int first_line = in_file ? 1 : lesson.source->position(code->span(0, 0).begin).line;
+  const int first_line = in_file ? 1 : lesson.source->position(code.span(0, 0).begin).line;
   const fs::path source = folder.path() / (example.name() + ".cpp");
   const fs::path binary = folder.path() / example.name();
-  write_file(source,
-             "#line " + std::to_string(first_line) + " \"" + shown_as + "\"\n" + code->text);
+  write_file(source, "#line " + std::to_string(first_line) + " \"" + shown_as + "\"\n" + code.text);
 
   const Compiled compiled =
       compiler.compile(source, root / "examples", binary, folder.path(), example.optimize);
@@ -124,7 +164,7 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Less
     return ExampleResult{shown,
                          without_folders(compiled.raw, {fs::absolute(root), root, folder.path()})};
   }
-  report_compile_messages(compiled, {*code, first_line, shown_as, example.span}, lesson,
+  report_compile_messages(compiled, {code, first_line, shown_as, example.span}, lesson,
                           diagnostics);
   if (!compiled.succeeded) return std::nullopt;
   const auto report = [&](Diagnostic wrong) {
@@ -142,7 +182,22 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Less
     return report(*std::move(wrong));
   }
   return ExampleResult{shown, std::move(outcome.out),
-                       records_in(records, *code, example, lesson, diagnostics)};
+                       records_in(records, code, example, lesson, diagnostics)};
+}
+
+}  // namespace
+
+std::optional<ExampleResult> evaluate_example(const Example& example, const ShownProgram& shown_by,
+                                              const Lesson& lesson, const fs::path& root,
+                                              const Compiler& compiler, Diagnostics& diagnostics) {
+  const auto file = DiskFiles(root).read(example.file.text);
+  const std::optional<Code> found = code_of(example, shown_by, lesson, file, diagnostics);
+  if (!found) return std::nullopt;
+  auto result = compile_and_run(example, found->text, lesson, root, compiler, diagnostics);
+  if (result && found->differs) {
+    offer_file(example, shown_by, lesson, file, diagnostics[*found->differs]);
+  }
+  return result;
 }
 
 }  // namespace mjcourse

@@ -11,13 +11,16 @@
 #include "base/files.h"
 #include "evaluate/compiler.h"
 #include "evaluate/result.h"
+#include "evaluate/shown_program.h"
 #include "lesson/lesson.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {
 
-// `root` is the course's folder. Safe to call from several threads, each with its own diagnostics.
-std::optional<ExampleResult> evaluate_example(const Example& example, const Lesson& lesson,
+// `root` is the course's folder, `shown` what its fences say of the file. Safe to call from several
+// threads, each with its own diagnostics.
+std::optional<ExampleResult> evaluate_example(const Example& example, const ShownProgram& shown,
+                                              const Lesson& lesson,
                                               const std::filesystem::path& root,
                                               const Compiler& compiler, Diagnostics& diagnostics);
 

@@ -44,9 +44,11 @@ std::vector<ExampleTask> plan_examples(const Course& course) {
   return tasks;
 }
 
-ExampleCrew::ExampleCrew(const Course& course, std::filesystem::path root, Progress& progress,
+ExampleCrew::ExampleCrew(const Course& course, const ShownPrograms& shown,
+                         std::filesystem::path root, Progress& progress,
                          std::vector<ExampleTask> tasks)
     : course_(course),
+      shown_(shown),
       root_(std::move(root)),
       progress_(progress),
       tasks_(std::move(tasks)),
@@ -80,8 +82,8 @@ void ExampleCrew::evaluate(ExampleTask& task) {
                                         "no C++ compiler was found", "install clang-16"));
   } else if (!task.program) {
     task.results = evaluate_snippets(lesson, course_, root_, *compiler_, task.diagnostics);
-  } else if (auto result =
-                 evaluate_example(*task.program, lesson, root_, *compiler_, task.diagnostics)) {
+  } else if (auto result = evaluate_example(*task.program, shown_.at(task.program->file.text),
+                                            lesson, root_, *compiler_, task.diagnostics)) {
     task.results[task.block] = *std::move(result);
   }
 }

@@ -11,6 +11,7 @@
 
 #include "evaluate/compiler.h"
 #include "evaluate/evaluate.h"
+#include "evaluate/shown_program.h"
 
 namespace mjcourse {
 
@@ -30,8 +31,8 @@ std::vector<ExampleTask> plan_examples(const Course& course);
 class ExampleCrew {
  public:
   // Begins at once.
-  ExampleCrew(const Course& course, std::filesystem::path root, Progress& progress,
-              std::vector<ExampleTask> tasks);
+  ExampleCrew(const Course& course, const ShownPrograms& shown, std::filesystem::path root,
+              Progress& progress, std::vector<ExampleTask> tasks);
 
   std::vector<ExampleTask> finish();
 
@@ -40,6 +41,7 @@ class ExampleCrew {
   void evaluate(ExampleTask& task);
 
   const Course& course_;
+  const ShownPrograms& shown_;
   std::filesystem::path root_;
   Progress& progress_;
   std::vector<ExampleTask> tasks_;

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "base/utf8.h"
+
 namespace mjcourse {
 namespace {
 
@@ -69,6 +71,32 @@ Diagnostic wrong_exit(const Outcome& outcome, const ExpectedRun& expected) {
   return found;
 }
 
+// Is this a control character that no text holds? A carriage return may end a line.
+bool is_control(std::string_view text, std::size_t at) {
+  const auto byte = static_cast<unsigned char>(text[at]);
+  if (byte == '\r') return at + 1 < text.size() && text[at + 1] != '\n';
+  return (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7F;
+}
+
+// Neither a page nor a lesson can hold what is no text.
+std::optional<Diagnostic> judge_text(const std::string& out, const ExpectedRun& expected) {
+  std::size_t at = 0;
+  while (at < out.size() && !is_control(out, at)) ++at;
+  const std::size_t invalid = find_invalid_utf8(out).value_or(out.size());
+  if (std::min(at, invalid) == out.size()) return std::nullopt;
+  const auto first = static_cast<std::ptrdiff_t>(std::min(at, invalid));
+  constexpr std::string_view hex = "0123456789ABCDEF";
+  const auto byte = static_cast<unsigned char>(out[static_cast<std::size_t>(first)]);
+  Diagnostic found;
+  found.id = "E-example-text";
+  found.message = "the " + expected.what + " printed the byte 0x" +
+                  std::string{hex[byte >> 4], hex[byte & 15]} + " in line " +
+                  std::to_string(1 + std::count(out.begin(), out.begin() + first, '\n')) +
+                  (invalid <= at ? ", which is not UTF-8" : ", a control character");
+  found.cure = "print plain text in UTF-8, without colours and without overwriting a line";
+  return found;
+}
+
 Diagnostic killed(const Outcome& outcome, const ExpectedRun& expected) {
   Diagnostic found;
   if (const auto thrown = find_uncaught_exception(outcome.err)) {
@@ -90,7 +118,7 @@ std::optional<Diagnostic> judge_run(const Outcome& outcome, const ExpectedRun& e
   Diagnostic found;
   switch (outcome.end) {
     case Outcome::End::exited:
-      if (outcome.code == expected.exit_code) return std::nullopt;
+      if (outcome.code == expected.exit_code) return judge_text(outcome.out, expected);
       return wrong_exit(outcome, expected);
     case Outcome::End::killed_by_signal:
       return killed(outcome, expected);

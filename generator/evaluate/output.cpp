@@ -1,53 +1,57 @@
 #include "evaluate/output.h"
 
 #include <algorithm>
-#include <iomanip>
-#include <sstream>
 #include <string>
+#include <utility>
 
 #include "evaluate/output_diff.h"
+#include "evaluate/output_edit.h"
+#include "report/diff_text.h"
 
 namespace mjcourse {
 namespace {
 
-constexpr std::size_t kMostLines = 20;  // of a diff
-
 std::string count(std::ptrdiff_t lines) {
   return std::to_string(lines) + (lines == 1 ? " line" : " lines");
+}
+
+// What differs, in one line, at the first line of the lesson that does.
+Diagnostic differs(const Output& output, const std::vector<DiffLine>& changes,
+                   const Lesson& lesson) {
+  const auto gone = std::count_if(changes.begin(), changes.end(), [](const DiffLine& change) {
+    return change.kind == DiffLine::Kind::gone;
+  });
+  const std::ptrdiff_t come = static_cast<std::ptrdiff_t>(changes.size()) - gone;
+  if (output.text.text.find_first_not_of(" \t\n") == std::string::npos) {
+    return error_at(place_of(*lesson.source, output.span), "E-output-differs",
+                    "this output is empty, and the program prints " + count(come) + " (+)",
+                    "`mjcourse accept` writes them here");
+  }
+  const Span line = output.text.span_at(changes.front().line, 1, 1000);
+  return error_at(place_of(*lesson.source, line), "E-output-differs",
+                  "the program prints something else: " + count(gone) + " of the lesson (-), " +
+                      count(come) + " of the program (+)",
+                  "if the program is right, `mjcourse accept` writes its lines here");
 }
 
 }  // namespace
 
 std::optional<OutputResult> evaluate_output(const Output& output, const ExampleResult& example,
                                             const Lesson& lesson, Diagnostics& diagnostics) {
-  const std::vector<LineChange> changes =
+  std::vector<DiffLine> changes =
       output_changes(output.text.text, example.output, output.tolerance);
   if (changes.empty()) {
     const auto lines = std::count(example.output.begin(), example.output.end(), '\n');
     return OutputResult{static_cast<int>(lines)};
   }
-  const int above = lesson.source->position(output.text.span(0, 0).begin).line - 1;
-  const auto stated = std::count_if(changes.begin(), changes.end(), [](const LineChange& change) {
-    return change.kind == LineChange::Kind::stated;
+  Diagnostic found = differs(output, changes, lesson);
+  found.edit = output_edit(output, changes, lesson);
+  const int above = lesson.source->position(output.span.begin).line;
+  for (DiffLine& change : changes) change.line += above;
+  found.detail = diff_text(changes, [&](std::string_view stated, std::string_view real) {
+    return lines_agree(stated, real, output.tolerance);
   });
-  const std::ptrdiff_t real = static_cast<std::ptrdiff_t>(changes.size()) - stated;
-  std::ostringstream diff;
-  const int width = static_cast<int>(std::to_string(above + changes.back().line).size());
-  for (std::size_t i = 0; i < std::min(changes.size(), kMostLines); ++i) {
-    const bool in_lesson = changes[i].kind == LineChange::Kind::stated;
-    diff << std::setw(width) << (in_lesson ? std::to_string(above + changes[i].line) : "")
-         << (in_lesson ? " - " : " + ") << changes[i].text << '\n';
-  }
-  if (changes.size() > kMostLines) {
-    diff << "… and " << changes.size() - kMostLines << " more\n";
-  }
-  const Span line = output.text.span_at(changes.front().line, 1, 1000);
-  Diagnostic differs = error_at(place_of(*lesson.source, line), "E-output-differs",
-                                "the program prints something else: " + count(stated) +
-                                    " of the lesson (-), " + count(real) + " of the program (+)",
-                                "if the program is right, put its lines here");
-  differs.detail = diff.str();
-  diagnostics.push_back(std::move(differs));
+  diagnostics.push_back(std::move(found));
   return std::nullopt;
 }
 

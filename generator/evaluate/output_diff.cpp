@@ -72,6 +72,7 @@ double last_place(std::string_view number) {
 
 bool numbers_agree(std::string_view stated, std::string_view real,
                    std::optional<double> tolerance) {
+  if (stated == real) return true;  // 1e999 is no number that could be subtracted
   const double a = std::strtod(std::string(stated).c_str(), nullptr);
   const double b = std::strtod(std::string(real).c_str(), nullptr);
   const double allowed = tolerance.value_or(last_place(stated));
@@ -158,38 +159,11 @@ bool lines_agree(std::string_view stated, std::string_view real, std::optional<d
   return LineMatch(trimmed_right(stated), trimmed_right(real), tolerance).agrees();
 }
 
-std::vector<LineChange> output_changes(std::string_view stated, std::string_view real,
-                                       std::optional<double> tolerance) {
-  std::vector<std::string_view> a = split_lines(stated), b = split_lines(real);
-  // What agrees at the start needs no search; most often that is all.
-  std::size_t same = 0;
-  while (same < std::min(a.size(), b.size()) && lines_agree(a[same], b[same], tolerance)) ++same;
-  a.erase(a.begin(), a.begin() + static_cast<std::ptrdiff_t>(same));
-  b.erase(b.begin(), b.begin() + static_cast<std::ptrdiff_t>(same));
-  // common[i][j]: the most lines that a[i..] and b[j..] have in common, in order.
-  std::vector<std::vector<int>> common(a.size() + 1, std::vector<int>(b.size() + 1, 0));
-  std::vector<std::vector<char>> agree(a.size(), std::vector<char>(b.size(), 0));
-  for (std::size_t i = a.size(); i-- > 0;) {
-    for (std::size_t j = b.size(); j-- > 0;) {
-      agree[i][j] = lines_agree(a[i], b[j], tolerance) ? 1 : 0;
-      common[i][j] = agree[i][j] != 0 ? common[i + 1][j + 1] + 1
-                                      : std::max(common[i + 1][j], common[i][j + 1]);
-    }
-  }
-  std::vector<LineChange> changes;
-  const int first = static_cast<int>(same) + 1;
-  for (std::size_t i = 0, j = 0; i < a.size() || j < b.size();) {
-    if (i < a.size() && j < b.size() && agree[i][j] != 0) {
-      ++i, ++j;
-    } else if (j == b.size() || (i < a.size() && common[i + 1][j] >= common[i][j + 1])) {
-      changes.push_back({LineChange::Kind::stated, first + static_cast<int>(i), std::string(a[i])});
-      ++i;
-    } else {
-      changes.push_back({LineChange::Kind::real, first + static_cast<int>(i), std::string(b[j])});
-      ++j;
-    }
-  }
-  return changes;
+std::vector<DiffLine> output_changes(std::string_view stated, std::string_view real,
+                                     std::optional<double> tolerance) {
+  return line_diff(
+      split_lines(stated), split_lines(real),
+      [&](std::string_view a, std::string_view b) { return lines_agree(a, b, tolerance); });
 }
 
 }  // namespace mjcourse

@@ -10,21 +10,16 @@
 #include <string_view>
 #include <vector>
 
+#include "report/line_diff.h"
+
 namespace mjcourse {
 
 // `tolerance` is absolute and replaces the unit of the last place.
 bool lines_agree(std::string_view stated, std::string_view real, std::optional<double> tolerance);
 
-struct LineChange {
-  enum class Kind { stated, real };  // only in the lesson; only in the output
-  Kind kind;
-  int line;  // from 1: of the stated text, also for a real line: the one it stands before
-  std::string text;
-};
-
 // The lines on which the two texts differ, in order: the shortest edit between them. Empty when the
 // output is as stated. White space at a line's end and at the text's end does not count.
-std::vector<LineChange> output_changes(std::string_view stated, std::string_view real,
-                                       std::optional<double> tolerance);
+std::vector<DiffLine> output_changes(std::string_view stated, std::string_view real,
+                                     std::optional<double> tolerance);
 
 }  // namespace mjcourse

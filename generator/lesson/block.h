@@ -43,7 +43,7 @@ struct Example {
   bool optimize = false;                 // -O2, for a program that computes much
   std::vector<std::string> arguments{};  // of its command line
   Span span{};                           // the opening fence
-  std::optional<std::size_t> output{};   // the block that states its output
+  std::vector<std::size_t> outputs{};    // the blocks that state its output
 
   std::string name() const;  // "x" of "examples/x.cpp"
 };
@@ -55,12 +55,12 @@ struct Unchecked {
 
 // ```cpp snippet: the body of a function, which sees `model` and `data`.
 struct Snippet {
-  LocatedText model;                    // its name
-  LocatedText code;                     // all that is compiled
-  std::string shown;                    // without the lines that began with `//| `
-  double seconds = 10;                  // wall clock of a run
-  Span span{};                          // the opening fence
-  std::optional<std::size_t> output{};  // the block that states its output
+  LocatedText model;                   // its name
+  LocatedText code;                    // all that is compiled
+  std::string shown;                   // without the lines that began with `//| `
+  double seconds = 10;                 // wall clock of a run
+  Span span{};                         // the opening fence
+  std::vector<std::size_t> outputs{};  // the blocks that state its output
 };
 
 // ```xml model=…: lines of a model of the course.
@@ -83,6 +83,7 @@ struct Output {
   std::optional<double> tolerance;  // absolute; without one, a unit of the last printed place
   std::size_t example = 0;          // the block that prints it
   Span span;
+  bool apart = false;  // it does not stand below its program, so it is shown where it stands
 };
 
 // ```io: the INPUT / PROCESS / OUTPUT panel.

@@ -107,12 +107,12 @@ void LessonReader::read_output(cmark_node* node, Fence& fence) {
   };
   cmark_node* above = cmark_node_previous(node);
   const bool labelled = above != nullptr && plain_text(above) == "Output:";
-  std::optional<std::size_t> example;
+  const std::optional<std::size_t> just_above =
+      index_of(labelled ? cmark_node_previous(above) : above);
+  std::optional<std::size_t> example = just_above;
   if (const auto named = fence.option("output")) {
     example = example_named(*named);
     if (!example) return;
-  } else {
-    example = index_of(labelled ? cmark_node_previous(above) : above);
   }
   if (!example) {
     reading_.error(
@@ -124,12 +124,14 @@ void LessonReader::read_output(cmark_node* node, Fence& fence) {
   const std::optional<double> tolerance = fence.number("tol", reading_);
   fence.finish("text", reading_);
   Block& printing = lesson_.blocks[*example];
-  if (auto* snippet = std::get_if<Snippet>(&printing)) {
-    snippet->output = lesson_.blocks.size();
-  } else {
-    std::get<Example>(printing).output = lesson_.blocks.size();
-  }
-  add(node, Output{fence.body(), tolerance, *example, fence.span()});
+  auto* snippet = std::get_if<Snippet>(&printing);
+  (snippet != nullptr ? snippet->outputs : std::get<Example>(printing).outputs)
+      .push_back(lesson_.blocks.size());
+  const Block* block_above = above != nullptr ? lesson_.block(above) : nullptr;
+  const auto* other = block_above != nullptr ? std::get_if<Output>(block_above) : nullptr;
+  const bool below_another = other != nullptr && other->example == example && !other->apart;
+  add(node, Output{fence.body(), tolerance, *example, fence.span(),
+                   example != just_above && !below_another});
   if (labelled) add(above, Shown{});
 }
 

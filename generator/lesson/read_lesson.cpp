@@ -4,27 +4,12 @@
 #include <string_view>
 #include <utility>
 
-#include "base/utf8.h"
 #include "lesson/front_matter.h"
+#include "lesson/is_utf8.h"
 #include "lesson/lesson_reader.h"
 
 namespace mjcourse {
 namespace {
-
-// Report the first byte that is no UTF-8, with an excerpt that is.
-void report_invalid_utf8(const std::string& path, std::string bytes, std::size_t at,
-                         Diagnostics& diagnostics) {
-  constexpr std::string_view hex = "0123456789ABCDEF";
-  const auto byte = static_cast<unsigned char>(bytes[at]);
-  const std::string code{hex[byte >> 4], hex[byte & 15]};
-  for (std::optional<std::size_t> bad = at; bad; bad = find_invalid_utf8(bytes)) {
-    bytes.replace(*bad, 1, "\uFFFD");
-  }
-  const SourceText source(path, std::move(bytes));
-  Reading(source, diagnostics)
-      .error("E-not-utf8", {at, at + 3}, "byte 0x" + code + " is not UTF-8",
-             "save the file as UTF-8");
-}
 
 // The text for cmark: the front matter becomes blank lines, so that line numbers stay.
 std::string without_front_matter(const SourceText& source, Span front) {
@@ -37,10 +22,7 @@ std::string without_front_matter(const SourceText& source, Span front) {
 
 std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
                                   Diagnostics& diagnostics) {
-  if (const auto bad = find_invalid_utf8(bytes)) {
-    report_invalid_utf8(path, std::move(bytes), *bad, diagnostics);
-    return std::nullopt;
-  }
+  if (!is_utf8(path, bytes, diagnostics)) return std::nullopt;
   Lesson lesson;
   lesson.source = std::make_shared<SourceText>(path, std::move(bytes));
   Reading reading(*lesson.source, diagnostics);

@@ -1,4 +1,5 @@
 // The data that each block's template is fed with; the templates' own comments describe it.
+#include <algorithm>
 #include <cctype>
 #include <utility>
 
@@ -14,10 +15,10 @@ std::string capitalized(std::string word) {
   return word;
 }
 
-// How the text below a program came about.
-std::string output_label(const Example& example) {
-  if (!example.compiles) return "Said by the compiler, which refuses this program";
-  std::string label = "Printed by this program";
+// How the text that `program` printed, which may be called "this program", came about.
+std::string output_label(const Example& example, const std::string& program) {
+  if (!example.compiles) return "Said by the compiler, which refuses " + program;
+  std::string label = "Printed by " + program;
   for (std::size_t i = 0; i < example.arguments.size(); ++i) {
     label += (i == 0 ? " when run with " : " ") + example.arguments[i];
   }
@@ -30,16 +31,30 @@ std::string output_label(const Example& example) {
 json PageWriter::data_of(const Example& example, std::size_t index) {
   const auto* result = results_.get<ExampleResult>(index);
   json data = listing(result != nullptr ? result->code : example.code.text, "cpp");
-  data["id"] = "example-" + example.name() + (example.region ? "-" + example.region->text : "");
+  data["id"] =
+      unique_id("example-" + example.name() + (example.region ? "-" + example.region->text : ""));
   data["file"] = example.file.text;
   data["download"] = "../" + example.file.text;
-  // Of a program's regions, those have its output that say so.
-  const bool printed = result != nullptr && (!example.region || example.output);
+  // Of a program's regions, those have its output that say so; and where it is stated somewhere
+  // else alone, that is where a reader finds it.
+  const std::vector<std::size_t> below = outputs_below(example.outputs);
+  const bool elsewhere = below.empty() && (example.region || !example.outputs.empty());
+  const bool printed = result != nullptr && !elsewhere;
   if (printed && (!result->output.empty() || example.exit_code != 0)) {
     data["output"] = {{"text", result->output},
-                      {"proved", has_proved_output(example.output)},
-                      {"label", output_label(example)}};
+                      {"proved", are_proved(below)},
+                      {"label", output_label(example, "this program")}};
   }
+  return data;
+}
+
+json PageWriter::data_of(const Output& output, std::size_t index) {
+  const auto& example = std::get<Example>(lesson_.blocks[output.example]);
+  const auto* result = results_.get<ExampleResult>(output.example);
+  json data = listing("", "cpp");
+  data["output"] = {{"text", result != nullptr ? result->output : output.text.text},
+                    {"proved", are_proved({index})},
+                    {"label", output_label(example, example.file.text)}};
   return data;
 }
 
@@ -54,7 +69,7 @@ json PageWriter::data_of(const Snippet& snippet, std::size_t index) {
   const auto* result = results_.get<ExampleResult>(index);
   if (result != nullptr && !result->output.empty()) {
     data["output"] = {{"text", result->output},
-                      {"proved", has_proved_output(snippet.output)},
+                      {"proved", are_proved(outputs_below(snippet.outputs))},
                       {"label", "Printed by these lines"}};
   }
   return data;
@@ -78,13 +93,36 @@ json PageWriter::data_of(const InlineModel& model, std::size_t index) {
 }
 
 json PageWriter::listing(const std::string& code, const std::string& language) {
-  return {{"id", nullptr},       {"file", nullptr},
-          {"download", nullptr}, {"code", press_.highlighter.highlight(code, language)},
-          {"unchecked", false},  {"output", nullptr}};
+  const json highlighted =
+      code.empty() ? json() : json(press_.highlighter.highlight(code, language));
+  return {{"id", nullptr},       {"file", nullptr},    {"download", nullptr},
+          {"code", highlighted}, {"unchecked", false}, {"output", nullptr}};
 }
 
-bool PageWriter::has_proved_output(const std::optional<std::size_t>& output) const {
-  return output && results_.get<OutputResult>(*output) != nullptr;
+std::vector<std::size_t> PageWriter::outputs_below(const std::vector<std::size_t>& outputs) const {
+  std::vector<std::size_t> below;
+  for (const std::size_t index : outputs) {
+    if (!std::get<Output>(lesson_.blocks[index]).apart) below.push_back(index);
+  }
+  return below;
+}
+
+bool PageWriter::are_proved(const std::vector<std::size_t>& outputs) const {
+  return !outputs.empty() && std::all_of(outputs.begin(), outputs.end(), [this](std::size_t index) {
+    return results_.get<OutputResult>(index) != nullptr;
+  });
+}
+
+std::string PageWriter::unique_id(const std::string& wanted) {
+  const auto is_taken = [this](const std::string& id) {
+    return ids_.contains(id) ||
+           std::any_of(lesson_.headings.begin(), lesson_.headings.end(),
+                       [&](const Heading& heading) { return heading.id == id; });
+  };
+  std::string id = wanted;
+  for (int n = 2; is_taken(id); ++n) id = wanted + "-" + std::to_string(n);
+  ids_.insert(id);
+  return id;
 }
 
 json PageWriter::data_of(const Io& io) const {

@@ -142,6 +142,9 @@ std::string PageWriter::write_block(std::size_t index, const std::string& inner)
   if (const auto* callout = std::get_if<Callout>(&block)) {
     return render("callout", data_of(*callout, inner));
   }
+  if (const auto* output = std::get_if<Output>(&block); output != nullptr && output->apart) {
+    return render("example", data_of(*output, index));
+  }
   return "";  // an output and its label, which the example above shows
 }
 

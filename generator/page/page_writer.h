@@ -5,6 +5,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -58,7 +59,12 @@ class PageWriter {
   nlohmann::json data_of(const ModelExcerpt& excerpt);
   nlohmann::json data_of(const InlineModel& model, std::size_t index);
   nlohmann::json listing(const std::string& code, const std::string& language);
-  bool has_proved_output(const std::optional<std::size_t>& output) const;
+  nlohmann::json data_of(const Output& output, std::size_t index);
+  // Those of a program's stated outputs that do not stand somewhere else in the lesson.
+  std::vector<std::size_t> outputs_below(const std::vector<std::size_t>& outputs) const;
+  bool are_proved(const std::vector<std::size_t>& outputs) const;
+  // `wanted`, with a number behind it where the page has it already.
+  std::string unique_id(const std::string& wanted);
   nlohmann::json data_of(const Lab& lab, std::size_t index);
   nlohmann::json live_data(const Lab& lab, const LabResult& result);
   nlohmann::json data_of(const Quiz& quiz, std::size_t index);
@@ -77,6 +83,7 @@ class PageWriter {
   NodeWriter writer_;
   nlohmann::json contents_ = nlohmann::json::array();
   std::vector<LabFiles> lab_files_;
+  std::set<std::string> ids_;  // of listings
   int labs_ = 0;
 };
 

@@ -5,15 +5,10 @@
 #include <string_view>
 
 #include "base/utf8.h"
+#include "report/colours.h"
 
 namespace mjcourse {
 namespace {
-
-constexpr std::string_view kBold = "\033[1m";
-constexpr std::string_view kRed = "\033[1;31m";
-constexpr std::string_view kYellow = "\033[1;33m";
-constexpr std::string_view kGreen = "\033[1;32m";
-constexpr std::string_view kPlain = "\033[0m";
 
 class Writer {
  public:

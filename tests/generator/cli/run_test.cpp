@@ -53,7 +53,7 @@ TEST(Run, NeedsACommandThatThereIs) {
   EXPECT_EQ(usage_error({}), "mjcourse: which command?");
   EXPECT_EQ(usage_error({"biuld"}), "mjcourse: there is no command biuld; did you mean `build`?");
   EXPECT_EQ(usage_error({"frobnicate"}),
-            "mjcourse: there is no command frobnicate; known: build, check");
+            "mjcourse: there is no command frobnicate; known: accept, build, check");
 }
 
 TEST(Run, NeedsOptionsThatThereAre) {
@@ -63,6 +63,9 @@ TEST(Run, NeedsOptionsThatThereAre) {
             "mjcourse: check has no option --out; known: --course");
   EXPECT_EQ(usage_error({"build", "--outt", "x"}),
             "mjcourse: build has no option --outt; did you mean `--out`?");
+  EXPECT_EQ(usage_error({"check", "1.2"}), "mjcourse: check has no option 1.2; known: --course");
+  EXPECT_EQ(usage_error({"accept", "1.2", "--dry-runn"}),
+            "mjcourse: accept has no option --dry-runn; did you mean `--dry-run`?");
   EXPECT_EQ(usage_error({"check", "--course"}), "mjcourse: --course needs a folder");
   EXPECT_EQ(usage_error({"build", "--course", "x", "--out"}), "mjcourse: --out needs a folder");
 }

@@ -68,6 +68,11 @@ TEST(Lines, AgreeWhereAColumnShiftsByASignOrADigit) {
   EXPECT_FALSE(agree("[ 9.9]", "[-9.9]"));
 }
 
+TEST(Lines, AgreeWithThemselvesWhateverTheirNumbers) {
+  EXPECT_TRUE(agree("1e999 -1e999", "1e999 -1e999"));
+  EXPECT_TRUE(agree("nan inf", "nan inf"));
+}
+
 TEST(Lines, TakeAGapForAnyText) {
   EXPECT_TRUE(agree("time [..] s", "time 0.123 s"));
   EXPECT_TRUE(agree("[..] s", "whatever it took s"));
@@ -88,8 +93,8 @@ TEST(Lines, TakeSeveralGaps) {
 // Each change as "-2 text" or "+2 text".
 std::string changes(std::string_view stated, std::string_view real) {
   std::string text;
-  for (const LineChange& change : output_changes(stated, real, std::nullopt)) {
-    const bool in_lesson = change.kind == LineChange::Kind::stated;
+  for (const DiffLine& change : output_changes(stated, real, std::nullopt)) {
+    const bool in_lesson = change.kind == DiffLine::Kind::gone;
     text += (in_lesson ? "-" : "+") + std::to_string(change.line) + " " + change.text + "\n";
   }
   return text;

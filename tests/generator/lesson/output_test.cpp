@@ -29,7 +29,7 @@ TEST(Output, MayHaveALabelThatIsNotShown) {
   EXPECT_EQ(reading.mistakes(), "");
   EXPECT_EQ(reading.all<Output>().size(), 1u);
   EXPECT_EQ(reading.all<Shown>().size(), 1u);
-  EXPECT_EQ(reading.only<Example>().output, 1u);
+  EXPECT_EQ(reading.only<Example>().outputs, std::vector<std::size_t>{1});
 }
 
 TEST(Output, MayNameItsExample) {

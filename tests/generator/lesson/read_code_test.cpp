@@ -67,7 +67,7 @@ TEST(ReadCode, LetsASnippetStateItsOutput) {
   const ReadingOf reading =
       reading_of("```cpp snippet model=ball\nx;\n```\n\nOutput:\n\n```text\n1\n```\n");
   EXPECT_EQ(reading.mistakes(), "");
-  EXPECT_EQ(reading.only<Snippet>().output, 1u);
+  EXPECT_EQ(reading.only<Snippet>().outputs, std::vector<std::size_t>{1});
   EXPECT_EQ(reading.only<Output>().example, 0u);
 }
 

@@ -1,0 +1,7 @@
+#include <cstdio>
+
+int main() {
+  std::puts("x");
+  std::puts("");
+  std::puts("\ty");
+}

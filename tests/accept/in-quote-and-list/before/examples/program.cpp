@@ -1,0 +1,8 @@
+#include <cstdio>
+
+int main() {
+  std::puts("a");
+  std::puts("");
+  std::puts("nq 6");
+  std::puts("  indented");
+}

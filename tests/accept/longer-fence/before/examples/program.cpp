@@ -1,0 +1,7 @@
+#include <cstdio>
+
+int main() {
+  std::puts("```");
+  std::puts("````cpp");
+  std::puts("x");
+}

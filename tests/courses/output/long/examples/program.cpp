@@ -1,0 +1,44 @@
+#include <cstdio>
+
+int main() {
+  std::puts("line 0");
+  std::puts("line 1");
+  std::puts("line 2");
+  std::puts("line 3");
+  std::puts("line 4");
+  std::puts("line 5");
+  std::puts("line 6");
+  std::puts("line 7");
+  std::puts("line 8");
+  std::puts("line 9");
+  std::puts("line 10");
+  std::puts("line 11");
+  std::puts("line 12");
+  std::puts("line 13");
+  std::puts("line 14");
+  std::puts("line 15");
+  std::puts("line 16");
+  std::puts("line 17");
+  std::puts("line 18");
+  std::puts("line 19");
+  std::puts("line 20");
+  std::puts("line 21");
+  std::puts("line 22");
+  std::puts("line 23");
+  std::puts("line 24");
+  std::puts("line 25");
+  std::puts("line 26");
+  std::puts("line 27");
+  std::puts("line 28");
+  std::puts("line 29");
+  std::puts("line 30");
+  std::puts("line 31");
+  std::puts("line 32");
+  std::puts("line 33");
+  std::puts("line 34");
+  std::puts("line 35");
+  std::puts("line 36");
+  std::puts("line 37");
+  std::puts("line 38");
+  std::puts("line 39");
+}
