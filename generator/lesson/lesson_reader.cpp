@@ -146,7 +146,7 @@ void LessonReader::read_heading(cmark_node* node, const Region& region) {
   const std::string slug = slug_of(plain_text(node));
   std::string id = slug;
   for (int n = 2; !heading_ids_.insert(id).second; ++n) id = slug + "-" + std::to_string(n);
-  lesson_.headings.push_back({level, id, node});
+  lesson_.headings.push_back({level, id, node, in_demo_});
 }
 
 void LessonReader::read_callout(cmark_node* node) {
@@ -184,7 +184,7 @@ void LessonReader::refuse_inline(cmark_node* node, Region& region) {
 }
 
 void LessonReader::read_code_block(cmark_node* node, Region& region) {
-  if (in_document_) return read_fence(node);
+  if (in_document_) return read_fence(node, region);
   reading_.error("E-fence-nested", region.text.span(),
                  "Markdown inside JSON cannot hold a code block", "use a code span: `…`");
 }

@@ -43,7 +43,8 @@ class LessonReader {
   void read_code_span(cmark_node* node, Region& region);
   void read_link(cmark_node* node, Region& region);
   void refuse_inline(cmark_node* node, Region& region);
-  void read_fence(cmark_node* node);
+  void read_fence(cmark_node* node, Region& region);
+  void read_demo(cmark_node* node, class Fence& fence, Region& region);
   void read_output(cmark_node* node, class Fence& fence);
   void refuse_second_quiz(const Quiz& quiz, Span span);
   std::optional<std::size_t> example_named(const LocatedText& name);
@@ -52,6 +53,7 @@ class LessonReader {
   Lesson& lesson_;
   Reading& reading_;
   bool in_document_ = false;
+  bool in_demo_ = false;
   std::set<std::string> heading_ids_;
 };
 

@@ -1,5 +1,6 @@
 #include "page/page_writer.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -80,12 +81,14 @@ std::string PageWriter::write(cmark_node* node, const std::string& inner) {
 
 std::string PageWriter::write_heading(cmark_node* node, const std::string& inner) {
   const int level = cmark_node_get_heading_level(node);
-  std::string id;
-  for (const Heading& heading : lesson_.headings) {
-    if (heading.node == node) id = heading.id;
-  }
+  const auto heading = std::find_if(lesson_.headings.begin(), lesson_.headings.end(),
+                                    [&](const Heading& one) { return one.node == node; });
+  const std::string id = heading != lesson_.headings.end() ? heading->id : "";
+  const bool in_demo = heading != lesson_.headings.end() && heading->in_demo;
   nlohmann::json entry{{"id", id}, {"title", inner}, {"children", nlohmann::json::array()}};
-  if (level == 2 || contents_.empty()) {
+  if (in_demo) {
+    // It shows what a heading looks like, and is no part of this page.
+  } else if (level == 2 || contents_.empty()) {
     contents_.push_back(std::move(entry));
   } else if (level == 3) {
     contents_.back()["children"].push_back(std::move(entry));
@@ -142,6 +145,7 @@ std::string PageWriter::write_block(std::size_t index, const std::string& inner)
   if (const auto* callout = std::get_if<Callout>(&block)) {
     return render("callout", data_of(*callout, inner));
   }
+  if (const auto* demo = std::get_if<Demo>(&block)) return render("demo", data_of(*demo));
   return "";  // an output and its label, which the example above shows
 }
 
