@@ -13,9 +13,10 @@ const fence = (kind: string, language: string): Mode => ({
   subLanguage: language,
 });
 
+/** As Pandoc has it: no space inside of the dollars, no digit behind the second, `\\$` is none. */
 const formula: Mode = {
   scope: "string",
-  match: /\$\$[^$]+\$\$|\$[^\s$](?:[^$\n]*[^\s$])?\$/,
+  match: /\$\$[^$]+\$\$|\$(?![\s$])(?:\\.|[^\\$\n])*?(?:\\.|[^\\$\s])\$(?!\d)/,
 };
 
 export const lesson: LanguageFn = (hljs) => {
