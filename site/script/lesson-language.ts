@@ -28,5 +28,7 @@ export const lesson: LanguageFn = (hljs) => {
     fence("text|io", "plaintext"),
     formula,
   ];
-  return { ...language, name: "Lesson", contains: [...ours, ...language.contains] };
+  // A callout is a quote, and as much a part of the text as any other.
+  const theirs = language.contains.filter((mode) => mode === "self" || mode.className !== "quote");
+  return { ...language, name: "Lesson", contains: [...ours, ...theirs] };
 };

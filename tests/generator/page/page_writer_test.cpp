@@ -86,6 +86,18 @@ TEST_F(PageWriterTest, WritesWhatACalloutHoldsIntoIt) {
   EXPECT_EQ(html.find("<blockquote>"), std::string::npos) << html;
 }
 
+TEST_F(PageWriterTest, ShowsADemosSourceAboveWhatItBecomes) {
+  const std::string html = body("## A\n````demo\n### B\n> [!note] C\n> <b>d</b>\n````\n## E\n");
+  EXPECT_NE(html.find("<span class=\"hljs-section\">### B</span>\n&gt; [!note] C"),
+            std::string::npos)
+      << html;
+  const std::size_t result = html.find("<div class=\"demo-page prose\">\n<h3 id=\"b\">");
+  ASSERT_NE(result, std::string::npos) << html;
+  EXPECT_NE(html.find("<p><b>d</b></p>", result), std::string::npos) << html;
+  ASSERT_EQ(contents_.size(), 2u);
+  EXPECT_TRUE(contents_[0]["children"].empty());
+}
+
 TEST_F(PageWriterTest, ShowsAnOutputOnlyWithItsExample) {
   results_.of_block[0] = ExampleResult{"int main() {}\n", "the real output\n"};
   const std::string html =
