@@ -24,6 +24,14 @@ std::string aligned_by_class(std::string table) {
   return table;
 }
 
+// The box of an item of a task list is a picture of its state, which is said in words as well.
+std::string with_named_box(std::string item) {
+  const std::string box = "<input type=\"checkbox\"";
+  const std::size_t at = item.find(box);
+  const bool done = item.compare(at + box.size(), 8, " checked") == 0;
+  return item.insert(at + box.size(), done ? " aria-label=\"done\"" : " aria-label=\"to do\"");
+}
+
 // The way from one lesson's page to a file below the site's root: pages lie one folder deep.
 std::string from_lesson(const std::string& path) {
   return "../" + path;
@@ -65,8 +73,9 @@ std::string PageWriter::render(const std::string& name, const nlohmann::json& da
 
 bool PageWriter::takes(cmark_node* node) const {
   const cmark_node_type type = cmark_node_get_type(node);
+  const std::string name = cmark_node_get_type_string(node);
   return lesson_.block(node) != nullptr || type == CMARK_NODE_HEADING || type == CMARK_NODE_LINK ||
-         std::string(cmark_node_get_type_string(node)) == "table";
+         name == "table" || name == "tasklist";
 }
 
 std::string PageWriter::write(cmark_node* node, const std::string& inner) {
@@ -76,6 +85,7 @@ std::string PageWriter::write(cmark_node* node, const std::string& inner) {
   const cmark_node_type type = cmark_node_get_type(node);
   if (type == CMARK_NODE_HEADING) return write_heading(node, inner);
   if (type == CMARK_NODE_LINK) return write_link(node, inner);
+  if (type == CMARK_NODE_ITEM) return with_named_box(inner);
   return "<div class=\"table\">" + aligned_by_class(inner) + "</div>\n";
 }
 

@@ -39,6 +39,13 @@ TEST_F(PageWriterTest, AlignsTheCellsOfATableByClass) {
   EXPECT_TRUE(table.ends_with("</table>\n</div>\n")) << table;
 }
 
+TEST_F(PageWriterTest, SaysTheStateOfATask) {
+  EXPECT_EQ(body("- [x] a\n- [ ] b\n"),
+            "<ul>\n<li><input type=\"checkbox\" aria-label=\"done\" checked=\"\" disabled=\"\" /> "
+            "a</li>\n"
+            "<li><input type=\"checkbox\" aria-label=\"to do\" disabled=\"\" /> b</li>\n</ul>\n");
+}
+
 TEST_F(PageWriterTest, ShowsAFormulaWithoutResultAsItsTeX) {
   EXPECT_EQ(body("a $x < y$\n"), "<p>a <span class=\"math\">x &lt; y</span></p>\n");
 }
