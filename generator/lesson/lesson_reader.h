@@ -39,6 +39,7 @@ class LessonReader {
   void read_code_block(cmark_node* node, Region& region);
   void read_callout(cmark_node* node);
   void read_heading(cmark_node* node, const Region& region);
+  void refuse_second_footnote(cmark_node* node);
   void read_math(cmark_node* node, Region& region);
   void read_code_span(cmark_node* node, Region& region);
   void read_link(cmark_node* node, Region& region);
@@ -55,6 +56,7 @@ class LessonReader {
   bool in_document_ = false;
   bool in_demo_ = false;
   std::set<std::string> heading_ids_;
+  std::set<std::string> footnotes_;  // by their names
 };
 
 }  // namespace mjcourse

@@ -55,6 +55,15 @@ TEST(Demo, HasHeadingsThatAreNotItsPages) {
   EXPECT_FALSE(headings[0].in_demo || headings[2].in_demo);
 }
 
+TEST(Demo, SharesThePagesFootnotes) {
+  EXPECT_EQ(
+      underlined_mistakes(
+          reading_of("a[^x]\n\n[^x]: One.\n\n````demo\nb[^x] c[^y]\n\n[^y]: Two.\n\n[^x]: "
+                     "Three.\n````\n")),
+      "E-footnote-name <[^x]> another footnote of this page is called `x` | give it a name of "
+      "its own\n");
+}
+
 TEST(Demo, StandsByItself) {
   EXPECT_EQ(
       underlined_mistakes(reading_of("- ````demo\n  a\n  ````\n")),
