@@ -17,6 +17,7 @@ namespace mjcourse {
 
 struct Level {
   std::string folder, title;
+  std::string number;  // "1" of "1-state"; empty for what stands beside the course, as "guide"
   std::vector<std::size_t> lessons;  // indices into Course::lessons, in the course's order
 };
 

@@ -54,7 +54,7 @@ tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Less
     }
     return heading_of(*lesson, hash < target.size() ? target.substr(hash + 1) : "");
   }
-  static const std::regex lesson_number(R"(\d+\.\d+)");
+  static const std::regex lesson_number(R"((\d+|[A-Z])\.\d+)");
   if (std::regex_match(number, lesson_number))
     return tl::unexpected(no_lesson(course, from, number));
   return tl::unexpected(DeadLink{"E-link-dead", "`" + target + "` leads nowhere",

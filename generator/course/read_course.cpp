@@ -56,6 +56,7 @@ void read_level(const Files& files, const YAML::Node& node, const LocatedText& t
   YamlMap map(node, "level", kId, text, reading);
   Level level;
   level.folder = map.required_string("folder").text;
+  level.number = level.folder.substr(0, level.folder.find_first_not_of("0123456789"));
   level.title = map.required_string("title").text;
   for (const LocatedText& entry : map.strings("lessons")) {
     read_listed_lesson(files, level, entry, reading, course, diagnostics);

@@ -102,10 +102,17 @@ struct Callout {
   bool folded = false;
 };
 
+// ````demo: a piece of a lesson, shown as it is written and as what it becomes. The blocks of the
+// document are the lesson's own, as if they stood there without the demo.
+struct Demo {
+  std::string source;
+  Document document;
+};
+
 // Shown by its neighbour: the "Output:" paragraph and the output below an example.
 struct Shown {};
 
 using Block = std::variant<Math, InlineValue, Example, Unchecked, Snippet, ModelExcerpt,
-                           InlineModel, Output, Io, Callout, Lab, Quiz, Shown>;
+                           InlineModel, Output, Io, Callout, Lab, Quiz, Demo, Shown>;
 
 }  // namespace mjcourse

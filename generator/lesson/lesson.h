@@ -30,8 +30,9 @@ struct FrontMatter {
 
 struct Heading {
   int level = 2;
-  std::string id;    // unique in its lesson: the fragment of links to it
-  cmark_node* node;  // in the lesson's document
+  std::string id;        // unique in its lesson: the fragment of links to it
+  cmark_node* node;      // in the lesson's document
+  bool in_demo = false;  // then the page's contents leave it out
 };
 
 struct Link {

@@ -61,6 +61,7 @@ void LessonReader::walk(cmark_node* node, Region& region) {
   if (type == math_inline_type() || type == math_block_type()) return read_math(node, region);
   if (type == CMARK_NODE_BLOCK_QUOTE) read_callout(node);
   if (type == CMARK_NODE_HEADING) read_heading(node, region);
+  if (type == CMARK_NODE_FOOTNOTE_DEFINITION && in_document_) refuse_second_footnote(node);
   if (type == CMARK_NODE_CODE) read_code_span(node, region);
   if (type == CMARK_NODE_LINK) read_link(node, region);
   refuse_inline(node, region);
@@ -146,7 +147,21 @@ void LessonReader::read_heading(cmark_node* node, const Region& region) {
   const std::string slug = slug_of(plain_text(node));
   std::string id = slug;
   for (int n = 2; !heading_ids_.insert(id).second; ++n) id = slug + "-" + std::to_string(n);
-  lesson_.headings.push_back({level, id, node});
+  lesson_.headings.push_back({level, id, node, in_demo_});
+}
+
+// cmark sees to the names of one document; a demo is one of its own, on the same page.
+void LessonReader::refuse_second_footnote(cmark_node* node) {
+  const cmark_chunk& label = node->as.literal;
+  const std::string name(reinterpret_cast<const char*>(label.data),
+                         static_cast<std::size_t>(label.len));
+  if (footnotes_.insert(name).second) return;
+  const int line = cmark_node_get_start_line(node);
+  const std::size_t at = source().line_start(line);
+  const std::size_t end = source().line(line).find(']');
+  reading_.error("E-footnote-name", {at, at + (end == std::string_view::npos ? 1 : end + 1)},
+                 "another footnote of this page is called `" + name + "`",
+                 "give it a name of its own");
 }
 
 void LessonReader::read_callout(cmark_node* node) {
@@ -184,7 +199,7 @@ void LessonReader::refuse_inline(cmark_node* node, Region& region) {
 }
 
 void LessonReader::read_code_block(cmark_node* node, Region& region) {
-  if (in_document_) return read_fence(node);
+  if (in_document_) return read_fence(node, region);
   reading_.error("E-fence-nested", region.text.span(),
                  "Markdown inside JSON cannot hold a code block", "use a code span: `…`");
 }

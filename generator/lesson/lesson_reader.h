@@ -39,11 +39,13 @@ class LessonReader {
   void read_code_block(cmark_node* node, Region& region);
   void read_callout(cmark_node* node);
   void read_heading(cmark_node* node, const Region& region);
+  void refuse_second_footnote(cmark_node* node);
   void read_math(cmark_node* node, Region& region);
   void read_code_span(cmark_node* node, Region& region);
   void read_link(cmark_node* node, Region& region);
   void refuse_inline(cmark_node* node, Region& region);
-  void read_fence(cmark_node* node);
+  void read_fence(cmark_node* node, Region& region);
+  void read_demo(cmark_node* node, class Fence& fence, Region& region);
   void read_output(cmark_node* node, class Fence& fence);
   void refuse_second_quiz(const Quiz& quiz, Span span);
   std::optional<std::size_t> example_named(const LocatedText& name);
@@ -52,7 +54,9 @@ class LessonReader {
   Lesson& lesson_;
   Reading& reading_;
   bool in_document_ = false;
+  bool in_demo_ = false;
   std::set<std::string> heading_ids_;
+  std::set<std::string> footnotes_;  // by their names
 };
 
 }  // namespace mjcourse

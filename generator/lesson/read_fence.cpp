@@ -30,23 +30,24 @@ void report_unknown(const Fence& fence, Reading& reading) {
                   "leave it out for now");
   } else if (kind.empty()) {
     reading.error("E-fence-kind", fence.span(), "this fence does not say what it holds",
-                  "known: cpp, xml, text, io, lab, quiz");
+                  "known: cpp, xml, text, io, lab, quiz, demo");
   } else {
     reading.error("E-fence-kind", fence.words()[0].span(), "there is no fence `" + kind + "`",
-                  suggest(kind, {"cpp", "xml", "text", "io", "lab", "quiz"}));
+                  suggest(kind, {"cpp", "xml", "text", "io", "lab", "quiz", "demo"}));
   }
 }
 
 }  // namespace
 
-void LessonReader::read_fence(cmark_node* node) {
+void LessonReader::read_fence(cmark_node* node, Region& region) {
   Fence fence(node, source());
+  const std::string kind = word(fence, 0);
   if (!fence.closed()) {
     reading_.error("E-fence-unclosed", fence.span(), "this fence is never closed",
-                   "end it with a line of as many backticks");
+                   kind == "demo" ? "begin and end a demo with more backticks than any fence in it"
+                                  : "end it with a line of as many backticks");
     return;
   }
-  const std::string kind = word(fence, 0);
   if (kind == "cpp") {
     if (auto code = read_code(fence, reading_)) add(node, std::move(*code));
   } else if (kind == "xml") {
@@ -65,6 +66,8 @@ void LessonReader::read_fence(cmark_node* node) {
       refuse_second_quiz(*quiz, fence.span());
       add(node, std::move(*quiz));
     }
+  } else if (kind == "demo") {
+    read_demo(node, fence, region);
   } else {
     report_unknown(fence, reading_);
   }

@@ -27,12 +27,12 @@ std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
   lesson.source = std::make_shared<SourceText>(path, std::move(bytes));
   Reading reading(*lesson.source, diagnostics);
 
-  static const std::regex name(R"(content/([^/]+)/((\d+\.\d+)-[^/]+)\.md)");
+  static const std::regex name(R"(content/([^/]+)/(((?:\d+|[A-Z])\.\d+)-[^/]+)\.md)");
   std::smatch parts;
   if (!std::regex_match(path, parts, name)) {
     diagnostics.push_back(error_at({path, 0, 0, 1, ""}, "E-lesson-name",
                                    "a lesson's file is named after its number, as `1.2-a-title.md`",
-                                   "rename the file"));
+                                   "rename the file; an appendix has a letter: `A.1-a-title.md`"));
     return std::nullopt;
   }
   lesson.folder = parts[1];

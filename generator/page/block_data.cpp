@@ -133,6 +133,11 @@ json PageWriter::data_of(const Io& io) const {
   return {{"rows", std::move(rows)}};
 }
 
+json PageWriter::data_of(const Demo& demo) {
+  return {{"source", press_.highlighter.highlight(demo.source, "lesson")},
+          {"body", html(demo.document)}};
+}
+
 json PageWriter::data_of(const Callout& callout, const std::string& inner) const {
   return {{"kind", callout.kind},
           {"label", capitalized(callout.kind)},

@@ -1,5 +1,6 @@
 #include "page/page_writer.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -21,6 +22,14 @@ std::string aligned_by_class(std::string table) {
     }
   }
   return table;
+}
+
+// The box of an item of a task list is a picture of its state, which is said in words as well.
+std::string with_named_box(std::string item) {
+  const std::string box = "<input type=\"checkbox\"";
+  const std::size_t at = item.find(box);
+  const bool done = item.compare(at + box.size(), 8, " checked") == 0;
+  return item.insert(at + box.size(), done ? " aria-label=\"done\"" : " aria-label=\"to do\"");
 }
 
 // The way from one lesson's page to a file below the site's root: pages lie one folder deep.
@@ -64,8 +73,9 @@ std::string PageWriter::render(const std::string& name, const nlohmann::json& da
 
 bool PageWriter::takes(cmark_node* node) const {
   const cmark_node_type type = cmark_node_get_type(node);
+  const std::string name = cmark_node_get_type_string(node);
   return lesson_.block(node) != nullptr || type == CMARK_NODE_HEADING || type == CMARK_NODE_LINK ||
-         std::string(cmark_node_get_type_string(node)) == "table";
+         name == "table" || name == "tasklist";
 }
 
 std::string PageWriter::write(cmark_node* node, const std::string& inner) {
@@ -75,17 +85,20 @@ std::string PageWriter::write(cmark_node* node, const std::string& inner) {
   const cmark_node_type type = cmark_node_get_type(node);
   if (type == CMARK_NODE_HEADING) return write_heading(node, inner);
   if (type == CMARK_NODE_LINK) return write_link(node, inner);
+  if (type == CMARK_NODE_ITEM) return with_named_box(inner);
   return "<div class=\"table\">" + aligned_by_class(inner) + "</div>\n";
 }
 
 std::string PageWriter::write_heading(cmark_node* node, const std::string& inner) {
   const int level = cmark_node_get_heading_level(node);
-  std::string id;
-  for (const Heading& heading : lesson_.headings) {
-    if (heading.node == node) id = heading.id;
-  }
+  const auto heading = std::find_if(lesson_.headings.begin(), lesson_.headings.end(),
+                                    [&](const Heading& one) { return one.node == node; });
+  const std::string id = heading != lesson_.headings.end() ? heading->id : "";
+  const bool in_demo = heading != lesson_.headings.end() && heading->in_demo;
   nlohmann::json entry{{"id", id}, {"title", inner}, {"children", nlohmann::json::array()}};
-  if (level == 2 || contents_.empty()) {
+  if (in_demo) {
+    // It shows what a heading looks like, and is no part of this page.
+  } else if (level == 2 || contents_.empty()) {
     contents_.push_back(std::move(entry));
   } else if (level == 3) {
     contents_.back()["children"].push_back(std::move(entry));
@@ -145,6 +158,7 @@ std::string PageWriter::write_block(std::size_t index, const std::string& inner)
   if (const auto* output = std::get_if<Output>(&block); output != nullptr && output->apart) {
     return render("example", data_of(*output, index));
   }
+  if (const auto* demo = std::get_if<Demo>(&block)) return render("demo", data_of(*demo));
   return "";  // an output and its label, which the example above shows
 }
 

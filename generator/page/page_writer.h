@@ -74,6 +74,7 @@ class PageWriter {
   void add_items(const Question& question, nlohmann::json& data);
   nlohmann::json data_of(const Io& io) const;
   nlohmann::json data_of(const Callout& callout, const std::string& inner) const;
+  nlohmann::json data_of(const Demo& demo);
   std::string render(const std::string& name, const nlohmann::json& data);
 
   const Course& course_;

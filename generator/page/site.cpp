@@ -78,6 +78,7 @@ class SiteWriter {
   void write_posters(std::size_t index);
   void write_home();
   void copy_examples();
+  const Level& level_of(const Lesson& lesson) const;
   std::vector<std::size_t> published(const Level& level) const;
   json levels_data(const Lesson* current) const;
   std::string frame(const std::string& kind, const std::string& title,
@@ -94,6 +95,11 @@ class SiteWriter {
   SiteDirectory directory_;
   std::map<std::string, fs::path> copied_;  // the labs' assets, which they may share, by path
 };
+
+const Level& SiteWriter::level_of(const Lesson& lesson) const {
+  return *std::find_if(course_.levels.begin(), course_.levels.end(),
+                       [&](const Level& level) { return level.folder == lesson.folder; });
+}
 
 // The lessons of a level that the site has: all but the drafts.
 std::vector<std::size_t> SiteWriter::published(const Level& level) const {
@@ -112,7 +118,9 @@ json SiteWriter::levels_data(const Lesson* current) const {
       lesson["current"] = &course_.lessons[index] == current;
       lessons.push_back(std::move(lesson));
     }
-    levels.push_back({{"title", level.title}, {"lessons", std::move(lessons)}});
+    levels.push_back({{"title", level.title},
+                      {"beside", level.number.empty()},
+                      {"lessons", std::move(lessons)}});
   }
   return levels;
 }
@@ -166,17 +174,16 @@ void SiteWriter::write_lesson(std::size_t index) {
   for (const LocatedText& number : lesson.front.prerequisites) {
     prerequisites.push_back(reference_to(*course_.find_lesson(number.text)));
   }
+  const Level& level = level_of(lesson);
   // The nearest lesson in one direction that the site has; past an end the index wraps to a huge
-  // one.
+  // one. From the course no way leads into what stands beside it, nor back.
   const auto neighbour = [&](std::size_t step) {
     std::size_t at = index + step;
     while (at < course_.lessons.size() && course_.lessons[at].front.draft) at += step;
-    return at < course_.lessons.size() ? reference_to(course_.lessons[at]) : json(nullptr);
+    const bool there = at < course_.lessons.size() &&
+                       level_of(course_.lessons[at]).number.empty() == level.number.empty();
+    return there ? reference_to(course_.lessons[at]) : json(nullptr);
   };
-  std::string level_title;
-  for (const Level& level : course_.levels) {
-    if (level.folder == lesson.folder) level_title = level.title;
-  }
   std::string body = render_template(
       templates_, "lesson",
       {{"number", lesson.number},
@@ -191,7 +198,7 @@ void SiteWriter::write_lesson(std::size_t index) {
        {"verified", verified_data(results.tally, evaluation_.mujoco)},
        {"previous", neighbour(std::size_t(0) - 1)},
        {"next", neighbour(1)},
-       {"level", {{"title", level_title}}},
+       {"level", {{"title", level.title}}},
        {"root", "../"}});
   body.replace(body.find(mark), mark.size(), prose);
   const Document& summary = lesson.front.summary;
@@ -251,10 +258,11 @@ void SiteWriter::write_home() {
       json card = reference_to(lesson);
       card["summary"] = writer.inline_html(lesson.front.summary);
       card["minutes"] = lesson.front.minutes ? json(*lesson.front.minutes) : json(nullptr);
-      card["poster"] = card_poster(lesson, results);
+      card["poster"] = level.number.empty() ? json(nullptr) : card_poster(lesson, results);
       lessons.push_back(std::move(card));
     }
-    levels.push_back({{"number", level.folder.substr(0, level.folder.find('-'))},
+    levels.push_back({{"folder", level.folder},
+                      {"number", level.number},
                       {"title", level.title},
                       {"lessons", std::move(lessons)}});
   }

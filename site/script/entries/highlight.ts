@@ -11,7 +11,9 @@ import python from "highlight.js/lib/languages/python";
 import xml from "highlight.js/lib/languages/xml";
 import yaml from "highlight.js/lib/languages/yaml";
 
-const languages = { bash, c, cmake, cpp, javascript, json, plaintext, python, xml, yaml };
+import { lesson } from "../lesson-language.js";
+
+const languages = { bash, c, cmake, cpp, javascript, json, lesson, plaintext, python, xml, yaml };
 for (const [name, language] of Object.entries(languages)) hljs.registerLanguage(name, language);
 
 /** A language that is not here gives the code escaped and plain. */

@@ -34,6 +34,19 @@ levels:
   EXPECT_EQ(course.models, std::vector<std::string>{"zoo"});
 }
 
+TEST(Course, NumbersItsLevelsByTheirFolders) {
+  const CourseOf found({{"content/course.yaml", R"(title: C
+levels:
+  - {folder: 12-b, title: Twelfth, lessons: []}
+  - {folder: guide, title: Beside, lessons: [A.1-x]}
+)"},
+                        {"content/guide/A.1-x.md", lesson("[x](A.1)")}});
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_EQ(found.course->levels[0].number, "12");
+  EXPECT_EQ(found.course->levels[1].number, "");
+  EXPECT_EQ(found.course->lessons[0].number, "A.1");
+}
+
 TEST(Course, NeedsItsFile) {
   const CourseOf found(CourseOf::FileMap{{"content/1-a/1.1-x.md", lesson("")}});
   EXPECT_FALSE(found.course);

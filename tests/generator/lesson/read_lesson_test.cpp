@@ -15,14 +15,22 @@ TEST(Lesson, TakesItsNumberFromItsFilesName) {
   EXPECT_EQ(reading.lesson->number, "1.12");
 }
 
+TEST(Lesson, OfAnAppendixHasALetter) {
+  const ReadingOf reading = reading_of_file("---\ntitle: T\n---", "content/guide/B.12-text.md");
+  EXPECT_EQ(reading.lesson->slug, "B.12-text");
+  EXPECT_EQ(reading.lesson->number, "B.12");
+}
+
 TEST(Lesson, MustHaveANumber) {
-  for (const std::string name : {"intro.md", "1-intro.md", "1.2.md", "1.2-.md"}) {
+  for (const std::string name :
+       {"intro.md", "1-intro.md", "1.2.md", "1.2-.md", "a.1-x.md", "AB.1-x.md", "1A.1-x.md"}) {
     const ReadingOf reading = reading_of_file("---\ntitle: T\n---\n", "content/a/" + name);
     EXPECT_FALSE(reading.lesson);
     EXPECT_EQ(reading.mistakes(), "content/a/" + name +
                                       ": error: a lesson's file is named after its number, as "
                                       "`1.2-a-title.md` [E-lesson-name]\n"
-                                      "  cure: rename the file\n");
+                                      "  cure: rename the file; an appendix has a letter: "
+                                      "`A.1-a-title.md`\n");
   }
 }
 

@@ -39,6 +39,13 @@ TEST_F(PageWriterTest, AlignsTheCellsOfATableByClass) {
   EXPECT_TRUE(table.ends_with("</table>\n</div>\n")) << table;
 }
 
+TEST_F(PageWriterTest, SaysTheStateOfATask) {
+  EXPECT_EQ(body("- [x] a\n- [ ] b\n"),
+            "<ul>\n<li><input type=\"checkbox\" aria-label=\"done\" checked=\"\" disabled=\"\" /> "
+            "a</li>\n"
+            "<li><input type=\"checkbox\" aria-label=\"to do\" disabled=\"\" /> b</li>\n</ul>\n");
+}
+
 TEST_F(PageWriterTest, ShowsAFormulaWithoutResultAsItsTeX) {
   EXPECT_EQ(body("a $x < y$\n"), "<p>a <span class=\"math\">x &lt; y</span></p>\n");
 }
@@ -84,6 +91,18 @@ TEST_F(PageWriterTest, WritesWhatACalloutHoldsIntoIt) {
   EXPECT_NE(html.find("Of <span class=\"math\">q</span>"), std::string::npos) << html;
   EXPECT_NE(html.find("<p>The <em>body</em>.</p>"), std::string::npos) << html;
   EXPECT_EQ(html.find("<blockquote>"), std::string::npos) << html;
+}
+
+TEST_F(PageWriterTest, ShowsADemosSourceAboveWhatItBecomes) {
+  const std::string html = body("## A\n````demo\n### B\n> [!note] C\n> <b>d</b>\n````\n## E\n");
+  EXPECT_NE(html.find("<span class=\"hljs-section\">### B</span>\n&gt; [!note] C"),
+            std::string::npos)
+      << html;
+  const std::size_t result = html.find("<div class=\"demo-page prose\">\n<h3 id=\"b\">");
+  ASSERT_NE(result, std::string::npos) << html;
+  EXPECT_NE(html.find("<p><b>d</b></p>", result), std::string::npos) << html;
+  ASSERT_EQ(contents_.size(), 2u);
+  EXPECT_TRUE(contents_[0]["children"].empty());
 }
 
 TEST_F(PageWriterTest, ShowsAnOutputOnlyWithItsExample) {

@@ -19,6 +19,24 @@ TEST(HighlighterTest, MarksWhatTheLanguageKnows) {
   }
 }
 
+TEST(HighlighterTest, SetsALessonsFencesInTheirOwnLanguages) {
+  Highlighter highlighter(bundle("highlight"));
+  EXPECT_EQ(highlighter.highlight("```cpp unchecked\nint x;\n```\n", "lesson"),
+            "<span class=\"hljs-meta\">```cpp unchecked\n</span>"
+            "<span class=\"language-cpp\"><span class=\"hljs-type\">int</span> x;\n</span>"
+            "<span class=\"hljs-meta\">```</span>\n");
+  const std::string json = highlighter.highlight("```quiz\n{\"id\": 1}\n```\n*a*", "lesson");
+  EXPECT_NE(json.find("<span class=\"hljs-attr\">&quot;id&quot;</span>"), std::string::npos)
+      << json;
+  EXPECT_NE(json.find("<span class=\"hljs-emphasis\">*a*</span>"), std::string::npos) << json;
+}
+
+TEST(HighlighterTest, LeavesALessonsFormulasAlone) {
+  Highlighter highlighter(bundle("highlight"));
+  EXPECT_EQ(highlighter.highlight("$a_1 b_2$, $5 and $6, \\$1 of \\$", "lesson"),
+            "<span class=\"hljs-string\">$a_1 b_2$</span>, $5 and $6, \\$1 of \\$");
+}
+
 TEST(HighlighterTest, AnUnknownLanguageIsEscapedText) {
   Highlighter highlighter(bundle("highlight"));
   EXPECT_EQ(highlighter.highlight("a < b && \"c\"", "brainfuck"),

@@ -10,7 +10,7 @@ import { Lab } from "./lab.mjs";
 await testSite(async (visitor) => {
   let readings = 0;
   for (const path of pages.filter((page) => page.includes("/"))) {
-    const number = /\/(\d+\.\d+)-/.exec(`/${path}`)[1];
+    const number = /\/(\w+\.\d+)-/.exec(`/${path}`)[1];
     await visitor.visit(path, {}, async (page) => {
       const labs = page.locator("sim-lab[data-code]");
       for (let index = 1; index <= (await labs.count()); ++index) {
