@@ -8,6 +8,8 @@ namespace mjcourse {
 struct Options {
   std::filesystem::path course = ".";
   std::filesystem::path out;
+  std::filesystem::path report;  // a folder for the report; empty for none
+  bool strict = false;           // nothing without proof or reason, and no warnings
 };
 
 // Evaluate the course and replace the site; with errors the old site stays.

@@ -1,5 +1,6 @@
 #include "cli/run.h"
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string_view>
@@ -13,10 +14,11 @@ namespace {
 struct Named {
   std::string_view name;
   int (*command)(const Options&);
-  bool takes_out;
+  std::vector<std::string> options;
 };
 
-constexpr Named kCommands[] = {{"build", build, true}, {"check", check, false}};
+const Named kCommands[] = {{"build", build, {"--course", "--out", "--report"}},
+                           {"check", check, {"--course", "--report", "--strict"}}};
 
 constexpr std::string_view kHelp =
     "usage: mjcourse COMMAND [OPTIONS]\n"
@@ -26,6 +28,8 @@ constexpr std::string_view kHelp =
     "\n"
     "  --course DIR   the course: a folder with content/, models/ and examples/ (default: .)\n"
     "  --out DIR      where build puts the site (default: build/site in the course)\n"
+    "  --report DIR   write what was verified, and how, to DIR/index.html and verification.json\n"
+    "  --strict       check: no warnings, and a reason for all that was not proved\n"
     "\n"
     "Exit code: 0 clean, 1 the course has errors, 2 wrong usage, 3 our fault.\n";
 
@@ -42,15 +46,18 @@ int run_named(const Named& named, const std::vector<std::string>& arguments) {
       std::cout << kHelp;
       return kClean;
     }
-    const bool is_out = argument == "--out" && named.takes_out;
-    if (argument != "--course" && !is_out) {
-      std::vector<std::string> known{"--course"};
-      if (named.takes_out) known.push_back("--out");
+    if (std::find(named.options.begin(), named.options.end(), argument) == named.options.end()) {
       return wrong_usage(std::string(named.name) + " has no option " + argument + "; " +
-                         suggest(argument, known));
+                         suggest(argument, named.options));
+    }
+    if (argument == "--strict") {
+      options.strict = true;
+      continue;
     }
     if (i + 1 == arguments.size()) return wrong_usage(argument + " needs a folder");
-    (is_out ? options.out : options.course) = arguments[++i];
+    (argument == "--out"      ? options.out
+     : argument == "--report" ? options.report
+                              : options.course) = arguments[++i];
   }
   if (options.out.empty()) options.out = options.course / "build" / "site";
   options.course = std::filesystem::absolute(options.course);  // tools run in folders of their own

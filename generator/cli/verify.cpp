@@ -3,15 +3,18 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "cli/progress_bar.h"
+#include "evaluate/strict.h"
+#include "page/report.h"
 #include "report/terminal.h"
 
 namespace mjcourse {
@@ -51,6 +54,16 @@ void sort_diagnostics(Diagnostics& diagnostics) {
                      return std::tie(a.place.file, a.place.line, a.place.column) <
                             std::tie(b.place.file, b.place.line, b.place.column);
                    });
+}
+
+// Adds what only --strict minds; what is a warning without it is an error.
+void apply_strictly(Evaluation& evaluation) {
+  Diagnostics& all = evaluation.diagnostics;
+  for (const LessonResults& lesson : evaluation.lessons) {
+    const Diagnostics found = unreasoned(lesson.claims);
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  for (Diagnostic& diagnostic : all) diagnostic.severity = Severity::error;
 }
 
 void print_diagnostics(const Diagnostics& diagnostics) {
@@ -96,17 +109,19 @@ std::filesystem::path assets_folder() {
 }
 
 Verified verify_course(const Options& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   Verified verified;
   Diagnostics reading;
   verified.course = read_course(DiskFiles(options.course), reading);
   if (verified.course) {
     ProgressBar progress;
-    verified.evaluation =
-        evaluate(*verified.course, options.course, DiskFiles(assets_folder()), progress);
+    verified.evaluation = evaluate(*verified.course, options.course, DiskFiles(assets_folder()),
+                                   progress, std::move(reading));
+  } else {
+    verified.evaluation.diagnostics = std::move(reading);
   }
   Diagnostics& all = verified.evaluation.diagnostics;
-  all.insert(all.begin(), reading.begin(), reading.end());
+  if (options.strict) apply_strictly(verified.evaluation);
   sort_diagnostics(all);
   print_diagnostics(all);
 
@@ -115,15 +130,20 @@ Verified verify_course(const Options& options) {
   for (const LessonResults& lesson : verified.evaluation.lessons) total += lesson.tally;
   const std::ptrdiff_t errors = errors_in(all, "");
   verified.failed = errors > 0;
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const double seconds = stopwatch.seconds();
   char time[32];
-  std::snprintf(time, sizeof time, "%.1f s", seconds.count());
+  std::snprintf(time, sizeof time, "%.1f s", seconds);
   std::cout << (verified.course
                     ? counted(static_cast<std::ptrdiff_t>(verified.course->lessons.size()),
                               "lesson") +
                           ": " + tally_text(total) + "; "
                     : "")
             << counted(errors, "error") << ", " << time << '\n';
+  if (!options.report.empty()) {
+    write_report({verified.course ? &*verified.course : nullptr, verified.evaluation, seconds},
+                 assets_folder(), options.report);
+    std::cout << "report: " << options.report.lexically_normal().string() << "/index.html\n";
+  }
   return verified;
 }
 

@@ -48,9 +48,12 @@ struct Example {
   std::string name() const;  // "x" of "examples/x.cpp"
 };
 
-// ```cpp unchecked: code that is shown and not run, and says so.
+// ```LANGUAGE unchecked: what is shown and not run, and says so.
 struct Unchecked {
   LocatedText code;
+  std::string language;  // "cpp", "sh" …
+  std::string because;   // why nobody runs it; may be empty
+  Span span;             // the opening fence
 };
 
 // ```cpp snippet: the body of a function, which sees `model` and `data`.
@@ -99,6 +102,7 @@ struct Callout {
   std::string kind;
   Document title;
   bool folded = false;
+  Span span{};  // the kind
 };
 
 // Shown by its neighbour: the "Output:" paragraph and the output below an example.

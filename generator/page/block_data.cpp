@@ -2,6 +2,7 @@
 #include <cctype>
 #include <utility>
 
+#include "page/anchors.h"
 #include "page/page_writer.h"
 
 namespace mjcourse {
@@ -30,7 +31,7 @@ std::string output_label(const Example& example) {
 json PageWriter::data_of(const Example& example, std::size_t index) {
   const auto* result = results_.get<ExampleResult>(index);
   json data = listing(result != nullptr ? result->code : example.code.text, "cpp");
-  data["id"] = "example-" + example.name() + (example.region ? "-" + example.region->text : "");
+  data["id"] = example_anchor(example);
   data["file"] = example.file.text;
   data["download"] = "../" + example.file.text;
   // Of a program's regions, those have its output that say so.
@@ -44,8 +45,9 @@ json PageWriter::data_of(const Example& example, std::size_t index) {
 }
 
 json PageWriter::data_of(const Unchecked& unchecked) {
-  json data = listing(unchecked.code.text, "cpp");
+  json data = listing(unchecked.code.text, unchecked.language);
   data["unchecked"] = true;
+  data["because"] = unchecked.because;
   return data;
 }
 
@@ -80,7 +82,8 @@ json PageWriter::data_of(const InlineModel& model, std::size_t index) {
 json PageWriter::listing(const std::string& code, const std::string& language) {
   return {{"id", nullptr},       {"file", nullptr},
           {"download", nullptr}, {"code", press_.highlighter.highlight(code, language)},
-          {"unchecked", false},  {"output", nullptr}};
+          {"unchecked", false},  {"because", ""},
+          {"output", nullptr}};
 }
 
 bool PageWriter::has_proved_output(const std::optional<std::size_t>& output) const {

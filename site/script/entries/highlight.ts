@@ -6,12 +6,25 @@ import cmake from "highlight.js/lib/languages/cmake";
 import cpp from "highlight.js/lib/languages/cpp";
 import javascript from "highlight.js/lib/languages/javascript";
 import json from "highlight.js/lib/languages/json";
+import markdown from "highlight.js/lib/languages/markdown";
 import plaintext from "highlight.js/lib/languages/plaintext";
 import python from "highlight.js/lib/languages/python";
 import xml from "highlight.js/lib/languages/xml";
 import yaml from "highlight.js/lib/languages/yaml";
 
-const languages = { bash, c, cmake, cpp, javascript, json, plaintext, python, xml, yaml };
+const languages = {
+  bash,
+  c,
+  cmake,
+  cpp,
+  javascript,
+  json,
+  markdown,
+  plaintext,
+  python,
+  xml,
+  yaml,
+};
 for (const [name, language] of Object.entries(languages)) hljs.registerLanguage(name, language);
 
 /** A language that is not here gives the code escaped and plain. */
