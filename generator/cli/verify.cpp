@@ -119,6 +119,7 @@ Verified verify_course(const Options& options) {
                                    progress, std::move(reading));
   } else {
     verified.evaluation.diagnostics = std::move(reading);
+    verified.evaluation.versions = known_versions(DiskFiles(assets_folder()));
   }
   Diagnostics& all = verified.evaluation.diagnostics;
   if (options.strict) apply_strictly(verified.evaluation);

@@ -15,6 +15,14 @@ std::string counted(std::size_t count, const std::string& one, const std::string
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
+// What came of trying each option or item.
+std::string held(const Question& question, const ProofResult& proof) {
+  if (question.kind == Question::Kind::order) return "the items come to " + proof.value;
+  std::vector<std::string> letters;
+  for (const std::size_t i : question.right) letters.emplace_back(1, static_cast<char>('A' + i));
+  return listed(letters) + (letters.size() == 1 ? " holds" : " hold") + ", and no other";
+}
+
 }  // namespace
 
 std::string as_title(const std::string& text) {
@@ -80,16 +88,16 @@ std::string how_rehearsed(const Lab& lab, const LabResult& result) {
   return text;
 }
 
-std::string how_proved(const QuestionResult& result) {
+std::string how_proved(const Question& question, const QuestionResult& result) {
   std::string text;
   for (const ProofResult& proof : result.proofs) {
     if (!text.empty()) text += "; ";
-    if (result.by_program) {
+    if (proof.expression.empty()) {
+      text += "simulated with " + proof.built + ": " + held(question, proof);
+    } else if (proof.built.ends_with(".cpp")) {
       text += "reported by " + proof.built + ": " + proof.expression + " = " + proof.value;
-    } else if (!proof.expression.empty()) {
-      text += proof.built + " was built: " + proof.expression + " = " + proof.value;
     } else {
-      text += "simulated with " + proof.built + ": " + proof.value;
+      text += proof.built + " was built: " + proof.expression + " = " + proof.value;
     }
   }
   return text;

@@ -22,7 +22,7 @@ std::string how_compared(const Output& output, const OutputResult& result,
 
 std::string how_rehearsed(const Lab& lab, const LabResult& result);
 
-std::string how_proved(const QuestionResult& result);
+std::string how_proved(const Question& question, const QuestionResult& result);
 std::string limits_of_answer(const Question& question);
 
 }  // namespace mjcourse

@@ -305,7 +305,7 @@ void LessonClaims::add(std::size_t i, const Quiz& quiz) {
     claim.part = q;
     claim.seconds = result.seconds;
     claim.limits = limits_of_answer(question);
-    claim.how = how_proved(result);
+    claim.how = how_proved(question, result);
     if (!result.proved) {
       claim.status = Status::asserted;
       claim.reason = result.because;
