@@ -1,5 +1,6 @@
 #include "page/verification_page.h"
 
+#include <set>
 #include <utility>
 
 namespace mjcourse {
@@ -79,6 +80,7 @@ class PageData {
   json claim_data(const json& lesson, const json& claim, bool listed, bool shared) const {
     const std::string id = claim["id"];
     const auto messages = findings_.of_claim.find(id);
+    const bool told = !listed && messages != findings_.of_claim.end();  // once, where it failed
     const bool linked = links_ && claim["page"] != "";
     return {{"id", listed ? id : ""},
             {"what", claim["what"]},
@@ -93,8 +95,7 @@ class PageData {
             {"line", claim["line"]},
             {"href", linked ? claim["page"] : json("")},
             {"key", claim["key"]},
-            {"messages",
-             messages == findings_.of_claim.end() ? std::vector<std::string>{} : messages->second}};
+            {"messages", told ? messages->second : std::vector<std::string>{}}};
   }
 
   json with_status(const std::vector<std::string>& statuses) const {
@@ -114,18 +115,24 @@ class PageData {
     for (const json& claim : lesson["claims"]) {
       if (claim["kind"] == kind.name) claims.push_back(&claim);
     }
-    bool shared = claims.size() > 1;
+    std::set<std::pair<std::string, std::string>> ways;
+    std::size_t proved = 0;
     for (const json* claim : claims) {
-      shared = shared && (*claim)["how"] == (*claims[0])["how"] &&
-               (*claim)["limits"] == (*claims[0])["limits"];
+      if ((*claim)["status"] != "proved") continue;
+      ways.emplace((*claim)["how"], (*claim)["limits"]);
+      ++proved;
     }
+    const bool shared = proved > 1 && ways.size() == 1;
     json shown = json::array();
-    for (const json* claim : claims) shown.push_back(claim_data(lesson, *claim, true, shared));
+    for (const json* claim : claims) {
+      const bool said = shared && (*claim)["status"] == "proved";
+      shown.push_back(claim_data(lesson, *claim, true, said));
+    }
     return {{"title", kind.title},
             {"count", claims.size()},
             {"open", claims.size() <= kFewClaims},
-            {"how", shared ? (*claims[0])["how"] : json("")},
-            {"limits", shared ? (*claims[0])["limits"] : json("")},
+            {"how", shared ? ways.begin()->first : ""},
+            {"limits", shared ? ways.begin()->second : ""},
             {"claims", std::move(shown)}};
   }
 

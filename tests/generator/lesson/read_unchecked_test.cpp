@@ -30,8 +30,8 @@ TEST(ReadUnchecked, TakesEveryLanguageAndNoReason) {
 
 TEST(ReadUnchecked, BelongsToNoProgram) {
   EXPECT_EQ(underlined_mistakes(reading_of("```text unchecked\nx\n```\n\n```text\n1\n```\n")),
-            "E-output-stray <```text> this output belongs to no example | put it right below its "
-            "`cpp file=…` fence, or name it: `text output=NAME`\n");
+            "E-output-stray <```text> this output belongs to no program | put it right after a "
+            "`cpp file=…` or `cpp snippet` fence, or name the example above: `text output=NAME`\n");
 }
 
 TEST(ReadUnchecked, MustBeSaid) {

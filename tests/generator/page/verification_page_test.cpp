@@ -69,6 +69,9 @@ TEST_F(VerificationTest, SaysOnceWhatIsTrueOfAList) {
   json group = data("$a$\n", {one, one})["lessons"][0]["groups"][0];
   EXPECT_EQ(group["how"], "h");
   EXPECT_EQ(group["claims"][0]["how"], "");
+  Claim failed = claim(Kind::formula, Status::failed, 0, 4);
+  failed.how = "";
+  EXPECT_EQ(data("$a$\n", {one, failed, one})["lessons"][0]["groups"][0]["how"], "h");
   Claim other = one;
   other.how = "otherwise";
   group = data("$a$\n", {one, other})["lessons"][0]["groups"][0];
