@@ -62,6 +62,12 @@ std::string text_of(const LabResult& result) {
   return all.dump();
 }
 
+// The first line of `code` that says something.
+std::string first_line(const std::string& code) {
+  const std::size_t begin = std::min(code.find_first_not_of(" \t\n"), code.size());
+  return as_title(code.substr(begin, code.find('\n', begin) - begin));
+}
+
 // What stands behind "Source:" in the last such paragraph of the callout `index`, and where that
 // leads; "" without one.
 std::string source_of(const Lesson& lesson, std::size_t index) {
@@ -207,7 +213,8 @@ void LessonClaims::add(std::size_t i, const Example& example) {
 }
 
 void LessonClaims::add(std::size_t i, const Snippet& snippet) {
-  Claim claim = begin(Kind::snippet, i, "a snippet on " + snippet.model.text, fence(snippet.span));
+  Claim claim =
+      begin(Kind::snippet, i, "snippet: " + first_line(snippet.shown), fence(snippet.span));
   claim.how = how_run(snippet, versions());
   claim.limits = limits_of_run(snippet.seconds);
   const auto* result = results_.get<ExampleResult>(i);
@@ -328,7 +335,8 @@ void LessonClaims::add(std::size_t i, const Callout& callout) {
 }
 
 void LessonClaims::add(std::size_t i, const Unchecked& unchecked) {
-  Claim claim = begin(Kind::code, i, "a listing, " + unchecked.language, fence(unchecked.span));
+  Claim claim = begin(Kind::code, i, unchecked.language + ": " + first_line(unchecked.code.text),
+                      fence(unchecked.span));
   claim.status = Status::unchecked;
   claim.reason = unchecked.because;
   finish(std::move(claim), true, {});

@@ -31,7 +31,7 @@ bool concerns(const Diagnostic& diagnostic, const Lesson& lesson, const Claim& c
                      [&](const Note& note) { return is_in(note.place, lesson, claim); });
 }
 
-// Each message goes to the failed claims that it is about.
+// Each message goes to the claims that it is about, of those that are not proved.
 Findings findings_of(const Run& run) {
   Findings findings;
   for (const Diagnostic& diagnostic : run.evaluation.diagnostics) {
@@ -41,7 +41,8 @@ Findings findings_of(const Run& run) {
       const Lesson& lesson = run.course->lessons[l];
       const Claims& claims = run.evaluation.lessons[l].claims;
       for (std::size_t c = 0; c < claims.size(); ++c) {
-        if (claims[c].status != Claim::Status::failed) continue;
+        const Claim::Status status = claims[c].status;
+        if (status == Claim::Status::proved || status == Claim::Status::cited) continue;
         if (!concerns(diagnostic, lesson, claims[c])) continue;
         findings.of_claim[claim_anchor(lesson, c)].push_back(text);
         shown = true;

@@ -18,8 +18,9 @@ struct ShownPicture {
 // What a page of its own has beside the claims; a site, which is built only without mistakes, has
 // none of it.
 struct Findings {
-  std::map<std::string, std::vector<std::string>> of_claim;  // messages, by the claim's id
-  std::vector<std::string> others;                           // those that no claim has a part in
+  std::map<std::string, std::vector<std::string>>
+      of_claim;                     // messages of what is not proved, by its id
+  std::vector<std::string> others;  // those that no such claim has a part in
   std::vector<ShownPicture> pictures;
 };
 

@@ -99,8 +99,9 @@ try {
   expect(ids === "E-math E-callout-kind E-strict-unchecked", `other diagnostics: ${ids}`);
   const shown = await opened(bad.page);
   expect(shown.first === "What is not so", `it begins with "${shown.first}"`);
-  expect(shown.messages.length === 1 && shown.messages[0].includes("\\alpha"), "its message");
-  expect(shown.others.length === 2, "the messages that are about nothing that failed");
+  expect(shown.messages.length === 2, "messages of what failed and of what has no reason");
+  expect(shown.messages[0]?.includes("\\alpha"), "first the message of what failed");
+  expect(shown.others.length === 1, "the message that is about no claim");
 
   rmSync(join(here, "course", "content", "course.yaml"));
   const none = report(join(here, "course"));

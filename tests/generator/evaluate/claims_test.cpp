@@ -111,7 +111,8 @@ TEST(Claims, OfSnippets) {
   const EvaluationOf found(
       "> ```cpp snippet model=ball\n> std::puts(\"1\");\n> ```\n>\n> ```text\n> 1\n> ```\n");
   EXPECT_EQ(told(found),
-            "4 snippet proved: a snippet on ball\n    compiled by " + found.versions().compiler +
+            "4 snippet proved: snippet: std::puts(\"1\");\n    compiled by " +
+                found.versions().compiler +
                 " as the body of a function, and run by itself on ball.xml in its initial state; "
                 "exit code 0\n"
                 "    10 s, 1 MiB of output, no input, a folder of its own\n"
@@ -163,7 +164,6 @@ TEST(Claims, OfLabsAndTheirPictures) {
 }
 
 TEST(Claims, OfAnswers) {
-  const std::string place = "4 answer";  // the fence's own line is 4, the question's 5
   EXPECT_EQ(told(asked(", \"verify\": [{\"model\": \"ball\", \"value\": \"model.nq\"}]")),
             "5 answer proved: question 1: How many is nq?\n"
             "    ball.xml was built: model.nq = 8\n"
@@ -190,9 +190,9 @@ TEST(Claims, OfEstablishedFactsAndCodeThatNobodyRuns) {
       "4 citation cited: A fact\n"
       "    A book, p. 3 <https://x.org>\n"
       "9 citation asserted: a fact\n"
-      "15 code unchecked: a listing, cpp\n"
+      "15 code unchecked: cpp: x;\n"
       "    needs a GPU\n"
-      "19 code unchecked: a listing, sh\n");
+      "19 code unchecked: sh: ls\n");
 }
 
 TEST(Claims, KnowTheSameByItsKey) {
