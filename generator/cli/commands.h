@@ -12,6 +12,8 @@ struct Options {
   std::filesystem::path out;
   std::vector<std::string> where;  // lessons, or lines of them; none: all
   bool dry_run = false;
+  std::filesystem::path report;  // a folder for the report; empty for none
+  bool strict = false;           // nothing without proof or reason, and no warnings
 };
 
 // Evaluate the course and replace the site; with errors the old site stays.

@@ -26,6 +26,12 @@ constexpr Option kOut{"--out", "a folder",
 constexpr Option kDryRun{"--dry-run", "",
                          [](Options& options, const std::string&) { options.dry_run = true; }};
 
+constexpr Option kReport{
+    "--report", "a folder",
+    [](Options& options, const std::string& value) { options.report = value; }};
+constexpr Option kStrict{"--strict", "",
+                         [](Options& options, const std::string&) { options.strict = true; }};
+
 struct Named {
   std::string_view name;
   int (*command)(const Options&);
@@ -35,8 +41,8 @@ struct Named {
 
 const std::vector<Named>& commands() {
   static const std::vector<Named> all{{"accept", accept, {kCourse, kDryRun}, true},
-                                      {"build", build, {kCourse, kOut}},
-                                      {"check", check, {kCourse}}};
+                                      {"build", build, {kCourse, kOut, kReport}},
+                                      {"check", check, {kCourse, kReport, kStrict}}};
   return all;
 }
 
@@ -52,6 +58,8 @@ constexpr std::string_view kHelp =
     "                 (1.2:210); none means all\n"
     "  --course DIR   the course: a folder with content/, models/ and examples/ (default: .)\n"
     "  --out DIR      where build puts the site (default: build/site in the course)\n"
+    "  --report DIR   write what was verified, and how, to DIR/index.html and verification.json\n"
+    "  --strict       check: no warnings, and a reason for all that was not proved\n"
     "  --dry-run      accept shows the differences and writes nothing; the exit code is 1 if "
     "there\n"
     "                 are any\n"

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -12,7 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "cli/progress_bar.h"
+#include "evaluate/strict.h"
+#include "page/report.h"
 #include "report/terminal.h"
 
 namespace mjcourse {
@@ -54,6 +56,15 @@ void sort_diagnostics(Diagnostics& diagnostics) {
                    });
 }
 
+// Adds what only --strict minds; what is a warning without it is an error.
+void apply_strictly(Evaluation& evaluation) {
+  Diagnostics& all = evaluation.diagnostics;
+  for (const LessonResults& lesson : evaluation.lessons) {
+    const Diagnostics found = unreasoned(lesson.claims);
+    all.insert(all.end(), found.begin(), found.end());
+  }
+  for (Diagnostic& diagnostic : all) diagnostic.severity = Severity::error;
+}
 // Errors in `file`, and those elsewhere that a note says it has a part in: a model that it uses.
 bool concerns(const Diagnostic& diagnostic, const std::string& file) {
   return diagnostic.place.file == file ||
@@ -103,20 +114,21 @@ Verified read_course_of(const Options& options) {
 }
 
 void evaluate_course(const Options& options, Verified& verified) {
-  Diagnostics all = std::move(verified.evaluation.diagnostics);
+  Diagnostics reading = std::move(verified.evaluation.diagnostics);
   if (verified.course) {
     ProgressBar progress;
-    verified.evaluation =
-        evaluate(*verified.course, options.course, DiskFiles(assets_folder()), progress);
+    verified.evaluation = evaluate(*verified.course, options.course, DiskFiles(assets_folder()),
+                                   progress, std::move(reading));
+  } else {
+    verified.evaluation.diagnostics = std::move(reading);
+    verified.evaluation.versions = known_versions(DiskFiles(assets_folder()));
   }
-  Diagnostics& found = verified.evaluation.diagnostics;
-  all.insert(all.end(), found.begin(), found.end());
-  found = std::move(all);
-  sort_diagnostics(found);
+  if (options.strict) apply_strictly(verified.evaluation);
+  sort_diagnostics(verified.evaluation.diagnostics);
 }
 
 Verified verify_course(const Options& options) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch stopwatch;
   Verified verified = read_course_of(options);
   evaluate_course(options, verified);
   const Diagnostics& all = verified.evaluation.diagnostics;
@@ -127,15 +139,20 @@ Verified verify_course(const Options& options) {
   for (const LessonResults& lesson : verified.evaluation.lessons) total += lesson.tally;
   const std::ptrdiff_t errors = errors_in(all, "");
   verified.failed = errors > 0;
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const double seconds = stopwatch.seconds();
   char time[32];
-  std::snprintf(time, sizeof time, "%.1f s", seconds.count());
+  std::snprintf(time, sizeof time, "%.1f s", seconds);
   std::cout << (verified.course
                     ? counted(static_cast<std::ptrdiff_t>(verified.course->lessons.size()),
                               "lesson") +
                           ": " + tally_text(total) + "; "
                     : "")
             << counted(errors, "error") << ", " << time << '\n';
+  if (!options.report.empty()) {
+    write_report({verified.course ? &*verified.course : nullptr, verified.evaluation, seconds},
+                 assets_folder(), options.report);
+    std::cout << "report: " << options.report.lexically_normal().string() << "/index.html\n";
+  }
   return verified;
 }
 

@@ -24,6 +24,16 @@ std::vector<CompilerMessage> parse(const std::string& text) {
   return messages;
 }
 
+// "clang 16.0.6" of what `NAME --version` prints: "Debian clang version 16.0.6 (15~deb12u1)".
+std::string short_version(const std::string& name, const std::string& printed) {
+  static const std::regex form(R"(\d+\.\d+(\.\d+)?)");
+  std::smatch part;
+  const std::string first = printed.substr(0, printed.find('\n'));
+  const std::string number = std::regex_search(first, part, form) ? part[0].str() : "";
+  const std::string plain = name.starts_with("clang") ? "clang" : name;
+  return number.empty() ? plain : plain + " " + number;
+}
+
 }  // namespace
 
 bool Compiled::refused() const {
@@ -36,7 +46,10 @@ std::optional<Compiler> Compiler::find() {
   for (const char* name : {"clang++-16", "clang++-14", "clang++", "g++"}) {
     Command command;
     command.arguments = {name, "--version"};
-    if (run(command).end == Outcome::End::exited) return Compiler(name);
+    const Outcome outcome = run(command);
+    if (outcome.end == Outcome::End::exited) {
+      return Compiler(name, short_version(name, outcome.out));
+    }
   }
   return std::nullopt;
 }

@@ -32,7 +32,8 @@ class Compiler {
   // The first of clang++-16, clang++-14, clang++, g++ that is installed; nothing when none is.
   static std::optional<Compiler> find();
 
-  const std::string& name() const { return name_; }
+  // "clang 16.0.6", "g++ 12.2.0"
+  const std::string& version() const { return version_; }
 
   // Compile the program `source` against MuJoCo, Eigen and the helper header in the course's
   // `examples/include` into `binary`; `folder` is for files in between.
@@ -41,8 +42,9 @@ class Compiler {
                    bool optimize = false) const;
 
  private:
-  explicit Compiler(std::string name) : name_(std::move(name)) {}
-  std::string name_;
+  Compiler(std::string name, std::string version)
+      : name_(std::move(name)), version_(std::move(version)) {}
+  std::string name_, version_;
 };
 
 }  // namespace mjcourse

@@ -1,11 +1,11 @@
 #include "evaluate/evaluate.h"
 
-#include <mujoco/mujoco.h>
-
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "base/stopwatch.h"
+#include "evaluate/claims.h"
 #include "evaluate/example_crew.h"
 #include "evaluate/formula.h"
 #include "evaluate/inline_value.h"
@@ -42,7 +42,9 @@ class LessonEvaluator {
       const bool quotes =
           std::holds_alternative<InlineValue>(block) || std::holds_alternative<Quiz>(block);
       if (quotes != quoting) continue;
+      const Stopwatch stopwatch;
       std::visit([&](const auto& known) { evaluate_block(i, known); }, block);
+      if (results_.of_block.contains(i)) results_.seconds[i] = stopwatch.seconds();
     }
   }
 
@@ -50,19 +52,15 @@ class LessonEvaluator {
     auto result = evaluate_value(value, lesson_, workshop_, diagnostics_);
     if (!result) return;
     results_.of_block[index] = *std::move(result);
-    ++results_.tally.values;
   }
   void evaluate_block(std::size_t index, const Math& math) {
     auto result = evaluate_formula(math, lesson_, workshop_, diagnostics_);
     if (!result) return;
     results_.of_block[index] = *std::move(result);
-    ++results_.tally.formulas;
   }
   void evaluate_block(std::size_t index, const Lab& lab) {
     progress_.begin("rehearse the lab \"" + lab.title + "\"");
     if (auto result = evaluate_lab(lab, lesson_, workshop_, diagnostics_)) {
-      ++results_.tally.labs;
-      if (result->poster) ++results_.tally.pictures;
       results_.of_block[index] = *std::move(result);
     }
     progress_.done();
@@ -71,15 +69,15 @@ class LessonEvaluator {
     progress_.begin("prove the answers of " + quiz.id);
     QuizResult result;
     for (const Question& question : quiz.questions) {
-      const auto answer = evaluate_question(question, lesson_, workshop_, diagnostics_);
-      if (answer)
-        ++(answer->proved ? results_.tally.answers_proved : results_.tally.answers_asserted);
-      result.questions.push_back(answer.value_or(QuestionResult{}));
+      const Stopwatch stopwatch;
+      auto answer = evaluate_question(question, lesson_, workshop_, diagnostics_);
+      QuestionResult& kept = result.questions.emplace_back(answer.value_or(QuestionResult{}));
+      kept.failed = !answer;
+      kept.seconds = stopwatch.seconds();
     }
     results_.of_block[index] = std::move(result);
     progress_.done();
   }
-  void evaluate_block(std::size_t, const Unchecked&) { ++results_.tally.unchecked; }
   void evaluate_block(std::size_t, const Snippet& snippet) {
     workshop_.simulate_named(snippet.model, *lesson_.source, diagnostics_);
   }
@@ -92,7 +90,6 @@ class LessonEvaluator {
   void add_model(std::size_t index, std::optional<ModelResult> result) {
     if (!result) return;
     results_.of_block[index] = *std::move(result);
-    ++results_.tally.listed_models;
   }
   // Nothing to find out here: examples and their outputs have a crew of their own.
   template <typename Other>
@@ -113,7 +110,6 @@ void compare_outputs(const Lesson& lesson, LessonResults& results, Diagnostics& 
     if (example == nullptr) continue;
     if (auto result = evaluate_output(*output, *example, lesson, diagnostics)) {
       results.of_block[i] = *result;
-      ++results.tally.outputs;
     }
   }
 }
@@ -138,8 +134,7 @@ std::map<std::string, ExampleResult> collect(std::vector<ExampleTask> tasks, Eva
     evaluation.diagnostics.insert(evaluation.diagnostics.end(), task.diagnostics.begin(),
                                   task.diagnostics.end());
     LessonResults& results = evaluation.lessons[task.lesson];
-    const auto found = static_cast<int>(task.results.size());
-    (task.program ? results.tally.programs : results.tally.snippets) += found;
+    if (task.program) results.seconds[task.block] = task.seconds;
     if (task.program && task.results.empty()) reports.add(task.program->name(), nullptr);
     for (auto& [block, result] : task.results) {
       if (task.program) {
@@ -176,15 +171,18 @@ void show_regions(const Lesson& lesson, const std::filesystem::path& root,
 }  // namespace
 
 Evaluation evaluate(const Course& course, const std::filesystem::path& root, const Files& assets,
-                    Progress& progress) {
+                    Progress& progress, Diagnostics found) {
   Evaluation evaluation;
   evaluation.lessons.resize(course.lessons.size());
-  evaluation.mujoco = mj_versionString();
+  evaluation.diagnostics = std::move(found);
+  evaluation.versions = known_versions(assets);
   std::vector<ExampleTask> tasks = plan_examples(course);
   progress.plan(count_tasks(course) + static_cast<int>(tasks.size()));
   const ShownPrograms shown = shown_programs(course);
   ExampleCrew crew(course, shown, root, progress, std::move(tasks));
+  evaluation.versions.compiler = crew.compiler();
   Workshop workshop(course, root, assets);
+  evaluation.versions.katex = workshop.typesetter().version();
   std::vector<LessonEvaluator> evaluators;
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
     evaluators.emplace_back(course.lessons[i], workshop, progress, evaluation.lessons[i],
@@ -198,6 +196,7 @@ Evaluation evaluate(const Course& course, const std::filesystem::path& root, con
                  evaluation.diagnostics);
     compare_outputs(course.lessons[i], evaluation.lessons[i], evaluation.diagnostics);
   }
+  make_claims(course, root, programs, evaluation);
   return evaluation;
 }
 

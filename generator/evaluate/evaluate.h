@@ -13,6 +13,7 @@
 #include "base/files.h"
 #include "course/course.h"
 #include "evaluate/result.h"
+#include "evaluate/versions.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {
@@ -29,11 +30,12 @@ class Progress {
 struct Evaluation {
   std::vector<LessonResults> lessons;  // one for each lesson of the course
   Diagnostics diagnostics;
-  std::string mujoco;  // the version that everything was found with: "2.2.2"
+  Versions versions;
 };
 
-// `root` is the course's folder, `assets` what the site's build made.
+// `root` is the course's folder, `assets` what the site's build made. The diagnostics begin with
+// what reading the course `found` wrong.
 Evaluation evaluate(const Course& course, const std::filesystem::path& root, const Files& assets,
-                    Progress& progress);
+                    Progress& progress, Diagnostics found = {});
 
 }  // namespace mjcourse

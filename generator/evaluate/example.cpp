@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "base/temporary_folder.h"
 #include "evaluate/compile_errors.h"
 #include "evaluate/judge_run.h"
@@ -177,12 +178,14 @@ std::optional<ExampleResult> compile_and_run(const Example& example, const Locat
                            "remove `expect=compile-error`, or mend the lesson's point"));
   }
   const fs::path records = folder.path() / "records";
+  const Stopwatch stopwatch;
   Outcome outcome = run(run_command(example, binary, folder.path(), root, records));
+  const double seconds = stopwatch.seconds();
   if (auto wrong = judge_run(outcome, {"program", example.seconds, example.exit_code})) {
     return report(*std::move(wrong));
   }
   return ExampleResult{shown, std::move(outcome.out),
-                       records_in(records, code, example, lesson, diagnostics)};
+                       records_in(records, code, example, lesson, diagnostics), seconds};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "base/stopwatch.h"
 #include "evaluate/example.h"
 #include "evaluate/snippets.h"
 
@@ -70,7 +71,9 @@ void ExampleCrew::work() {
     progress_.begin("compile and run " +
                     (task.program ? task.program->name()
                                   : "the snippets of " + course_.lessons[task.lesson].number));
+    const Stopwatch stopwatch;
     evaluate(tasks_[i]);
+    tasks_[i].seconds = stopwatch.seconds();
     progress_.done();
   }
 }

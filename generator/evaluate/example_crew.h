@@ -22,6 +22,7 @@ struct ExampleTask {
   Span span;                       // of the fence
   std::map<std::size_t, ExampleResult> results = {};  // by block
   Diagnostics diagnostics = {};
+  double seconds = 0;  // measured
 };
 
 // One task for each program that is shown whole, and one for each that is shown in regions alone;
@@ -33,6 +34,9 @@ class ExampleCrew {
   // Begins at once.
   ExampleCrew(const Course& course, const ShownPrograms& shown, std::filesystem::path root,
               Progress& progress, std::vector<ExampleTask> tasks);
+
+  // "clang 16.0.6"; empty when there is none, or nothing to compile.
+  std::string compiler() const { return compiler_ ? compiler_->version() : ""; }
 
   std::vector<ExampleTask> finish();
 

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "evaluate/claim.h"
 #include "lesson/lab.h"
 
 namespace mjcourse {
@@ -37,6 +38,7 @@ struct ExampleResult {
   std::string code;    // as a reader sees it
   std::string output;  // its stdout, or what the compiler says of a program that must not compile
   Records records = {};
+  double run_seconds = 0;  // measured, without compiling
 };
 
 struct ValueResult {
@@ -106,6 +108,8 @@ struct QuestionResult {
   std::vector<ProofResult> proofs;
   bool by_program = false;  // all its proofs are results of examples
   std::string because;      // why the answer is only asserted; may be empty
+  bool failed = false;      // it is wrong, or a proof is; reported
+  double seconds = 0;       // measured
 };
 
 struct QuizResult {
@@ -115,7 +119,7 @@ struct QuizResult {
 using Result = std::variant<FormulaResult, ValueResult, ExampleResult, ModelResult, OutputResult,
                             LabResult, QuizResult>;
 
-// How much was verified; what failed is not counted.
+// How much was verified; what failed is not counted. The claims in numbers: see tally_of.
 struct Tally {
   int formulas = 0;
   int programs = 0;
@@ -132,8 +136,12 @@ struct Tally {
   Tally& operator+=(const Tally& other);
 };
 
+Tally tally_of(const Claims& claims);
+
 struct LessonResults {
   std::map<std::size_t, Result> of_block;  // only of blocks that could be evaluated
+  std::map<std::size_t, double> seconds;   // measured, of the blocks that take time
+  Claims claims;                           // in the order of the blocks
   Tally tally;
 
   // The result of block `index` if it is there and of this type.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/stopwatch.h"
 #include "base/temporary_folder.h"
 #include "evaluate/compile_errors.h"
 #include "evaluate/judge_run.h"
@@ -172,12 +173,14 @@ std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, con
     fs::create_directory(command.folder);
     command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string()};
     command.seconds = snippet.seconds;
+    const Stopwatch stopwatch;
     Outcome outcome = run(command);
+    const double seconds = stopwatch.seconds();
     if (auto wrong = judge_run(outcome, {"snippet", snippet.seconds})) {
       wrong->place = place_of(*lesson.source, snippet.span);
       diagnostics.push_back(*std::move(wrong));
     } else {
-      results[snippets[i].block] = {snippet.shown, std::move(outcome.out)};
+      results[snippets[i].block] = {snippet.shown, std::move(outcome.out), {}, seconds};
     }
   }
   return results;

@@ -1,6 +1,51 @@
 #include "evaluate/result.h"
 
 namespace mjcourse {
+namespace {
+
+// Where a proved claim of this kind is counted; null for what no tally counts.
+int Tally::*counter_of(Claim::Kind kind) {
+  switch (kind) {
+    case Claim::Kind::program:
+      return &Tally::programs;
+    case Claim::Kind::snippet:
+      return &Tally::snippets;
+    case Claim::Kind::output:
+      return &Tally::outputs;
+    case Claim::Kind::listing:
+      return &Tally::listed_models;
+    case Claim::Kind::value:
+      return &Tally::values;
+    case Claim::Kind::formula:
+      return &Tally::formulas;
+    case Claim::Kind::lab:
+      return &Tally::labs;
+    case Claim::Kind::picture:
+      return &Tally::pictures;
+    case Claim::Kind::answer:
+      return &Tally::answers_proved;
+    case Claim::Kind::region:  // of a program that was counted
+    case Claim::Kind::citation:
+    case Claim::Kind::code:
+      return nullptr;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Tally tally_of(const Claims& claims) {
+  Tally tally;
+  for (const Claim& claim : claims) {
+    if (claim.status == Claim::Status::unchecked) ++tally.unchecked;
+    if (claim.status == Claim::Status::asserted && claim.kind == Claim::Kind::answer) {
+      ++tally.answers_asserted;
+    }
+    int Tally::*counter = counter_of(claim.kind);
+    if (claim.status == Claim::Status::proved && counter != nullptr) ++(tally.*counter);
+  }
+  return tally;
+}
 
 Tally& Tally::operator+=(const Tally& other) {
   formulas += other.formulas;

@@ -48,9 +48,12 @@ struct Example {
   std::string name() const;  // "x" of "examples/x.cpp"
 };
 
-// ```cpp unchecked: code that is shown and not run, and says so.
+// ```LANGUAGE unchecked: what is shown and not run, and says so.
 struct Unchecked {
   LocatedText code;
+  std::string language;  // "cpp", "sh" …
+  std::string because;   // why nobody runs it; may be empty
+  Span span;             // the opening fence
 };
 
 // ```cpp snippet: the body of a function, which sees `model` and `data`.
@@ -100,6 +103,7 @@ struct Callout {
   std::string kind;
   Document title;
   bool folded = false;
+  Span span{};  // the kind
 };
 
 // ````demo: a piece of a lesson, shown as it is written and as what it becomes. The blocks of the

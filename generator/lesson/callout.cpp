@@ -63,6 +63,7 @@ std::optional<Callout> take_callout(cmark_node* node, Reading& reading) {
                   "there is no callout `" + written + "`", suggest(callout.kind, kinds));
     return {};
   }
+  callout.span = kind_span(node, written, reading.source());
   text.remove_prefix(close + 1);
   callout.folded = text.starts_with('-') || callout.kind == "solution";
   if (text.starts_with('-')) text.remove_prefix(1);

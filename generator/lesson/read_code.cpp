@@ -60,8 +60,8 @@ std::optional<Example> read_example(Fence& fence, Reading& reading) {
     reading.error("E-fence-kind", fence.span(),
                   "a plain `cpp` fence would show code that nobody ran",
                   "name the program's file: `cpp file=examples/NAME.cpp`; or let it be the body of "
-                  "a function: `cpp snippet model=NAME`; or say that nobody runs it: "
-                  "`cpp unchecked`");
+                  "a function: `cpp snippet model=NAME`; or say that nobody runs it, and why: "
+                  "`cpp unchecked because=\"…\"`");
     return std::nullopt;
   }
   const std::optional<LocatedText> region = take_region(*file);
@@ -128,10 +128,6 @@ std::string Example::name() const {
 
 std::optional<Block> read_code(Fence& fence, Reading& reading) {
   const std::string kind = fence.words().size() > 1 ? fence.words()[1].text : "";
-  if (kind == "unchecked") {
-    fence.finish("cpp unchecked", reading);
-    return Unchecked{fence.body()};
-  }
   if (kind == "snippet") return read_snippet(fence, reading);
   return read_example(fence, reading);
 }

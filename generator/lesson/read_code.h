@@ -1,4 +1,4 @@
-// ```cpp: a program, a region of one, the body of a function, or code that nobody runs.
+// ```cpp: a program, a region of one, or the body of a function.
 #pragma once
 
 #include <optional>

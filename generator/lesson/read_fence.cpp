@@ -1,4 +1,5 @@
 // What a fence's first word means, and which program an output belongs to.
+#include <algorithm>
 #include <string_view>
 
 #include "base/nearest.h"
@@ -9,6 +10,7 @@
 #include "lesson/read_lab.h"
 #include "lesson/read_model_fence.h"
 #include "lesson/read_quiz.h"
+#include "lesson/read_unchecked.h"
 
 namespace mjcourse {
 namespace {
@@ -19,6 +21,8 @@ std::string word(const Fence& fence, std::size_t index) {
 
 void report_unknown(const Fence& fence, Reading& reading) {
   const std::string kind = word(fence, 0);
+  std::vector<std::string> known{"cpp", "xml", "text", "io", "lab", "quiz", "demo"};
+  known.insert(known.end(), unchecked_languages().begin(), unchecked_languages().end());
   if (fence.indented()) {
     reading.error("E-fence-kind", fence.span(), "an indented block is code that nobody ran",
                   "remove the indentation, or use a fence");
@@ -30,10 +34,10 @@ void report_unknown(const Fence& fence, Reading& reading) {
                   "leave it out for now");
   } else if (kind.empty()) {
     reading.error("E-fence-kind", fence.span(), "this fence does not say what it holds",
-                  "known: cpp, xml, text, io, lab, quiz, demo");
+                  suggest(kind, known));
   } else {
     reading.error("E-fence-kind", fence.words()[0].span(), "there is no fence `" + kind + "`",
-                  suggest(kind, {"cpp", "xml", "text", "io", "lab", "quiz", "demo"}));
+                  suggest(kind, known));
   }
 }
 
@@ -48,7 +52,13 @@ void LessonReader::read_fence(cmark_node* node, Region& region) {
                                   : "end it with a line of as many backticks");
     return;
   }
-  if (kind == "cpp") {
+  const std::vector<std::string>& shown = unchecked_languages();
+  const bool only_shown = std::find(shown.begin(), shown.end(), kind) != shown.end();
+  if (is_unchecked(fence) && (only_shown || kind == "cpp" || kind == "xml" || kind == "text")) {
+    add(node, read_unchecked(fence, reading_));
+  } else if (only_shown) {
+    refuse_plain(fence, reading_);
+  } else if (kind == "cpp") {
     if (auto code = read_code(fence, reading_)) add(node, std::move(*code));
   } else if (kind == "xml") {
     if (auto model = read_model_fence(fence, reading_)) add(node, std::move(*model));

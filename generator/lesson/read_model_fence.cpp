@@ -25,7 +25,7 @@ std::optional<Block> read_model_fence(Fence& fence, Reading& reading) {
     if (fence.words()[1].text == "mjcf") return read_inline_model(fence, reading);
     reading.error("E-fence-kind", fence.words()[1].span(),
                   "there is no fence `xml " + fence.words()[1].text + "`",
-                  suggest(fence.words()[1].text, {"mjcf", "model=NAME"}));
+                  suggest(fence.words()[1].text, {"mjcf", "model=NAME", "unchecked"}));
     return std::nullopt;
   }
   const std::optional<LocatedText> model = fence.option("model");
@@ -33,7 +33,8 @@ std::optional<Block> read_model_fence(Fence& fence, Reading& reading) {
     reading.error("E-fence-kind", fence.span(),
                   "a plain `xml` fence would show a model that nobody compiled",
                   "name the model that this is a part of: `xml model=NAME`; or let it be a whole "
-                  "one: `xml mjcf`");
+                  "one: `xml mjcf`; or say that nobody compiles it, and why: "
+                  "`xml unchecked because=\"…\"`");
     return std::nullopt;
   }
   fence.finish("xml", reading);

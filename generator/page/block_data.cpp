@@ -3,6 +3,7 @@
 #include <cctype>
 #include <utility>
 
+#include "page/anchors.h"
 #include "page/page_writer.h"
 
 namespace mjcourse {
@@ -31,8 +32,7 @@ std::string output_label(const Example& example, const std::string& program) {
 json PageWriter::data_of(const Example& example, std::size_t index) {
   const auto* result = results_.get<ExampleResult>(index);
   json data = listing(result != nullptr ? result->code : example.code.text, "cpp");
-  data["id"] =
-      unique_id("example-" + example.name() + (example.region ? "-" + example.region->text : ""));
+  data["id"] = unique_id(example_anchor(example));
   data["file"] = example.file.text;
   data["download"] = "../" + example.file.text;
   // Of a program's regions, those have its output that say so; and where it is stated somewhere
@@ -59,8 +59,9 @@ json PageWriter::data_of(const Output& output, std::size_t index) {
 }
 
 json PageWriter::data_of(const Unchecked& unchecked) {
-  json data = listing(unchecked.code.text, "cpp");
+  json data = listing(unchecked.code.text, unchecked.language);
   data["unchecked"] = true;
+  data["because"] = unchecked.because;
   return data;
 }
 
@@ -96,7 +97,8 @@ json PageWriter::listing(const std::string& code, const std::string& language) {
   const json highlighted =
       code.empty() ? json() : json(press_.highlighter.highlight(code, language));
   return {{"id", nullptr},       {"file", nullptr},    {"download", nullptr},
-          {"code", highlighted}, {"unchecked", false}, {"output", nullptr}};
+          {"code", highlighted}, {"unchecked", false}, {"because", ""},
+          {"output", nullptr}};
 }
 
 std::vector<std::size_t> PageWriter::outputs_below(const std::vector<std::size_t>& outputs) const {

@@ -1,10 +1,12 @@
 #include "page/page_writer.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
 #include "course/link_target.h"
+#include "evaluate/workshop.h"
 
 namespace mjcourse {
 namespace {
@@ -38,6 +40,15 @@ std::string from_lesson(const std::string& path) {
 }
 
 }  // namespace
+
+Templates site_templates(const Files& assets) {
+  std::map<std::string, std::string> sources;
+  for (const std::string& name : assets.list("templates")) {
+    if (!name.ends_with(".hbs")) continue;
+    sources[name.substr(0, name.size() - 4)] = assets.read("templates/" + name).value();
+  }
+  return {script_bundle(assets, "templates"), sources};
+}
 
 std::string render_template(Templates& templates, const std::string& name,
                             const nlohmann::json& data) {

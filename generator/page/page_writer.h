@@ -70,6 +70,7 @@ class PageWriter {
   nlohmann::json data_of(const Quiz& quiz, std::size_t index);
   nlohmann::json data_of(const Question& question, const QuestionResult& result,
                          const std::string& id, std::size_t number);
+  std::string report_on(std::size_t block, std::size_t part) const;
   void add_options(const Question& question, nlohmann::json& data);
   void add_items(const Question& question, nlohmann::json& data);
   nlohmann::json data_of(const Io& io) const;
@@ -87,6 +88,9 @@ class PageWriter {
   std::set<std::string> ids_;  // of listings
   int labs_ = 0;
 };
+
+// The templates that the site's build left in `assets`, with their engine.
+Templates site_templates(const Files& assets);
 
 // Render a template that must render: the data is ours. Throws std::runtime_error with the
 // template's name and line where it does not.

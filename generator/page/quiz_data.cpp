@@ -1,10 +1,11 @@
 // The data that the templates of a knowledge check are fed with; their own comments describe it.
 #include <algorithm>
-#include <cctype>
 #include <cstdio>
 
+#include "page/anchors.h"
 #include "page/page_writer.h"
 #include "page/shuffled.h"
+#include "page/verification.h"
 
 namespace mjcourse {
 namespace {
@@ -14,14 +15,6 @@ using nlohmann::json;
 std::string shortest(double value) {
   char text[64];
   std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
-}
-
-// `text` as a part of an HTML id that any selector can name: "1.2-check" → "1-2-check".
-std::string as_id(std::string text) {
-  for (char& c : text) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
-  }
   return text;
 }
 
@@ -128,6 +121,17 @@ json PageWriter::data_of(const Question& question, const QuestionResult& result,
   return data;
 }
 
+// The way to what the verification page says of a block's claim; "" where it says nothing.
+std::string PageWriter::report_on(std::size_t block, std::size_t part) const {
+  const Claims& claims = results_.claims;
+  const auto claim = std::find_if(claims.begin(), claims.end(), [&](const Claim& known) {
+    return known.block == block && known.part == part;
+  });
+  if (claim == claims.end()) return "";
+  return "../" + std::string(kVerificationPage) + "#" +
+         claim_anchor(lesson_, static_cast<std::size_t>(claim - claims.begin()));
+}
+
 json PageWriter::data_of(const Quiz& quiz, std::size_t index) {
   const auto* result = results_.get<QuizResult>(index);
   const std::string title = quiz.title.empty() ? "Knowledge check" : quiz.title;
@@ -136,7 +140,8 @@ json PageWriter::data_of(const Quiz& quiz, std::size_t index) {
   for (std::size_t i = 0; i < quiz.questions.size(); ++i) {
     const QuestionResult answer = result != nullptr ? result->questions[i] : QuestionResult{};
     data["questions"].push_back(
-        data_of(quiz.questions[i], answer, id + "-" + std::to_string(i + 1), i + 1));
+        data_of(quiz.questions[i], answer, question_anchor(quiz, i), i + 1));
+    data["questions"].back()["report"] = report_on(index, i);
   }
   contents_.push_back({{"id", id}, {"title", escape_html(title)}, {"children", json::array()}});
   return data;

@@ -9,9 +9,12 @@
 
 #include "base/content_hash.h"
 #include "evaluate/workshop.h"
+#include "page/anchors.h"
 #include "page/inline_styles.h"
 #include "page/page_writer.h"
 #include "page/site_directory.h"
+#include "page/verification.h"
+#include "page/verification_page.h"
 
 namespace mjcourse {
 namespace {
@@ -19,16 +22,8 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-std::map<std::string, std::string> read_templates(const DiskFiles& assets) {
-  std::map<std::string, std::string> sources;
-  for (const std::string& name : assets.list("templates")) {
-    if (!name.ends_with(".hbs")) continue;
-    sources[name.substr(0, name.size() - 4)] = assets.read("templates/" + name).value();
-  }
-  return sources;
-}
-
-json verified_data(const Tally& tally, const std::string& mujoco) {
+// `href` leads to the same on the verification page.
+json verified_data(const Tally& tally, const std::string& mujoco, const std::string& href) {
   return {{"programs", tally.programs},
           {"snippets", tally.snippets},
           {"outputs", tally.outputs},
@@ -40,7 +35,8 @@ json verified_data(const Tally& tally, const std::string& mujoco) {
           {"labs", tally.labs},
           {"pictures", tally.pictures},
           {"formulas", tally.formulas},
-          {"mujoco", mujoco}};
+          {"mujoco", mujoco},
+          {"href", href}};
 }
 
 json reference_to(const Lesson& lesson) {
@@ -55,7 +51,7 @@ class SiteWriter {
         evaluation_(evaluation),
         paths_(paths),
         assets_(paths.assets),
-        templates_(script_bundle(assets_, "templates"), read_templates(assets_)),
+        templates_(site_templates(assets_)),
         highlighter_(script_bundle(assets_, "highlight")),
         manifest_(json::parse(assets_.read("manifest.json").value())),
         directory_(paths.out) {}
@@ -65,6 +61,7 @@ class SiteWriter {
       if (!course_.lessons[i].front.draft) write_lesson(i);
     }
     write_home();
+    write_verification();
     copy_examples();
     for (const auto& [path, file] : copied_) directory_.copy(file, path);
     for (const fs::directory_entry& entry : fs::directory_iterator(paths_.assets / "public")) {
@@ -77,6 +74,7 @@ class SiteWriter {
   void write_lesson(std::size_t index);
   void write_posters(std::size_t index);
   void write_home();
+  void write_verification();
   void copy_examples();
   const Level& level_of(const Lesson& lesson) const;
   std::vector<std::size_t> published(const Level& level) const;
@@ -195,7 +193,9 @@ void SiteWriter::write_lesson(std::size_t index) {
        {"tags", lesson.front.tags},
        {"contents", writer.contents()},
        {"body", mark},
-       {"verified", verified_data(results.tally, evaluation_.mujoco)},
+       {"verified",
+        verified_data(results.tally, evaluation_.versions.mujoco,
+                      "../" + std::string(kVerificationPage) + "#" + lesson_anchor(lesson))},
        {"previous", neighbour(std::size_t(0) - 1)},
        {"next", neighbour(1)},
        {"level", {{"title", level.title}}},
@@ -266,14 +266,25 @@ void SiteWriter::write_home() {
                       {"title", level.title},
                       {"lessons", std::move(lessons)}});
   }
-  const std::string body =
-      render_template(templates_, "home",
-                      {{"course", {{"title", course_.title}, {"description", course_.description}}},
-                       {"root", ""},
-                       {"levels", levels},
-                       {"verified", verified_data(total, evaluation_.mujoco)}});
+  const std::string body = render_template(
+      templates_, "home",
+      {{"course", {{"title", course_.title}, {"description", course_.description}}},
+       {"root", ""},
+       {"levels", levels},
+       {"verified", verified_data(total, evaluation_.versions.mujoco, kVerificationPage)}});
   directory_.write("index.html",
                    frame("home", course_.title, course_.description, "", nullptr, body, styles));
+}
+
+void SiteWriter::write_verification() {
+  const json all = published_verification(course_, evaluation_);
+  InlineStyles styles;
+  directory_.write(kVerificationJson, json_file(all));
+  directory_.write(
+      kVerificationPage,
+      frame("verification", "What was verified", "What this course states, and how it was checked.",
+            "", nullptr,
+            render_template(templates_, "verification", verification_data(all, true, {})), styles));
 }
 
 void SiteWriter::copy_examples() {

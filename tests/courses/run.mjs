@@ -26,12 +26,18 @@ function findCases(wanted) {
     : names.filter((name) => wanted.some((part) => name.includes(part)));
 }
 
+// What a case has in its file `arguments`, word by word.
+function moreArguments(name) {
+  const file = join(here, name, "arguments");
+  return existsSync(file) ? readFileSync(file, "utf8").split(/\s+/).filter(Boolean) : [];
+}
+
 // stderr, stdout and the exit code; the time it took, which is never the same, as "N.N s".
 function check(name) {
   return new Promise((resolved) => {
     const process = execFile(
       mjcourse,
-      ["check", "--course", join(here, name)],
+      ["check", "--course", join(here, name), ...moreArguments(name)],
       (error, stdout, stderr) => {
         const exit = error?.signal ?? process.exitCode;
         const summary = stdout.replace(/\d+\.\d s$/m, "N.N s");

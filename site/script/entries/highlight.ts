@@ -6,6 +6,7 @@ import cmake from "highlight.js/lib/languages/cmake";
 import cpp from "highlight.js/lib/languages/cpp";
 import javascript from "highlight.js/lib/languages/javascript";
 import json from "highlight.js/lib/languages/json";
+import markdown from "highlight.js/lib/languages/markdown";
 import plaintext from "highlight.js/lib/languages/plaintext";
 import python from "highlight.js/lib/languages/python";
 import xml from "highlight.js/lib/languages/xml";
@@ -13,7 +14,20 @@ import yaml from "highlight.js/lib/languages/yaml";
 
 import { lesson } from "../lesson-language.js";
 
-const languages = { bash, c, cmake, cpp, javascript, json, lesson, plaintext, python, xml, yaml };
+const languages = {
+  bash,
+  c,
+  cmake,
+  cpp,
+  javascript,
+  json,
+  lesson,
+  markdown,
+  plaintext,
+  python,
+  xml,
+  yaml,
+};
 for (const [name, language] of Object.entries(languages)) hljs.registerLanguage(name, language);
 
 /** A language that is not here gives the code escaped and plain. */

@@ -1,4 +1,5 @@
-/** KaTeX: `typeset(tex, display, macros)` gives `{html}`, or `{message, offset, length, cure}`. */
+/** KaTeX: `typeset(tex, display, macros)` gives `{html}`, or `{message, offset, length, cure}`;
+ * `version()` gives KaTeX's own. */
 import katex from "katex";
 
 /** `display` is "true" or "false"; `macros` is JSON from `\name` to TeX; so is the answer JSON. */
@@ -75,4 +76,4 @@ function slips(name: string): string[] {
   ].filter((slip) => slip !== "" && slip !== name);
 }
 
-Object.assign(globalThis, { typeset });
+Object.assign(globalThis, { typeset, version: () => katex.version });

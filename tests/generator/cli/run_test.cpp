@@ -60,12 +60,15 @@ TEST(Run, NeedsOptionsThatThereAre) {
   EXPECT_EQ(usage_error({"check", "--corse", "x"}),
             "mjcourse: check has no option --corse; did you mean `--course`?");
   EXPECT_EQ(usage_error({"check", "--out", "x"}),
-            "mjcourse: check has no option --out; known: --course");
+            "mjcourse: check has no option --out; known: --course, --report, --strict");
   EXPECT_EQ(usage_error({"build", "--outt", "x"}),
             "mjcourse: build has no option --outt; did you mean `--out`?");
-  EXPECT_EQ(usage_error({"check", "1.2"}), "mjcourse: check has no option 1.2; known: --course");
+  EXPECT_EQ(usage_error({"check", "1.2"}),
+            "mjcourse: check has no option 1.2; known: --course, --report, --strict");
   EXPECT_EQ(usage_error({"accept", "1.2", "--dry-runn"}),
             "mjcourse: accept has no option --dry-runn; did you mean `--dry-run`?");
+  EXPECT_EQ(usage_error({"build", "--strict"}),
+            "mjcourse: build has no option --strict; known: --course, --out, --report");
   EXPECT_EQ(usage_error({"check", "--course"}), "mjcourse: --course needs a folder");
   EXPECT_EQ(usage_error({"build", "--course", "x", "--out"}), "mjcourse: --out needs a folder");
 }
@@ -134,6 +137,27 @@ content/1-a/1.1-x.md:6:8: error: there is no lesson `1.2` in this course [E-link
             "1 lesson: nothing to verify; 2 errors\n"
             "no site was written: mend the errors first\n");
   EXPECT_FALSE(fs::exists(folder_.path() / "build"));
+}
+
+TEST_F(RunOnACourse, ChecksStrictlyWhenAsked) {
+  write("content/1-a/1.1-x.md", "---\ntitle: First\n---\n```sh unchecked\nls\n```\n");
+  EXPECT_EQ(on_course({"check"}).code, kClean);
+  const Ran strict = on_course({"check", "--strict"});
+  EXPECT_EQ(strict.code, kCourseErrors);
+  EXPECT_TRUE(strict.err.starts_with(
+      "content/1-a/1.1-x.md:4:1: error: nobody runs this code, and nothing says why"))
+      << strict.err;
+}
+
+TEST_F(RunOnACourse, ReportsAlsoWhatFailed) {
+  write("content/1-a/1.1-x.md", "---\ntitle: First\n---\n$\\alhpa$\n");
+  const fs::path report = folder_.path() / "report";
+  const Ran result = on_course({"check", "--report", report.string()});
+  EXPECT_EQ(result.code, kCourseErrors);
+  EXPECT_TRUE(result.out.ends_with("report: " + report.string() + "/index.html\n")) << result.out;
+  const std::string page = DiskFiles(report).read("index.html").value();
+  EXPECT_NE(page.find("\\alpha"), std::string::npos);
+  EXPECT_TRUE(fs::exists(report / "verification.json"));
 }
 
 TEST_F(RunOnACourse, FailsALessonWhoseModelIsWrong) {

@@ -49,6 +49,8 @@ class EvaluationOf {
   const Diagnostics& diagnostics() const { return evaluation_.diagnostics; }
   std::string mistakes() const { return shown(evaluation_.diagnostics); }
   const Tally& tally() const { return evaluation_.lessons.at(0).tally; }
+  const Claims& claims() const { return evaluation_.lessons.at(0).claims; }
+  const Versions& versions() const { return evaluation_.versions; }
 
   // The result of the only block that has one of type T.
   template <typename T>

@@ -72,7 +72,7 @@ TEST(Fence, MustSayWhatItHolds) {
             R"(content/1-a/1.1-x.md:4:1: error: this fence does not say what it holds [E-fence-kind]
   4 | ```
     | ^~~
-  cure: known: cpp, xml, text, io, lab, quiz, demo
+  cure: known: cpp, xml, text, io, lab, quiz, demo, sh, cmake, python, yaml, json, markdown
 )");
   EXPECT_EQ(
       mistakes_in("    int x;\n"),
@@ -131,7 +131,7 @@ TEST(Fence, RefusesAProgramThatNobodyRan) {
       R"(content/1-a/1.1-x.md:4:1: error: a plain `cpp` fence would show code that nobody ran [E-fence-kind]
   4 | ```cpp
     | ^~~~~~
-  cure: name the program's file: `cpp file=examples/NAME.cpp`; or let it be the body of a function: `cpp snippet model=NAME`; or say that nobody runs it: `cpp unchecked`
+  cure: name the program's file: `cpp file=examples/NAME.cpp`; or let it be the body of a function: `cpp snippet model=NAME`; or say that nobody runs it, and why: `cpp unchecked because="…"`
 )");
 }
 

@@ -46,12 +46,6 @@ TEST(ReadCode, TakesARegion) {
   EXPECT_EQ(region.code.text, "x;\n");
 }
 
-TEST(ReadCode, TakesCodeThatNobodyRuns) {
-  const ReadingOf reading = reading_of("```cpp unchecked\nx;\n```\n");
-  EXPECT_EQ(reading.mistakes(), "");
-  EXPECT_EQ(reading.only<Unchecked>().code.text, "x;\n");
-}
-
 TEST(ReadCode, HidesTheLinesOfASnippetThatSayIt) {
   const ReadingOf reading = reading_of(
       "```cpp snippet model=ball timeout=2\n//| int n = 2;\nuse(n);\n  //| }\n//|\n```\n");
@@ -103,7 +97,7 @@ TEST(ReadCode, RefusesWordsThatItDoesNotKnow) {
   EXPECT_EQ(mistake("file=examples/a.cpp optimize=1"),
             "optimize: `optimize` takes no value; write `optimize` alone\n");
   EXPECT_EQ(mistake("unchecked optimize"),
-            "optimize: a `cpp unchecked` fence has no option `optimize`; \n");
+            "optimize: a `cpp unchecked` fence has no option `optimize`; known: because\n");
 }
 
 TEST(ReadCode, RefusesASnippetOfNothing) {

@@ -25,7 +25,7 @@ TEST(ReadModelFence, MustSayWhichOfTheTwoItIs) {
       R"(content/1-a/1.1-x.md:4:1: error: a plain `xml` fence would show a model that nobody compiled [E-fence-kind]
   4 | ```xml
     | ^~~~~~
-  cure: name the model that this is a part of: `xml model=NAME`; or let it be a whole one: `xml mjcf`
+  cure: name the model that this is a part of: `xml model=NAME`; or let it be a whole one: `xml mjcf`; or say that nobody compiles it, and why: `xml unchecked because="…"`
 )");
   EXPECT_EQ(mistakes_in("```xml mjfc\n<mujoco/>\n```\n"),
             R"(content/1-a/1.1-x.md:4:8: error: there is no fence `xml mjfc` [E-fence-kind]

@@ -1,0 +1,72 @@
+#include "evaluate/claim_sources.h"
+
+#include <algorithm>
+
+#include "base/content_hash.h"
+#include "base/files.h"
+#include "physics/model_files.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytes_of(const fs::path& file) {
+  return DiskFiles(file.parent_path()).read(file.filename().string()).value_or("");
+}
+
+}  // namespace
+
+std::string hash_of(const std::vector<std::string>& parts) {
+  std::string all;
+  for (const std::string& part : parts) all += std::to_string(part.size()) + ":" + part;
+  return content_hash(all);
+}
+
+std::string ClaimSources::model(const std::string& name) {
+  if (std::find(models_.begin(), models_.end(), name) == models_.end()) return "";
+  const auto [known, is_new] = known_.try_emplace(name);
+  if (!is_new) return known->second;
+  const fs::path file = root_ / "models" / (name + ".xml");
+  std::vector<std::string> parts{bytes_of(file)};
+  if (const auto sources = find_model_sources(file.string())) {
+    for (const auto* group : {&sources->texts, &sources->assets}) {
+      for (const auto& [called, path] : *group) {
+        parts.push_back(called);
+        parts.push_back(bytes_of(path));
+      }
+    }
+  }
+  return known->second = hash_of(parts);
+}
+
+std::string ClaimSources::models_named_in(const std::string& text) {
+  std::vector<std::string> parts;
+  for (const std::string& name : models_) {
+    const bool named =
+        text.find("\"" + name + "\"") != text.npos || text.find(name + ".xml") != text.npos;
+    if (named) parts.push_back(model(name));
+  }
+  return hash_of(parts);
+}
+
+std::string ClaimSources::helper() {
+  if (helper_) return *helper_;
+  const fs::path folder = root_ / "examples" / "include";
+  std::vector<fs::path> files;
+  if (fs::exists(folder)) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+      if (entry.is_regular_file()) files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> parts;
+  for (const fs::path& file : files) {
+    parts.push_back(fs::relative(file, folder).string());
+    parts.push_back(bytes_of(file));
+  }
+  helper_ = hash_of(parts);
+  return *helper_;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,35 @@
+// ClaimSources: the bytes that claims were computed from, each as a hash, for their keys.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mjcourse {
+
+class ClaimSources {
+ public:
+  // `root` is the course's folder, `models` the names of its models.
+  ClaimSources(std::filesystem::path root, std::vector<std::string> models)
+      : root_(std::move(root)), models_(std::move(models)) {}
+
+  // Of a model of the course: its file, and all files that this names. Empty when there is none.
+  std::string model(const std::string& name);
+  // Of all models that a program's or a question's text names: "joint_zoo" or joint_zoo.xml.
+  std::string models_named_in(const std::string& text);
+  // Of examples/include, the helper header.
+  std::string helper();
+
+ private:
+  std::filesystem::path root_;
+  std::vector<std::string> models_;
+  std::map<std::string, std::string> known_;  // of models, by name
+  std::optional<std::string> helper_;
+};
+
+// The hash of all of these, in this order.
+std::string hash_of(const std::vector<std::string>& parts);
+
+}  // namespace mjcourse

@@ -1,0 +1,114 @@
+#include "evaluate/claim_text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <vector>
+
+#include "evaluate/proof_text.h"
+
+namespace mjcourse {
+namespace {
+
+constexpr std::size_t kLongest = 100;  // bytes of a title
+
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
+// What came of trying each option or item.
+std::string held(const Question& question, const ProofResult& proof) {
+  if (question.kind == Question::Kind::order) return "the items come to " + proof.value;
+  std::vector<std::string> letters;
+  for (const std::size_t i : question.right) letters.emplace_back(1, static_cast<char>('A' + i));
+  return listed(letters) + (letters.size() == 1 ? " holds" : " hold") + ", and no other";
+}
+
+}  // namespace
+
+std::string as_title(const std::string& text) {
+  std::string line;
+  for (const char c : text) {
+    const bool space = std::isspace(static_cast<unsigned char>(c)) != 0;
+    if (!space) line += c;
+    if (space && !line.empty() && line.back() != ' ') line += ' ';
+  }
+  if (line.ends_with(' ')) line.pop_back();
+  if (line.size() <= kLongest) return line;
+  std::size_t end = line.rfind(' ', kLongest);
+  if (end == line.npos) {
+    end = kLongest;
+    while ((static_cast<unsigned char>(line[end]) & 0xC0) == 0x80) --end;  // inside a character
+  }
+  return line.substr(0, end) + " …";
+}
+
+std::string how_run(const Example& program, const Versions& versions) {
+  std::string text = "compiled by " + versions.compiler;
+  if (!program.compiles) return text + ", which refuses it, as the lesson says";
+  text += program.optimize ? " with -O2 and run" : " without optimisation and run";
+  for (std::size_t i = 0; i < program.arguments.size(); ++i) {
+    text += (i == 0 ? " with " : " ") + program.arguments[i];
+  }
+  return text + "; exit code " + std::to_string(program.exit_code);
+}
+
+std::string how_run(const Snippet& snippet, const Versions& versions) {
+  return "compiled by " + versions.compiler + " as the body of a function, and run by itself on " +
+         snippet.model.text + ".xml in its initial state; exit code 0";
+}
+
+std::string limits_of_run(double seconds) {
+  return number_text(seconds) + " s, 1 MiB of output, no input, a folder of its own";
+}
+
+std::string how_compared(const Output& output, const OutputResult& result,
+                         const std::string& printed_by) {
+  const auto lines = static_cast<std::size_t>(result.lines);
+  return "compared with what " + printed_by + " printed: " + counted(lines, "line", "lines") +
+         ", numbers to " +
+         (output.tolerance ? "within " + number_text(*output.tolerance)
+                           : "one unit in their last place");
+}
+
+std::string how_rehearsed(const Lab& lab, const LabResult& result) {
+  std::vector<std::string> parts{counted(result.runs.size(), "run", "runs") + " of 2 s"};
+  const auto add = [&](std::size_t count, const char* one, const char* many) {
+    if (count > 0) parts.push_back(counted(count, one, many));
+  };
+  add(lab.readouts.size(), "readout", "readouts");
+  std::size_t traces = 0;
+  for (const Lab::Plot& plot : lab.plots) traces += plot.traces.size();
+  add(traces, "trace", "traces");
+  add(lab.tasks.size(), "task", "tasks");
+  std::string text = "rehearsed: ";
+  for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : ", ") + parts[i];
+  if (result.predicted)
+    text += "; what the reader predicts came to " + number_text(*result.predicted);
+  if (lab.goal) text += "; the goal was reached by its solution, and not without";
+  return text;
+}
+
+std::string how_proved(const Question& question, const QuestionResult& result) {
+  std::string text;
+  for (const ProofResult& proof : result.proofs) {
+    if (!text.empty()) text += "; ";
+    if (proof.expression.empty()) {
+      text += "simulated with " + proof.built + ": " + held(question, proof);
+    } else if (proof.built.ends_with(".cpp")) {
+      text += "reported by " + proof.built + ": " + proof.expression + " = " + proof.value;
+    } else {
+      text += proof.built + " was built: " + proof.expression + " = " + proof.value;
+    }
+  }
+  return text;
+}
+
+std::string limits_of_answer(const Question& question) {
+  const Tolerance& tolerance = question.tolerance;
+  if (question.kind != Question::Kind::numeric || tolerance.amount == 0) return "";
+  if (tolerance.relative) return "to within " + number_text(100 * tolerance.amount) + " %";
+  return "to within " + number_text(tolerance.amount) +
+         (question.unit.empty() ? "" : " " + question.unit);
+}
+
+}  // namespace mjcourse

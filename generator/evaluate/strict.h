@@ -1,0 +1,11 @@
+// What `check --strict` does not let pass: whatever nobody proved and nobody gave a reason for.
+#pragma once
+
+#include "evaluate/claim.h"
+
+namespace mjcourse {
+
+// An error for each claim that is asserted or unchecked without a reason.
+Diagnostics unreasoned(const Claims& claims);
+
+}  // namespace mjcourse

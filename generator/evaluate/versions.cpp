@@ -1,0 +1,25 @@
+#include "evaluate/versions.h"
+
+#include <mujoco/mujoco.h>
+
+#include <nlohmann/json.hpp>
+
+namespace mjcourse {
+namespace {
+
+// "38261129" of "assets/engine-38261129.wasm", which the manifest names.
+std::string engine_hash(const Files& assets) {
+  const auto manifest = assets.read("manifest.json");
+  if (!manifest) return "";
+  const std::string path = nlohmann::json::parse(*manifest).value("engine.wasm", "");
+  const std::size_t begin = path.rfind('-') + 1;
+  return path.substr(begin, path.rfind('.') - begin);
+}
+
+}  // namespace
+
+Versions known_versions(const Files& assets) {
+  return {MJCOURSE_VERSION, mj_versionString(), "", "", engine_hash(assets)};
+}
+
+}  // namespace mjcourse

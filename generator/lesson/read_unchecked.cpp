@@ -1,0 +1,29 @@
+#include "lesson/read_unchecked.h"
+
+namespace mjcourse {
+
+const std::vector<std::string>& unchecked_languages() {
+  static const std::vector<std::string> languages{"sh",   "cmake", "python",
+                                                  "yaml", "json",  "markdown"};
+  return languages;
+}
+
+bool is_unchecked(const Fence& fence) {
+  return fence.words().size() > 1 && fence.words()[1].text == "unchecked";
+}
+
+Unchecked read_unchecked(Fence& fence, Reading& reading) {
+  const std::string language = fence.words()[0].text;
+  const std::string because = fence.option("because").value_or(LocatedText{}).text;
+  fence.finish(language + " unchecked", reading);
+  return {fence.body(), language, because, fence.span()};
+}
+
+void refuse_plain(const Fence& fence, Reading& reading) {
+  const std::string language = fence.words()[0].text;
+  reading.error("E-fence-kind", fence.span(),
+                "a plain `" + language + "` fence would show code that nobody ran",
+                "say so, and why: `" + language + " unchecked because=\"…\"`");
+}
+
+}  // namespace mjcourse

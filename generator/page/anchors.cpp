@@ -1,0 +1,61 @@
+#include "page/anchors.h"
+
+#include <cctype>
+
+namespace mjcourse {
+namespace {
+
+// The number of the lesson's labs up to blocks[index]: "lab-2" is the second.
+int lab_number(const Lesson& lesson, std::size_t index) {
+  int labs = 0;
+  for (std::size_t i = 0; i <= index; ++i) {
+    if (std::holds_alternative<Lab>(lesson.blocks[i])) ++labs;
+  }
+  return labs;
+}
+
+std::string heading_above(const Lesson& lesson, int line) {
+  std::string id;
+  for (const Heading& heading : lesson.headings) {
+    if (cmark_node_get_start_line(heading.node) <= line) id = heading.id;
+  }
+  return id;
+}
+
+}  // namespace
+
+std::string as_id(std::string text) {
+  for (char& c : text) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
+  }
+  return text;
+}
+
+std::string lesson_anchor(const Lesson& lesson) {
+  return "lesson-" + as_id(lesson.number);
+}
+
+std::string claim_anchor(const Lesson& lesson, std::size_t index) {
+  return lesson_anchor(lesson) + "-" + std::to_string(index + 1);
+}
+
+std::string example_anchor(const Example& example) {
+  return "example-" + example.name() + (example.region ? "-" + example.region->text : "");
+}
+
+std::string question_anchor(const Quiz& quiz, std::size_t question) {
+  return "quiz-" + as_id(quiz.id) + "-" + std::to_string(question + 1);
+}
+
+std::string place_anchor(const Lesson& lesson, const Claim& claim) {
+  const Block* block = &lesson.blocks[claim.block];
+  if (const auto* output = std::get_if<Output>(block)) block = &lesson.blocks[output->example];
+  if (const auto* example = std::get_if<Example>(block)) return example_anchor(*example);
+  if (const auto* quiz = std::get_if<Quiz>(block)) return question_anchor(*quiz, claim.part);
+  if (std::holds_alternative<Lab>(*block)) {
+    return "lab-" + std::to_string(lab_number(lesson, claim.block));
+  }
+  return heading_above(lesson, claim.place.line);
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,36 @@
+// The report of one run, for the one who mends a course: a page that opens by itself, and the same
+// for tools.
+//
+// Steps: verification.json has everything; index.html shows it, with the mistakes first; pictures/
+// has what was drawn otherwise than its reference. It is made of a failed run as well.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "course/course.h"
+#include "evaluate/evaluate.h"
+
+namespace mjcourse {
+
+// A pinned picture and what was drawn now: bytes of PNG files.
+struct ComparedPicture {
+  std::string name;  // of letters, digits, `-`, `_` and `.`
+  std::string reference, actual, difference;
+  bool agrees = true;
+};
+
+struct Run {
+  const Course* course;  // null where there is no readable one
+  const Evaluation& evaluation;
+  double seconds;
+  std::vector<ComparedPicture> pictures = {};
+};
+
+// Replaces what an earlier report left in `out`. `assets` is what site/build.mjs made. Throws as
+// write_site does.
+void write_report(const Run& run, const std::filesystem::path& assets,
+                  const std::filesystem::path& out);
+
+}  // namespace mjcourse

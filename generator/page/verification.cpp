@@ -1,0 +1,122 @@
+#include "page/verification.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "page/anchors.h"
+#include "page/page_writer.h"
+#include "report/diagnostic_json.h"
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kFormat = 1;  // of the JSON; counts up when its readers must change
+
+json no_counts() {
+  return {{"proved", 0}, {"cited", 0}, {"asserted", 0}, {"unchecked", 0}, {"failed", 0}};
+}
+
+void count(json& counts, const Claims& claims) {
+  for (const Claim& claim : claims) {
+    json& of_status = counts[name_of(claim.status)];
+    of_status = of_status.get<int>() + 1;
+  }
+}
+
+// Where a reader of the site finds it; "" in a draft.
+std::string link_to(const Lesson& lesson, const Claim& claim) {
+  if (lesson.front.draft) return "";
+  const std::string anchor = place_anchor(lesson, claim);
+  return page_path(lesson) + (anchor.empty() ? "" : "#" + anchor);
+}
+
+json claim_json(const Lesson& lesson, const Claims& claims, std::size_t index) {
+  const Claim& claim = claims[index];
+  return {{"id", claim_anchor(lesson, index)},
+          {"kind", name_of(claim.kind)},
+          {"status", name_of(claim.status)},
+          {"what", claim.what},
+          {"how", claim.how},
+          {"limits", claim.limits},
+          {"reason", claim.reason},
+          {"line", claim.place.line},
+          {"column", claim.place.column},
+          {"page", link_to(lesson, claim)},
+          {"key", claim.key}};
+}
+
+json lesson_json(const Lesson& lesson, const Claims& claims) {
+  json all = json::array();
+  for (std::size_t i = 0; i < claims.size(); ++i) all.push_back(claim_json(lesson, claims, i));
+  json counts = no_counts();
+  count(counts, claims);
+  const std::string& title = lesson.front.title.text;
+  return {{"id", lesson_anchor(lesson)},
+          {"number", lesson.number},
+          {"title", title.empty() ? lesson.slug : title},
+          {"file", lesson.source->path()},
+          {"page", lesson.front.draft ? "" : page_path(lesson)},
+          {"counts", std::move(counts)},
+          {"claims", std::move(all)}};
+}
+
+json verification(const std::string& course, const Versions& versions) {
+  return {{"format", kFormat},
+          {"course", course},
+          {"versions",
+           {{"mjcourse", versions.mjcourse},
+            {"mujoco", versions.mujoco},
+            {"compiler", versions.compiler},
+            {"katex", versions.katex},
+            {"engine", versions.engine}}},
+          {"counts", no_counts()},
+          {"lessons", json::array()}};
+}
+
+// Milliseconds are more than enough of what no two runs share.
+double rounded(double seconds) {
+  return std::round(1000 * seconds) / 1000;
+}
+
+}  // namespace
+
+json published_verification(const Course& course, const Evaluation& evaluation) {
+  json all = verification(course.title, evaluation.versions);
+  for (std::size_t i = 0; i < course.lessons.size(); ++i) {
+    if (course.lessons[i].front.draft) continue;
+    all["lessons"].push_back(lesson_json(course.lessons[i], evaluation.lessons[i].claims));
+    count(all["counts"], evaluation.lessons[i].claims);
+  }
+  return all;
+}
+
+json full_verification(const Course* course, const Evaluation& evaluation, double seconds) {
+  json all = verification(course != nullptr ? course->title : "", evaluation.versions);
+  for (std::size_t i = 0; i < evaluation.lessons.size(); ++i) {
+    const Claims& claims = evaluation.lessons[i].claims;
+    json& lesson = all["lessons"].emplace_back(lesson_json(course->lessons[i], claims));
+    for (std::size_t c = 0; c < claims.size(); ++c) {
+      lesson["claims"][c]["seconds"] = rounded(claims[c].seconds);
+      lesson["claims"][c]["run_seconds"] = rounded(claims[c].run_seconds);
+    }
+    lesson["draft"] = course->lessons[i].front.draft;
+    count(all["counts"], claims);
+  }
+  const Diagnostics& found = evaluation.diagnostics;
+  all["succeeded"] = std::none_of(found.begin(), found.end(), [](const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::error;
+  });
+  all["seconds"] = rounded(seconds);
+  all["diagnostics"] = json::array();
+  for (const Diagnostic& diagnostic : found) all["diagnostics"].push_back(json_of(diagnostic));
+  return all;
+}
+
+std::string json_file(const json& json) {
+  return json.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,3 @@
+int main() {
+  int unused = 0;
+}
