@@ -41,7 +41,7 @@ Tally tally_of(const Claims& claims) {
     if (claim.status == Claim::Status::asserted && claim.kind == Claim::Kind::answer) {
       ++tally.answers_asserted;
     }
-    int Tally::*counter = counter_of(claim.kind);
+    int Tally::*const counter = counter_of(claim.kind);
     if (claim.status == Claim::Status::proved && counter != nullptr) ++(tally.*counter);
   }
   return tally;
