@@ -211,7 +211,7 @@ TEST(Output, ThatDiffersIsShownLineByLine) {
     12 - a 0.29
        + a 0.25
            ^~~~
-       + c
+    14 + c
   cure: if the program is right, `mjcourse accept` writes its lines here
 )");
   EXPECT_EQ(found.tally().outputs, 0);
