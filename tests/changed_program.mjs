@@ -5,13 +5,7 @@
 //   node tests/changed_program.mjs MJCOURSE COURSE
 
 import { spawnSync } from "node:child_process";
-import {
-  cpSync,
-  mkdtempSync,
-  readFileSync,
-  rmSync,
-  writeFileSync,
-} from "node:fs";
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
@@ -43,10 +37,7 @@ try {
   }
   for (const file of files) {
     const text = readFileSync(join(copy, file), "utf8");
-    expect(
-      text.split(spin).length === 2,
-      `${file} does not hold \`${spin}\` once`,
-    );
+    expect(text.split(spin).length === 2, `${file} does not hold \`${spin}\` once`);
     writeFileSync(join(copy, file), text.replace(spin, faster));
   }
   const { status, stderr } = spawnSync(mjcourse, ["check", "--course", copy], {
@@ -56,22 +47,12 @@ try {
   expect(status === 1, `the exit code is ${status}, not 1`);
   const errors = stderr.split("\n").filter((line) => line.includes(" error: "));
   const lesson = files[0].replaceAll(".", "\\.");
-  const form = new RegExp(
-    `^${lesson}:\\d+:1: error: .* \\[E-output-differs\\]$`,
-  );
-  expect(
-    errors.length === 1 && form.test(errors[0]),
-    "not just one error, of a differing output",
-  );
-  for (const line of expected)
-    expect(stderr.includes(line), `nothing says: ${line}`);
-  expect(
-    !/[-+] (nq|after)/.test(stderr),
-    "lines that are still true are named as well",
-  );
+  const form = new RegExp(`^${lesson}:\\d+:1: error: .* \\[E-output-differs\\]$`);
+  expect(errors.length === 1 && form.test(errors[0]), "not just one error, of a differing output");
+  for (const line of expected) expect(stderr.includes(line), `nothing says: ${line}`);
+  expect(!/[-+] (nq|after)/.test(stderr), "lines that are still true are named as well");
   const lines = () => readFileSync(join(copy, files[0]), "utf8").split("\n");
-  const accept = () =>
-    spawnSync(mjcourse, ["accept", "--course", copy], { encoding: "utf8" });
+  const accept = () => spawnSync(mjcourse, ["accept", "--course", copy], { encoding: "utf8" });
   const before = lines();
   const accepted = accept();
   console.log(accepted.stdout);
@@ -81,25 +62,13 @@ try {
   const changed = before.flatMap((line, i) =>
     line === after[i] ? [] : [`- ${line}`, `+ ${after[i]}`],
   );
-  expect(
-    changed.length === expected.length,
-    `accept changes other lines: ${changed.join("\n")}`,
-  );
+  expect(changed.length === expected.length, `accept changes other lines: ${changed.join("\n")}`);
   for (const [i, line] of expected.entries()) {
-    expect(
-      changed[i]?.startsWith(line.trim()),
-      `accept writes no line: ${line}`,
-    );
+    expect(changed[i]?.startsWith(line.trim()), `accept writes no line: ${line}`);
   }
   const again = accept();
-  expect(
-    again.stdout === "nothing to accept\n",
-    `accepting again says: ${again.stdout}`,
-  );
-  expect(
-    lines().join("\n") === after.join("\n"),
-    "accepting again changes the lesson",
-  );
+  expect(again.stdout === "nothing to accept\n", `accepting again says: ${again.stdout}`);
+  expect(lines().join("\n") === after.join("\n"), "accepting again changes the lesson");
 } finally {
   rmSync(copy, { recursive: true });
 }

@@ -7,7 +7,9 @@ cd "$(dirname "$0")/.."
 node=$1
 failed=0
 
-find generator tests examples -name '*.cpp' -o -name '*.hpp' -o -name '*.h' -o -name '*.c' |
+# The programs in tests/accept are cases to the byte.
+find generator tests examples -path tests/accept -prune -o \
+  \( -name '*.cpp' -o -name '*.hpp' -o -name '*.h' -o -name '*.c' \) -print |
   xargs clang-format-16 --dry-run -Werror || failed=1
 "$node" site/node_modules/prettier/bin/prettier.cjs --check --log-level warn \
   --config site/.prettierrc.json --ignore-path site/.prettierignore \

@@ -76,7 +76,7 @@ TEST(Example, MustBeTheSameTextInLessonAndFile) {
   note: examples/a.cpp:2:1: the file has
   2 | 
     | ^
-  cure: make them the same text: the fence is what a reader sees, the file what a learner builds
+  cure: the fence is what a reader sees, the file what a learner builds: `mjcourse accept` writes the fence's text into the file
 )");
 }
 
@@ -86,7 +86,7 @@ TEST(Example, MustHaveAFile) {
       R"(content/1-a/1.1-x.md:4:13: error: cannot read examples/a.cpp: No such file or directory [E-example-file]
   4 | ```cpp file=examples/a.cpp
     |             ^~~~~~~~~~~~~~
-  cure: save the fence's text as examples/a.cpp
+  cure: `mjcourse accept` saves the fence's text as examples/a.cpp
 )");
 }
 
@@ -210,17 +210,17 @@ TEST(Output, ThatDiffersIsShownLineByLine) {
      | ^~~~~~
     12 - a 0.29
        + a 0.25
-       + c
-  cure: if the program is right, put its lines here
+           ^~~~
+    14 + c
+  cure: if the program is right, `mjcourse accept` writes its lines here
 )");
   EXPECT_EQ(found.tally().outputs, 0);
   EXPECT_EQ(found.tally().programs, 1);
 }
 
 TEST(Output, ThatIsEmptyIsNotWhatAProgramPrints) {
-  EXPECT_EQ(
-      example(kPrints, "", "```text\n```\n").diagnostics().at(0).message,
-      "the program prints something else: 0 lines of the lesson (-), 3 lines of the program (+)");
+  EXPECT_EQ(example(kPrints, "", "```text\n```\n").diagnostics().at(0).message,
+            "this output is empty, and the program prints 3 lines (+)");
 }
 
 }  // namespace

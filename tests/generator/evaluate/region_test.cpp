@@ -98,7 +98,7 @@ TEST(Region, MustBeTheSameTextInLessonAndFile) {
   note: examples/a.cpp:6:1: the file has
   6 |     std::printf("%d\n", i);
     | ^~~~~~~~~~~~~~~~~~~~~~~~~~~
-  cure: make them the same text, or leave the fence empty
+  cure: `mjcourse accept` writes the fence's lines into the file; or leave the fence empty
 )");
 }
 

@@ -115,6 +115,43 @@ TEST_F(PageWriterTest, ShowsAnOutputOnlyWithItsExample) {
   EXPECT_TRUE(html.ends_with("<p>After.</p>\n")) << html;
 }
 
+TEST_F(PageWriterTest, ShowsAnOutputThatStandsElsewhereWhereItStands) {
+  results_.of_block[0] = ExampleResult{"int main() {}\n", "real\n"};
+  results_.of_block[1] = OutputResult{1};
+  const std::string program = "```cpp file=examples/a.cpp\n```\n";
+  const std::string apart = body(program + "Text.\n```text output=a\nstated\n```\n");
+  const std::size_t output = apart.find("<samp>real\n</samp>");
+  ASSERT_NE(output, std::string::npos) << apart;
+  EXPECT_LT(apart.find("<p>Text.</p>"), output) << apart;
+  EXPECT_EQ(apart.find("<samp>", output + 1), std::string::npos) << apart;
+  EXPECT_NE(apart.find("<span>Printed by examples/a.cpp</span> <span class=\"mark proved\">"),
+            std::string::npos)
+      << apart;
+}
+
+TEST_F(PageWriterTest, ShowsAnOutputThatIsStatedTwiceBelowItsProgramOnce) {
+  results_.of_block[0] = ExampleResult{"int main() {}\n", "real\n"};
+  results_.of_block[1] = OutputResult{1};
+  const std::string twice =
+      "```cpp file=examples/a.cpp\n```\n```text\n1\n```\n```text output=a\n2\n```\n";
+  const std::string html = body(twice);
+  EXPECT_EQ(html.find("<samp>"), html.rfind("<samp>")) << html;
+  EXPECT_EQ(html.find("mark proved"), std::string::npos) << "one of them is not so";
+  results_.of_block[2] = OutputResult{1};
+  EXPECT_NE(body(twice).find("mark proved"), std::string::npos);
+}
+
+TEST_F(PageWriterTest, GivesEachListingAnIdOfItsOwn) {
+  const std::string html = body(
+      "## Example a\n```cpp file=examples/a.cpp\n```\n```cpp file=examples/a.cpp\n```\n"
+      "```cpp file=examples/b.cpp\n```\n");
+  for (const char* id : {"example-a", "example-a-2", "example-a-3", "example-b"}) {
+    const std::string attribute = "id=\"" + std::string(id) + "\"";
+    EXPECT_NE(html.find(attribute), std::string::npos) << html;
+    EXPECT_EQ(html.find(attribute), html.rfind(attribute)) << html;
+  }
+}
+
 TEST_F(PageWriterTest, SaysHowAProgramWasRun) {
   results_.of_block[0] = ExampleResult{"int main() {}\n", "out\n"};
   EXPECT_NE(body("```cpp file=examples/a.cpp args=\"x y\" expect=exit:3\n```\n")
