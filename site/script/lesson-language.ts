@@ -29,6 +29,6 @@ export const lesson: LanguageFn = (hljs) => {
     formula,
   ];
   // A callout is a quote, and as much a part of the text as any other.
-  const theirs = language.contains.filter((mode) => mode === "self" || mode.className !== "quote");
+  const theirs = language.contains.filter((mode) => mode.className !== "quote");
   return { ...language, name: "Lesson", contains: [...ours, ...theirs] };
 };

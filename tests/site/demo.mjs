@@ -10,16 +10,11 @@ import { pages, testSite } from "./browser.mjs";
 // What a demo's two halves hold, and where they are.
 function halves() {
   return [...document.querySelectorAll(".demo")].map((demo) => {
-    const [source, result] = [
-      demo.querySelector("pre"),
-      demo.querySelector(".demo-page"),
-    ];
+    const [source, result] = [demo.querySelector("pre"), demo.querySelector(".demo-page")];
     const box = (element) => element.getBoundingClientRect();
     return {
       begins: source.textContent.trim().slice(0, 40),
-      labels: [...demo.querySelectorAll(".demo-label")]
-        .map((label) => label.textContent)
-        .join(),
+      labels: [...demo.querySelectorAll(".demo-label")].map((label) => label.textContent).join(),
       empty: result.children.length === 0 || box(result).height < 8,
       apart: box(result).top >= box(source).bottom && box(source).height > 8,
       // All of a lesson's line can be read without scrolling sideways.
@@ -32,12 +27,10 @@ function halves() {
 
 // The page's contents, and the headings of its demos, which are not among them.
 function contents() {
-  const listed = [...document.querySelectorAll(".contents a")].map((link) =>
-    link.hash.slice(1),
+  const listed = [...document.querySelectorAll(".contents a")].map((link) => link.hash.slice(1));
+  const shown = [...document.querySelectorAll(".demo-page :is(h2, h3, h4)[id]")].map(
+    ({ id }) => id,
   );
-  const shown = [
-    ...document.querySelectorAll(".demo-page :is(h2, h3, h4)[id]"),
-  ].map(({ id }) => id);
   return { listed, shown };
 }
 
@@ -58,10 +51,7 @@ await testSite(async (visitor) => {
           ++demos;
           const where = `${path} (${options.width} px) "${begins}"`;
           const expect = (good, what) => visitor.expect(good, where, what);
-          expect(
-            demo.labels === "In the lesson,In the page",
-            `is labelled ${demo.labels}`,
-          );
+          expect(demo.labels === "In the lesson,In the page", `is labelled ${demo.labels}`);
           expect(!demo.empty, "becomes nothing");
           expect(demo.apart, "what it becomes is not below what is written");
           expect(!demo.clipped, "its source sticks out");
@@ -71,11 +61,7 @@ await testSite(async (visitor) => {
         const { listed, shown } = await page.evaluate(contents);
         headings += shown.length;
         for (const id of shown) {
-          visitor.expect(
-            !listed.includes(id),
-            path,
-            `the contents list #${id}, of a demo`,
-          );
+          visitor.expect(!listed.includes(id), path, `the contents list #${id}, of a demo`);
         }
       });
     }

@@ -24,40 +24,24 @@ await testSite(async (visitor) => {
       if (questions.length > 0) await tryMemory(visitor, page, path);
     });
   }
-  for (const kind of wanted)
-    visitor.expect(met.has(kind), "the site", `has no ${kind} question`);
+  for (const kind of wanted) visitor.expect(met.has(kind), "the site", `has no ${kind} question`);
 });
 
 async function tryMemory(visitor, page, path) {
-  const verdicts = () =>
-    page.locator('.question[data-verdict="right"]').count();
-  const visible = (selector) =>
-    page.locator(selector).filter({ visible: true }).count();
+  const verdicts = () => page.locator('.question[data-verdict="right"]').count();
+  const visible = (selector) => page.locator(selector).filter({ visible: true }).count();
   const reload = async () => {
     await page.waitForLoadState("networkidle"); // what a reload breaks off counts as failed
     await page.reload();
   };
   const all = await page.locator(".question").count();
   const hints = await page.locator("details.hint").count();
-  const orders = () =>
-    page.locator("li[data-letter]").evaluateAll((l) => l.map((i) => i.id));
+  const orders = () => page.locator("li[data-letter]").evaluateAll((l) => l.map((i) => i.id));
   await reload();
   const sorted = await orders();
-  visitor.expect(
-    (await verdicts()) === all,
-    path,
-    "a reload forgets the answers",
-  );
-  visitor.expect(
-    (await visible(".explain")) === all,
-    path,
-    "a reload folds the answers",
-  );
-  visitor.expect(
-    (await visible(".hint > div")) === hints,
-    path,
-    "a reload takes back a hint",
-  );
+  visitor.expect((await verdicts()) === all, path, "a reload forgets the answers");
+  visitor.expect((await visible(".explain")) === all, path, "a reload folds the answers");
+  visitor.expect((await visible(".hint > div")) === hints, path, "a reload takes back a hint");
   const forget = page.getByRole("button", { name: "Forget my answers" });
   visitor.expect(
     (await forget.count()) === (await page.locator(".quiz").count()),
@@ -68,20 +52,15 @@ async function tryMemory(visitor, page, path) {
   for (const again of [false, true]) {
     if (again) await reload();
     const when = again ? "after a reload" : "at once";
-    const forgotten = async (good, what) =>
-      visitor.expect(good, path, `${what} ${when}`);
+    const forgotten = async (good, what) => visitor.expect(good, path, `${what} ${when}`);
     await forgotten((await verdicts()) === 0, "the answers are not forgotten");
-    await forgotten(
-      (await visible(".explain")) === 0,
-      "the answers stay unfolded",
-    );
+    await forgotten((await visible(".explain")) === 0, "the answers stay unfolded");
     await forgotten((await visible(".hint")) === 0, "the hints stay");
     await forgotten(
       (await page.locator(".quiz input:checked").count()) === 0,
       "an option is chosen",
     );
-    const shuffled =
-      (await orders()).join() !== sorted.join() || sorted.length === 0;
+    const shuffled = (await orders()).join() !== sorted.join() || sorted.length === 0;
     await forgotten(shuffled, "the items stay in order");
     const kept = await page.evaluate(() => Object.keys(localStorage));
     const answers = kept.filter((key) => key.startsWith("mjcourse.answer"));
