@@ -12,6 +12,8 @@
 
 #include "base/files.h"
 #include "course/course.h"
+#include "evaluate/api_reference.h"
+#include "evaluate/model_page.h"
 #include "evaluate/result.h"
 #include "report/diagnostic.h"
 
@@ -28,8 +30,14 @@ class Progress {
 
 struct Evaluation {
   std::vector<LessonResults> lessons;  // one for each lesson of the course
+  LessonResults glossary = {};         // of its page
+  std::vector<ModelPage> models = {};  // that the course links to
+  std::vector<ApiEntry> api = {};      // names of MuJoCo's that it links to
   Diagnostics diagnostics;
   std::string mujoco;  // the version that everything was found with: "2.2.2"
+
+  // Those of a page of `course` (Course::pages).
+  const LessonResults& results_of(const Course& course, const Lesson& page) const;
 };
 
 // `root` is the course's folder, `assets` what the site's build made.

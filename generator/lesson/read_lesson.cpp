@@ -26,23 +26,28 @@ void report_invalid_utf8(const std::string& path, std::string bytes, std::size_t
              "save the file as UTF-8");
 }
 
-// The text for cmark: the front matter becomes blank lines, so that line numbers stay.
+}  // namespace
+
+std::shared_ptr<const SourceText> read_source(const std::string& path, std::string bytes,
+                                              Diagnostics& diagnostics) {
+  if (const auto bad = find_invalid_utf8(bytes)) {
+    report_invalid_utf8(path, std::move(bytes), *bad, diagnostics);
+    return nullptr;
+  }
+  return std::make_shared<SourceText>(path, std::move(bytes));
+}
+
 std::string without_front_matter(const SourceText& source, Span front) {
   const int closing = source.position(front.end).line;
   return std::string(static_cast<std::size_t>(closing), '\n') +
          std::string(source.text().substr(source.line_start(closing + 1)));
 }
 
-}  // namespace
-
 std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
                                   Diagnostics& diagnostics) {
-  if (const auto bad = find_invalid_utf8(bytes)) {
-    report_invalid_utf8(path, std::move(bytes), *bad, diagnostics);
-    return std::nullopt;
-  }
   Lesson lesson;
-  lesson.source = std::make_shared<SourceText>(path, std::move(bytes));
+  lesson.source = read_source(path, std::move(bytes), diagnostics);
+  if (!lesson.source) return std::nullopt;
   Reading reading(*lesson.source, diagnostics);
 
   static const std::regex name(R"(content/([^/]+)/((\d+\.\d+)-[^/]+)\.md)");

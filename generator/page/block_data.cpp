@@ -87,6 +87,15 @@ bool PageWriter::has_proved_output(const std::optional<std::size_t>& output) con
   return output && results_.get<OutputResult>(*output) != nullptr;
 }
 
+json PageWriter::data_of(const Image& image, const ImageResult& result) const {
+  return {{"src", from_root(image_path(lesson_, image, result))},
+          {"alt", image.alt},
+          {"width", result.width},
+          {"height", result.height},
+          {"source", image.title},
+          {"alone", image.alone}};
+}
+
 json PageWriter::data_of(const Io& io) const {
   json rows = json::array();
   for (const Io::Row& row : io.rows) {

@@ -48,6 +48,7 @@ class EvaluationOf {
 
   const Diagnostics& diagnostics() const { return evaluation_.diagnostics; }
   std::string mistakes() const { return shown(evaluation_.diagnostics); }
+  const Evaluation& evaluation() const { return evaluation_; }
   const Tally& tally() const { return evaluation_.lessons.at(0).tally; }
 
   // The result of the only block that has one of type T.
