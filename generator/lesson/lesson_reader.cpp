@@ -179,6 +179,12 @@ void LessonReader::read_heading(cmark_node* node, const Region& region) {
   lesson_.headings.push_back({level, id, node});
 }
 
+// Titles were moved out of the lesson's tree.
+bool LessonReader::in_callout_title(cmark_node* node) const {
+  while (cmark_node_parent(node) != nullptr) node = cmark_node_parent(node);
+  return in_document_ && node != lesson_.document.get();
+}
+
 void LessonReader::read_callout(cmark_node* node) {
   if (!in_document_) return;
   if (std::optional<Callout> callout = take_callout(node, reading_)) add(node, std::move(*callout));

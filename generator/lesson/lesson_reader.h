@@ -39,6 +39,7 @@ class LessonReader {
   void add(cmark_node* node, Block block);
   void read_code_block(cmark_node* node, Region& region);
   void read_callout(cmark_node* node);
+  bool in_callout_title(cmark_node* node) const;
   void read_heading(cmark_node* node, const Region& region);
   void read_math(cmark_node* node, Region& region);
   void read_code_span(cmark_node* node, Region& region);

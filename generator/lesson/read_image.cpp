@@ -61,9 +61,7 @@ bool LessonReader::stands_alone(cmark_node* node) const {
   cmark_node* paragraph = cmark_node_parent(node);
   if (!in_document_ || cmark_node_get_type(paragraph) != CMARK_NODE_PARAGRAPH) return false;
   if (cmark_node_next(node) != nullptr || cmark_node_previous(node) != nullptr) return false;
-  cmark_node* root = paragraph;
-  while (cmark_node_parent(root) != nullptr) root = cmark_node_parent(root);
-  return root == lesson_.document.get();  // and not a callout's title
+  return !in_callout_title(paragraph);
 }
 
 }  // namespace mjcourse

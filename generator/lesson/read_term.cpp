@@ -79,7 +79,9 @@ void LessonReader::read_term(const CutTerm& term, Region& region) {
   const LocatedText name = region.text.part(region.cursor, end);
   // What is shown stands behind the bar, or is the name itself.
   if (text.compare(end, 1, "|") == 0 || text.compare(end, 2, "\\|") == 0) region.cursor = end;
-  if (const std::string around = link_around(cmark_node_parent(term.node)); !around.empty()) {
+  std::string around = link_around(cmark_node_parent(term.node));
+  if (in_callout_title(term.node)) around = "a callout's title";  // which may fold the callout
+  if (!around.empty()) {
     reading_.error("E-term-place", name.span(), "a term cannot stand in " + around,
                    "a term is a link itself: put it where the text first speaks of it");
   } else {

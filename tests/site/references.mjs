@@ -28,7 +28,7 @@ function entries() {
   return explained
     .filter(([, entry]) => entry !== null)
     .map(([id, entry]) => ({
-      address: location.href.split("#")[0] + id,
+      address: new URL(id, location.href).href,
       text: entry.querySelector(".prose")?.innerText ?? "",
       used: [...entry.querySelectorAll(".used-in a")].map((link) => link.href.split("#")[0]),
     }));

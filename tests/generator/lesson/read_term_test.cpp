@@ -49,6 +49,12 @@ TEST(Term, MustBeClosedOnItsLine) {
             "table `[[term\\|shown text]]`; `\\[[` for brackets as text\n");
 }
 
+TEST(Term, CannotStandInATitle) {
+  EXPECT_EQ(terms("> [!note] A [[b]]\n> Text.\n"),
+            "E-term-place <b> a term cannot stand in a callout's title | a term is a link itself: "
+            "put it where the text first speaks of it\n");
+}
+
 TEST(Term, CannotStandInAnotherLink) {
   EXPECT_EQ(terms("[see [[a]]](https://a.example)\n\n## The [[a]]\n"),
             "E-term-place <a> a term cannot stand in the text of a link | a term is a link itself: "
