@@ -1,6 +1,9 @@
 #include "base/utf8.h"
 
+#include <wctype.h>
+
 #include <algorithm>
+#include <clocale>
 #include <cstdint>
 
 namespace mjcourse {
@@ -26,6 +29,33 @@ std::size_t sequence_length(std::string_view text) {
   return overlong || surrogate || too_large ? 0 : length;
 }
 
+// Of one well-formed sequence.
+std::uint32_t code_point(std::string_view sequence) {
+  constexpr std::uint32_t first_bits[] = {0, 0x7F, 0x1F, 0x0F, 0x07};  // by the length
+  std::uint32_t point = static_cast<std::uint8_t>(sequence[0]) & first_bits[sequence.size()];
+  for (const char c : sequence.substr(1)) {
+    point = point << 6 | (static_cast<std::uint8_t>(c) & 0x3F);
+  }
+  return point;
+}
+
+void append_utf8(std::string& text, std::uint32_t point) {
+  const auto add = [&](std::uint32_t byte) { text += static_cast<char>(byte); };
+  if (point < 0x80) return add(point);
+  if (point < 0x800) {
+    add(0xC0 | point >> 6);
+  } else {
+    if (point < 0x10000) {
+      add(0xE0 | point >> 12);
+    } else {
+      add(0xF0 | point >> 18);
+      add(0x80 | (point >> 12 & 0x3F));
+    }
+    add(0x80 | (point >> 6 & 0x3F));
+  }
+  add(0x80 | (point & 0x3F));
+}
+
 }  // namespace
 
 int count_characters(std::string_view text) {
@@ -40,6 +70,19 @@ std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
     at += length;
   }
   return std::nullopt;
+}
+
+std::string lower_case_utf8(std::string_view text) {
+  // The C library's own locale, which needs no file and knows the letters of every language.
+  static const locale_t unicode = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
+  std::string lower;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = std::max<std::size_t>(1, sequence_length(text.substr(at)));
+    const std::uint32_t letter = code_point(text.substr(at, length));
+    append_utf8(lower, unicode == nullptr ? letter : towlower_l(letter, unicode));
+    at += length;
+  }
+  return lower;
 }
 
 }  // namespace mjcourse

@@ -25,6 +25,8 @@ void add_count(std::vector<std::string>& parts, int count, const char* one, cons
   if (count > 0) parts.push_back(std::to_string(count) + " " + (count == 1 ? one : many));
 }
 
+constexpr const char* kNothing = "nothing to verify";
+
 std::string tally_text(const Tally& tally) {
   std::vector<std::string> parts;
   add_count(parts, tally.programs, "program run", "programs run");
@@ -40,7 +42,7 @@ std::string tally_text(const Tally& tally) {
   add_count(parts, tally.unchecked, "listing unchecked", "listings unchecked");
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
-  return text.empty() ? "nothing to verify" : text;
+  return text.empty() ? kNothing : text;
 }
 
 std::string counted(std::ptrdiff_t count, const std::string& noun) {
@@ -92,6 +94,16 @@ void print_lessons(const Course& course, const Evaluation& evaluation) {
   }
 }
 
+void print_glossary(const Glossary& glossary, const Evaluation& evaluation) {
+  const std::ptrdiff_t errors = errors_in(evaluation.diagnostics, kGlossaryPath);
+  std::cout << (errors == 0 ? "ok    " : "FAIL  ")
+            << "glossary: " << counted(static_cast<std::ptrdiff_t>(glossary.terms.size()), "term");
+  const std::string verified = tally_text(evaluation.glossary.tally);
+  if (verified != kNothing) std::cout << ", " << verified;
+  if (errors > 0) std::cout << "; " << counted(errors, "error");
+  std::cout << '\n';
+}
+
 }  // namespace
 
 std::filesystem::path assets_folder() {
@@ -136,7 +148,11 @@ Verified verify_course(const Options& options) {
 
   Tally total;
   if (verified.course) print_lessons(*verified.course, verified.evaluation);
+  if (verified.course && verified.course->glossary) {
+    print_glossary(*verified.course->glossary, verified.evaluation);
+  }
   for (const LessonResults& lesson : verified.evaluation.lessons) total += lesson.tally;
+  total += verified.evaluation.glossary.tally;
   const std::ptrdiff_t errors = errors_in(all, "");
   verified.failed = errors > 0;
   const double seconds = stopwatch.seconds();

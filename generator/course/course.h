@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "lesson/glossary.h"
 #include "lesson/lesson.h"
 #include "report/diagnostic.h"
 
@@ -27,8 +28,11 @@ struct Course {
   std::vector<Level> levels;
   std::vector<Lesson> lessons;      // in the course's order
   std::vector<std::string> models;  // names: "joint_zoo" for models/joint_zoo.xml
+  std::optional<Glossary> glossary;
 
   const Lesson* find_lesson(const std::string& number) const;
+  // All that is read like a lesson: the lessons, and the glossary's page where there is one.
+  std::vector<const Lesson*> pages() const;
 };
 
 // Read content/course.yaml and every lesson in it, and check the links between them. Mistakes go

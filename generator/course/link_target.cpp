@@ -12,11 +12,22 @@ tl::expected<LinkTarget, DeadLink> heading_of(const Lesson& lesson, const std::s
   std::vector<std::string> ids;
   for (const Heading& heading : lesson.headings) ids.push_back(heading.id);
   if (!anchor.empty() && std::find(ids.begin(), ids.end(), anchor) == ids.end()) {
-    return tl::unexpected(DeadLink{"E-link-anchor",
-                                   "lesson " + lesson.number + " has no heading `#" + anchor + "`",
-                                   suggest(anchor, ids)});
+    return tl::unexpected(
+        DeadLink{"E-link-anchor",
+                 (lesson.number.empty() ? "the glossary" : "lesson " + lesson.number) +
+                     " has no heading `#" + anchor + "`",
+                 suggest(anchor, ids)});
   }
   return LinkTarget{&lesson, anchor, ""};
+}
+
+tl::expected<LinkTarget, DeadLink> model_of(const Course& course, const std::string& model) {
+  const std::vector<std::string>& known = course.models;
+  if (std::find(known.begin(), known.end(), model) != known.end()) {
+    return LinkTarget{nullptr, "", "", model_page_path(model)};
+  }
+  return tl::unexpected(DeadLink{"E-model-unknown", "there is no model `" + model + "` in models/",
+                                 suggest(model, known)});
 }
 
 }  // namespace
@@ -36,14 +47,9 @@ tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Less
     if (target.starts_with(outside)) return LinkTarget{nullptr, "", target};
   }
   if (target.starts_with("#")) return heading_of(from, target.substr(1));
-  for (const char* later : {"model:", "api:"}) {
-    if (!target.starts_with(later)) continue;
-    return tl::unexpected(DeadLink{"E-not-yet",
-                                   "links to `" + std::string(later) +
-                                       "` belong to the lesson "
-                                       "language, but this version of mjcourse cannot do them yet",
-                                   "write the name as code for now"});
-  }
+  if (target.starts_with("model:")) return model_of(course, target.substr(6));
+  if (target.starts_with("api:"))
+    return LinkTarget{nullptr, api_id(target.substr(4)), "", kApiPage};
   const std::size_t hash = std::min(target.find('#'), target.size());
   const std::string number = target.substr(0, hash);
   if (const Lesson* lesson = course.find_lesson(number)) {
@@ -57,9 +63,41 @@ tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Less
   static const std::regex lesson_number(R"((\d+|[A-Z])\.\d+)");
   if (std::regex_match(number, lesson_number))
     return tl::unexpected(no_lesson(course, from, number));
-  return tl::unexpected(DeadLink{"E-link-dead", "`" + target + "` leads nowhere",
-                                 "a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of "
-                                 "its own page (`#heading`) or to the web (`https://…`)"});
+  return tl::unexpected(
+      DeadLink{"E-link-dead", "`" + target + "` leads nowhere",
+               "a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of "
+               "its own page (`#heading`), to a model (`model:NAME`), to a name of "
+               "MuJoCo's (`api:mj_step`) or to the web (`https://…`)"});
+}
+
+std::optional<DeadLink> unknown_term(const Course& course, const TermUse& term) {
+  if (!course.glossary) {
+    return DeadLink{"E-term-unknown",
+                    "this course has no glossary, and so no `" + term.name.text + "`",
+                    std::string("write one, ") + kGlossaryPath +
+                        ": front matter with a `title`, then a heading `## " + term.name.text +
+                        "` and below it what that is; or write `\\[[` for brackets as text"};
+  }
+  if (course.glossary->find(term.key) != nullptr) return std::nullopt;
+  // Compared without their case, and suggested as they are written.
+  std::vector<std::string> keys;
+  for (const Glossary::Term& known : course.glossary->terms) keys.push_back(known.key);
+  const Glossary::Term* meant = course.glossary->find(nearest(term.key, keys));
+  return DeadLink{"E-term-unknown", "the glossary has no term `" + term.name.text + "`",
+                  meant != nullptr ? "did you mean `" + meant->name + "`?"
+                                   : std::string("define it in ") + kGlossaryPath +
+                                         ", or write `\\[[` for brackets as text; " +
+                                         suggest(term.name.text, course.glossary->names())};
+}
+
+std::string model_page_path(const std::string& model) {
+  return "models/" + model + ".html";
+}
+
+std::string api_id(const std::string& name) {
+  std::string id = name;
+  std::replace(id.begin(), id.end(), '.', '-');
+  return id;
 }
 
 }  // namespace mjcourse

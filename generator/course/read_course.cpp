@@ -6,6 +6,7 @@
 #include "course/course.h"
 #include "course/link_target.h"
 #include "lesson/is_utf8.h"
+#include "lesson/read_glossary.h"
 #include "lesson/read_lesson.h"
 #include "lesson/reading.h"
 #include "lesson/yaml_map.h"
@@ -86,8 +87,29 @@ void warn_of_unlisted(const Files& files, const Course& course, Diagnostics& dia
   }
 }
 
+// Where there is a file and it cannot be read, that was said; which terms it has is then unknown.
+void read_glossary_file(const Files& files, Course& course, Diagnostics& diagnostics) {
+  const tl::expected<std::string, std::string> bytes = files.read(kGlossaryPath);
+  if (bytes) course.glossary = read_glossary(*bytes, diagnostics);
+}
+
+void check_terms(const Files& files, const Course& course, Diagnostics& diagnostics) {
+  if (!course.glossary && files.exists(kGlossaryPath)) return;
+  for (const Lesson* page : course.pages()) {
+    Reading reading(*page->source, diagnostics);
+    for (const Block& block : page->blocks) {
+      const auto* term = std::get_if<TermUse>(&block);
+      if (term == nullptr) continue;
+      if (const auto dead = unknown_term(course, *term)) {
+        reading.error(dead->id, term->name.span(), dead->message, dead->cure);
+      }
+    }
+  }
+}
+
 void check_references(const Course& course, Diagnostics& diagnostics) {
-  for (const Lesson& lesson : course.lessons) {
+  for (const Lesson* page : course.pages()) {
+    const Lesson& lesson = *page;
     Reading reading(*lesson.source, diagnostics);
     for (const Link& link : lesson.links) {
       const auto target = resolve_link(course, lesson, link.target.text);
@@ -109,6 +131,13 @@ const Lesson* Course::find_lesson(const std::string& number) const {
   const auto found = std::find_if(lessons.begin(), lessons.end(),
                                   [&](const Lesson& lesson) { return lesson.number == number; });
   return found == lessons.end() ? nullptr : &*found;
+}
+
+std::vector<const Lesson*> Course::pages() const {
+  std::vector<const Lesson*> pages;
+  for (const Lesson& lesson : lessons) pages.push_back(&lesson);
+  if (glossary) pages.push_back(&glossary->page);
+  return pages;
 }
 
 std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics) {
@@ -142,7 +171,9 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics) 
     if (name.ends_with(".xml")) course.models.push_back(name.substr(0, name.size() - 4));
   }
   warn_of_unlisted(files, course, diagnostics);
+  read_glossary_file(files, course, diagnostics);
   check_references(course, diagnostics);
+  check_terms(files, course, diagnostics);
   return course;
 }
 

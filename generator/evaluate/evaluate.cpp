@@ -8,6 +8,7 @@
 #include "evaluate/claims.h"
 #include "evaluate/example_crew.h"
 #include "evaluate/formula.h"
+#include "evaluate/image.h"
 #include "evaluate/inline_value.h"
 #include "evaluate/lab.h"
 #include "evaluate/model_listing.h"
@@ -16,6 +17,7 @@
 #include "evaluate/region.h"
 #include "evaluate/shown_program.h"
 #include "evaluate/workshop.h"
+#include "physics/mujoco_api.h"
 
 namespace mjcourse {
 namespace {
@@ -86,6 +88,10 @@ class LessonEvaluator {
   }
   void evaluate_block(std::size_t index, const InlineModel& model) {
     add_model(index, evaluate_inline_model(model, lesson_, workshop_, diagnostics_));
+  }
+  void evaluate_block(std::size_t index, const Image& image) {
+    auto result = evaluate_image(image, lesson_, workshop_.root(), diagnostics_);
+    if (result) results_.of_block[index] = *std::move(result);
   }
   void add_model(std::size_t index, std::optional<ModelResult> result) {
     if (!result) return;
@@ -188,7 +194,13 @@ Evaluation evaluate(const Course& course, const std::filesystem::path& root, con
     evaluators.emplace_back(course.lessons[i], workshop, progress, evaluation.lessons[i],
                             evaluation.diagnostics);
   }
+  if (course.glossary) {
+    evaluators.emplace_back(course.glossary->page, workshop, progress, evaluation.glossary,
+                            evaluation.diagnostics);
+  }
   for (LessonEvaluator& evaluator : evaluators) evaluator.run_beside_examples();
+  evaluation.models = evaluate_model_pages(workshop, evaluation.diagnostics);
+  evaluation.api = evaluate_api(course, DiskFiles(mujoco_headers_folder()), evaluation.diagnostics);
   const auto programs = collect(crew.finish(), evaluation, workshop.reports());
   for (LessonEvaluator& evaluator : evaluators) evaluator.run_after_examples();
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
@@ -198,6 +210,11 @@ Evaluation evaluate(const Course& course, const std::filesystem::path& root, con
   }
   make_claims(course, root, programs, evaluation);
   return evaluation;
+}
+
+const LessonResults& Evaluation::results_of(const Course& course, const Lesson& page) const {
+  if (course.glossary && &page == &course.glossary->page) return glossary;
+  return lessons.at(static_cast<std::size_t>(&page - course.lessons.data()));
 }
 
 }  // namespace mjcourse

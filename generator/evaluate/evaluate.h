@@ -12,6 +12,8 @@
 
 #include "base/files.h"
 #include "course/course.h"
+#include "evaluate/api_reference.h"
+#include "evaluate/model_page.h"
 #include "evaluate/result.h"
 #include "evaluate/versions.h"
 #include "report/diagnostic.h"
@@ -29,8 +31,14 @@ class Progress {
 
 struct Evaluation {
   std::vector<LessonResults> lessons;  // one for each lesson of the course
+  LessonResults glossary = {};         // of its page
+  std::vector<ModelPage> models = {};  // that the course links to
+  std::vector<ApiEntry> api = {};      // names of MuJoCo's that it links to
   Diagnostics diagnostics;
   Versions versions;
+
+  // Those of a page of `course` (Course::pages).
+  const LessonResults& results_of(const Course& course, const Lesson& page) const;
 };
 
 // `root` is the course's folder, `assets` what the site's build made. The diagnostics begin with

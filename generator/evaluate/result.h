@@ -51,6 +51,13 @@ struct ModelResult {
   std::string refusal;  // MuJoCo's, of a model that must not compile
 };
 
+// A picture that the author put beside the lesson.
+struct ImageResult {
+  std::filesystem::path file;  // on the disk
+  std::string hash;            // of its bytes
+  int width = 0, height = 0;   // pixels, or an SVG's units
+};
+
 struct OutputResult {
   int lines = 0;
 };
@@ -117,7 +124,7 @@ struct QuizResult {
 };
 
 using Result = std::variant<FormulaResult, ValueResult, ExampleResult, ModelResult, OutputResult,
-                            LabResult, QuizResult>;
+                            ImageResult, LabResult, QuizResult>;
 
 // How much was verified; what failed is not counted. The claims in numbers: see tally_of.
 struct Tally {

@@ -32,6 +32,12 @@ struct InlineValue {
   LocatedText format;      // "f", ".4f", "d" …, as in printf; empty for the shortest sensible
 };
 
+// [[term]] or [[term|shown text]]: a term of the course's glossary. Its node holds what is shown.
+struct TermUse {
+  LocatedText name;  // as written
+  std::string key;   // what terms are matched by (lesson/glossary.h)
+};
+
 // ```cpp file=…: a whole program, or a region of one.
 struct Example {
   LocatedText file;                      // relative to the course: "examples/x.cpp"
@@ -89,6 +95,15 @@ struct Output {
   bool apart = false;  // it does not stand below its program, so it is shown where it stands
 };
 
+// ![alt](picture.png "where it comes from"): a picture beside the lesson, of which nothing is
+// proved.
+struct Image {
+  LocatedText file;   // relative to the lesson's folder
+  std::string alt;    // what it shows, in words
+  std::string title;  // where it comes from; may be empty
+  bool alone = true;  // all there is in its paragraph, for which it stands
+};
+
 // ```io: the INPUT / PROCESS / OUTPUT panel.
 struct Io {
   struct Row {
@@ -116,7 +131,8 @@ struct Demo {
 // Shown by its neighbour: the "Output:" paragraph and the output below an example.
 struct Shown {};
 
-using Block = std::variant<Math, InlineValue, Example, Unchecked, Snippet, ModelExcerpt,
-                           InlineModel, Output, Io, Callout, Lab, Quiz, Demo, Shown>;
+using Block =
+    std::variant<Math, InlineValue, TermUse, Example, Unchecked, Snippet, ModelExcerpt, InlineModel,
+                 Output, Image, Io, Callout, Lab, Quiz, Demo, Shown>;
 
 }  // namespace mjcourse

@@ -31,6 +31,18 @@ std::optional<Span> find_front_matter(Reading& reading) {
   return std::nullopt;
 }
 
+FrontMatter read_title_and_summary(Span span, LessonReader& reader) {
+  FrontMatter front;
+  const LocatedText text = located(reader.source(), span);
+  const std::optional<YAML::Node> yaml = parse_yaml(text, "front matter", kId, reader.reading());
+  if (!yaml) return front;
+  YamlMap map(*yaml, "front matter", kId, text, reader.reading());
+  front.title = map.required_string("title");
+  front.summary = reader.fragment(map.string("summary"));
+  map.finish();
+  return front;
+}
+
 FrontMatter read_front_matter(Span span, LessonReader& reader) {
   FrontMatter front;
   Reading& reading = reader.reading();

@@ -12,5 +12,7 @@ namespace mjcourse {
 std::optional<Span> find_front_matter(Reading& reading);
 
 FrontMatter read_front_matter(Span span, LessonReader& reader);
+// The same of a page that is no lesson, which has no other keys.
+FrontMatter read_title_and_summary(Span span, LessonReader& reader);
 
 }  // namespace mjcourse

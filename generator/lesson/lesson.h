@@ -44,7 +44,7 @@ struct Lesson {
   std::shared_ptr<const SourceText> source;
   std::string folder;  // of its level: "1-state"
   std::string slug;    // "1.2-generalized-coordinates"
-  std::string number;  // "1.2"
+  std::string number;  // "1.2"; "" for the glossary, which is read like a lesson
   FrontMatter front;
   Document document;
   std::vector<Block> blocks;                                    // in document order

@@ -59,19 +59,28 @@ void LessonReader::walk(cmark_node* node, Region& region) {
   }
   if (type == CMARK_NODE_CODE_BLOCK) return read_code_block(node, region);
   if (type == math_inline_type() || type == math_block_type()) return read_math(node, region);
+  if (type == CMARK_NODE_IMAGE) return read_image(node, region);
   if (type == CMARK_NODE_BLOCK_QUOTE) read_callout(node);
   if (type == CMARK_NODE_HEADING) read_heading(node, region);
   if (type == CMARK_NODE_FOOTNOTE_DEFINITION && in_document_) refuse_second_footnote(node);
   if (type == CMARK_NODE_CODE) read_code_span(node, region);
   if (type == CMARK_NODE_LINK) read_link(node, region);
-  refuse_inline(node, region);
   // The title of a callout was moved out of the tree, and is walked with it.
   if (const auto found = lesson_.block_of.find(node); found != lesson_.block_of.end()) {
     if (const auto* callout = std::get_if<Callout>(&lesson_.blocks[found->second])) {
       if (cmark_node* title = callout->title.get()) walk(title, region);
     }
   }
+  walk_children(node, region);
+  if (type == CMARK_NODE_LINK) pass_target(cmark_node_get_url(node), region);
+}
+
+void LessonReader::walk_children(cmark_node* node, Region& region) {
   for (cmark_node* child = cmark_node_first_child(node); child != nullptr;) {
+    if (cmark_node_get_type(child) == CMARK_NODE_TEXT) {
+      child = read_text(child, region);  // which may cut it into several
+      continue;
+    }
     cmark_node* next = cmark_node_next(child);
     walk(child, region);
     child = next;
@@ -119,9 +128,22 @@ void LessonReader::read_math(cmark_node* node, Region& region) {
 
 void LessonReader::read_code_span(cmark_node* node, Region& region) {
   const std::string code = cmark_node_get_literal(node);
-  if (!is_value(code)) return;
+  if (!is_value(code)) return pass_code_span(code, region);
   std::optional<InlineValue> value = read_value(find(code, region), reading_);
   if (value) add(node, *std::move(value));
+}
+
+// What stands in code is no term and no value: the walk goes on behind it. Code that cmark changed
+// (a line break in it) is not found in its paragraph.
+void LessonReader::pass_code_span(const std::string& code, Region& region) {
+  const std::string& text = region.text.text;
+  const std::size_t end = text.find("\n\n", region.cursor);
+  for (std::size_t at = region.cursor; (at = text.find(code, at)) < end; ++at) {
+    const std::size_t before = at == 0 ? text.npos : text.find_last_not_of(' ', at - 1);
+    if (before == text.npos || text[before] != '`') continue;
+    region.cursor = at + code.size();
+    return;
+  }
 }
 
 void LessonReader::read_link(cmark_node* node, Region& region) {
@@ -129,6 +151,14 @@ void LessonReader::read_link(cmark_node* node, Region& region) {
   Region ahead{region.text, region.cursor};
   const std::string target = cmark_node_get_url(node);
   lesson_.links.push_back({node, find(target, ahead)});
+}
+
+// A target that stands behind its link's text on the same line is not that of the next link.
+void LessonReader::pass_target(const std::string& target, Region& region) {
+  const std::string& text = region.text.text;
+  const std::size_t end = std::min(text.find('\n', region.cursor), text.size());
+  const std::size_t at = text.find("](" + target, region.cursor);
+  if (at < end) region.cursor = at + 2 + target.size();
 }
 
 void LessonReader::read_heading(cmark_node* node, const Region& region) {
@@ -164,38 +194,22 @@ void LessonReader::refuse_second_footnote(cmark_node* node) {
                  "give it a name of its own");
 }
 
+// Titles were moved out of the lesson's tree.
+bool LessonReader::in_callout_title(cmark_node* node) const {
+  while (cmark_node_parent(node) != nullptr) node = cmark_node_parent(node);
+  return in_document_ && node != lesson_.document.get();
+}
+
 void LessonReader::read_callout(cmark_node* node) {
   if (!in_document_) return;
   if (std::optional<Callout> callout = take_callout(node, reading_)) add(node, std::move(*callout));
 }
 
-void LessonReader::refuse_inline(cmark_node* node, Region& region) {
-  const cmark_node_type type = cmark_node_get_type(node);
-  if (type == CMARK_NODE_TEXT &&
-      std::string_view(cmark_node_get_literal(node)).find("$$") != std::string_view::npos) {
-    Region ahead{region.text, region.cursor};
-    reading_.error("E-math-unclosed", find("$$", ahead).span(), "this `$$` is never closed",
-                   "end the formula with `$$`; for dollars as text write `\\$\\$`");
-  }
-  std::string text, what;
-  if (type == CMARK_NODE_IMAGE) {
-    text = cmark_node_get_url(node);
-    what = "an image";
-  } else if (type == CMARK_NODE_TEXT) {
-    const std::string_view literal = cmark_node_get_literal(node);
-    const std::size_t open = literal.find("[[");
-    const std::size_t close = literal.find("]]", std::min(open, literal.size()));
-    if (close == literal.npos) return;
-    text = literal.substr(open, close + 2 - open);
-    what = "a glossary term";
-  } else {
-    return;
-  }
-  reading_.error("E-not-yet", find(text, region).span(),
-                 what +
-                     " belongs to the lesson language, but this version of mjcourse cannot do "
-                     "it yet",
-                 "leave it out for now");
+void LessonReader::refuse_unclosed_math(cmark_node* node, const Region& region) {
+  if (std::string_view(cmark_node_get_literal(node)).find("$$") == std::string_view::npos) return;
+  Region ahead{region.text, region.cursor};
+  reading_.error("E-math-unclosed", find("$$", ahead).span(), "this `$$` is never closed",
+                 "end the formula with `$$`; for dollars as text write `\\$\\$`");
 }
 
 void LessonReader::read_code_block(cmark_node* node, Region& region) {

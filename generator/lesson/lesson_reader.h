@@ -35,15 +35,24 @@ class LessonReader {
   };
 
   void walk(cmark_node* node, Region& region);
+  void walk_children(cmark_node* node, Region& region);
   void add(cmark_node* node, Block block);
   void read_code_block(cmark_node* node, Region& region);
   void read_callout(cmark_node* node);
+  bool in_callout_title(cmark_node* node) const;
   void read_heading(cmark_node* node, const Region& region);
   void refuse_second_footnote(cmark_node* node);
   void read_math(cmark_node* node, Region& region);
   void read_code_span(cmark_node* node, Region& region);
+  static void pass_code_span(const std::string& code, Region& region);
+  static void pass_target(const std::string& target, Region& region);
   void read_link(cmark_node* node, Region& region);
-  void refuse_inline(cmark_node* node, Region& region);
+  cmark_node* read_text(cmark_node* node, Region& region);
+  void read_term(const struct CutTerm& term, Region& region);
+  static bool pass_brackets(Region& region);
+  void refuse_unclosed_math(cmark_node* node, const Region& region);
+  void read_image(cmark_node* node, Region& region);
+  bool stands_alone(cmark_node* node) const;
   void read_fence(cmark_node* node, Region& region);
   void read_demo(cmark_node* node, class Fence& fence, Region& region);
   void read_output(cmark_node* node, class Fence& fence);

@@ -11,20 +11,24 @@
 namespace mjcourse {
 namespace {
 
-// The text for cmark: the front matter becomes blank lines, so that line numbers stay.
+}  // namespace
+
+std::shared_ptr<const SourceText> read_source(const std::string& path, std::string bytes,
+                                              Diagnostics& diagnostics) {
+  if (!is_utf8(path, bytes, diagnostics)) return nullptr;
+  return std::make_shared<SourceText>(path, std::move(bytes));
+}
 std::string without_front_matter(const SourceText& source, Span front) {
   const int closing = source.position(front.end).line;
   return std::string(static_cast<std::size_t>(closing), '\n') +
          std::string(source.text().substr(source.line_start(closing + 1)));
 }
 
-}  // namespace
-
 std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
                                   Diagnostics& diagnostics) {
-  if (!is_utf8(path, bytes, diagnostics)) return std::nullopt;
   Lesson lesson;
-  lesson.source = std::make_shared<SourceText>(path, std::move(bytes));
+  lesson.source = read_source(path, std::move(bytes), diagnostics);
+  if (!lesson.source) return std::nullopt;
   Reading reading(*lesson.source, diagnostics);
 
   static const std::regex name(R"(content/([^/]+)/(((?:\d+|[A-Z])\.\d+)-[^/]+)\.md)");

@@ -4,6 +4,7 @@
 // math; a walk over its tree finds the blocks. Nothing here knows MuJoCo or HTML.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -17,5 +18,12 @@ namespace mjcourse {
 // all (not UTF-8, no front matter, a file name without a number).
 std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
                                   Diagnostics& diagnostics);
+
+// The file's text; null (reported) when it is not UTF-8.
+std::shared_ptr<const SourceText> read_source(const std::string& path, std::string bytes,
+                                              Diagnostics& diagnostics);
+
+// The text for cmark: the front matter becomes blank lines, so that line numbers stay.
+std::string without_front_matter(const SourceText& source, Span front);
 
 }  // namespace mjcourse

@@ -127,6 +127,15 @@ std::string PageWriter::unique_id(const std::string& wanted) {
   return id;
 }
 
+json PageWriter::data_of(const Image& image, const ImageResult& result) const {
+  return {{"src", from_root(image_path(lesson_, image, result))},
+          {"alt", image.alt},
+          {"width", result.width},
+          {"height", result.height},
+          {"source", image.title},
+          {"alone", image.alone}};
+}
+
 json PageWriter::data_of(const Io& io) const {
   json rows = json::array();
   for (const Io::Row& row : io.rows) {

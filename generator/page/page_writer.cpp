@@ -1,6 +1,8 @@
 #include "page/page_writer.h"
 
 #include <algorithm>
+#include <cctype>
+#include <filesystem>
 #include <map>
 #include <stdexcept>
 #include <utility>
@@ -33,12 +35,6 @@ std::string with_named_box(std::string item) {
   const bool done = item.compare(at + box.size(), 8, " checked") == 0;
   return item.insert(at + box.size(), done ? " aria-label=\"done\"" : " aria-label=\"to do\"");
 }
-
-// The way from one lesson's page to a file below the site's root: pages lie one folder deep.
-std::string from_lesson(const std::string& path) {
-  return "../" + path;
-}
-
 }  // namespace
 
 Templates site_templates(const Files& assets) {
@@ -60,16 +56,29 @@ std::string render_template(Templates& templates, const std::string& name,
 }
 
 std::string page_path(const Lesson& lesson) {
-  return lesson.folder + "/" + lesson.slug + ".html";
+  return (lesson.folder.empty() ? "" : lesson.folder + "/") + lesson.slug + ".html";
 }
 
 std::string poster_path(const Lesson& lesson, int lab) {
   return lesson.folder + "/" + lesson.slug + "/lab-" + std::to_string(lab);
 }
 
+std::string image_path(const Lesson& lesson, const Image& image, const ImageResult& result) {
+  const std::filesystem::path file(image.file.text);
+  std::string name = file.stem().string();
+  for (char& c : name) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+    if (!plain) c = '-';  // what an address would have to escape
+  }
+  const std::string page = page_path(lesson);
+  return page.substr(0, page.rfind('.')) + "/" + name + "-" + result.hash +
+         file.extension().string();
+}
+
 PageWriter::PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results,
                        Press press)
-    : course_(course), lesson_(lesson), results_(results), press_(press) {
+    : course_(course), lesson_(lesson), results_(results), press_(std::move(press)) {
+  if (press_.page.empty()) press_.page = page_path(lesson);
   writer_.takes = [this](cmark_node* node) { return takes(node); };
   writer_.write = [this](cmark_node* node, const std::string& inner) { return write(node, inner); };
 }
@@ -122,13 +131,42 @@ std::string PageWriter::write_heading(cmark_node* node, const std::string& inner
 std::string PageWriter::write_link(cmark_node* node, const std::string& inner) const {
   const std::string target = cmark_node_get_url(node);
   const auto resolved = resolve_link(course_, lesson_, target);
-  const std::string anchor = resolved && !resolved->anchor.empty() ? "#" + resolved->anchor : "";
-  if (!resolved || resolved->lesson == nullptr) {
+  if (!resolved || !resolved->url.empty()) {
     return "<a class=\"external\" href=\"" + escape_html(target) + "\">" + inner + "</a>";
   }
-  const bool here = resolved->lesson == &lesson_ && !anchor.empty();
-  const std::string page = here ? "" : from_lesson(page_path(*resolved->lesson));
-  return "<a href=\"" + page + anchor + "\">" + inner + "</a>";
+  const std::string anchor = resolved->anchor.empty() ? "" : "#" + resolved->anchor;
+  const std::string path =
+      resolved->lesson != nullptr ? page_path(*resolved->lesson) : resolved->page;
+  const bool here = path == press_.page && !anchor.empty();
+  return "<a href=\"" + (here ? "" : from_root(path)) + anchor + "\">" + inner + "</a>";
+}
+
+std::string PageWriter::write_term(const TermUse& term, const std::string& inner) const {
+  const Glossary::Term* known = course_.glossary ? course_.glossary->find(term.key) : nullptr;
+  if (known == nullptr) return inner;
+  const std::string path = page_path(course_.glossary->page);
+  std::string title;
+  if (press_.definitions != nullptr) {
+    title = " title=\"" + escape_html(press_.definitions->at(term.key)) + "\"";
+  }
+  return "<a class=\"term\" href=\"" + (path == press_.page ? "" : from_root(path)) + "#" +
+         known->id + "\"" + title + ">" + inner + "</a>";
+}
+
+// The way from the page being written to a file below the site's root.
+std::string PageWriter::from_root(const std::string& path) const {
+  std::string way;
+  for (const char c : press_.page) way += c == '/' ? "../" : "";
+  return way + path;
+}
+
+std::string PageWriter::children_html(cmark_node* node) const {
+  std::string inner;
+  for (cmark_node* child = cmark_node_first_child(node); child != nullptr;
+       child = cmark_node_next(child)) {
+    inner += render_inline_html(child, writer_);
+  }
+  return inner;
 }
 
 std::string PageWriter::write_block(std::size_t index, const std::string& inner) {
@@ -145,6 +183,7 @@ std::string PageWriter::write_block(std::size_t index, const std::string& inner)
     return "<span class=\"value\" title=\"computed: " + escape_html(result->origin) + "\">" +
            escape_html(result->text) + "</span>";
   }
+  if (const auto* term = std::get_if<TermUse>(&block)) return write_term(*term, inner);
   if (const auto* example = std::get_if<Example>(&block)) {
     return render("example", data_of(*example, index));
   }
@@ -162,6 +201,10 @@ std::string PageWriter::write_block(std::size_t index, const std::string& inner)
   }
   if (const auto* lab = std::get_if<Lab>(&block)) return render("lab", data_of(*lab, index));
   if (const auto* quiz = std::get_if<Quiz>(&block)) return render("quiz", data_of(*quiz, index));
+  if (const auto* image = std::get_if<Image>(&block)) {
+    const auto* result = results_.get<ImageResult>(index);
+    return result != nullptr ? render("image", data_of(*image, *result)) : "";
+  }
   if (const auto* io = std::get_if<Io>(&block)) return render("io", data_of(*io));
   if (const auto* callout = std::get_if<Callout>(&block)) {
     return render("callout", data_of(*callout, inner));

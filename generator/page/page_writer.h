@@ -4,6 +4,7 @@
 // its name in site/templates, which this class feeds with data: no HTML of a block is made here.
 #pragma once
 
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -25,6 +26,10 @@ struct Press {
   Highlighter& highlighter;
   const nlohmann::json& manifest;  // the way from a plain name of an asset to its path
   InlineStyles& styles;            // of the page being written
+  // The page being written, below the site's root; "" for the lesson's own.
+  std::string page = {};
+  // What each term of the glossary means, by its key (page/glossary_page.h).
+  const std::map<std::string, std::string>* definitions = nullptr;
 };
 
 class PageWriter {
@@ -41,6 +46,8 @@ class PageWriter {
   std::string inline_html(const Document& document) const {
     return render_inline_html(document.get(), writer_);
   }
+  // What stands inside of `node`.
+  std::string children_html(cmark_node* node) const;
   // For a script to put into the page: the stylesheet of the page has what it needs.
   std::string scripted_html(const Document& document) const {
     return press_.styles.take(html(document));
@@ -51,6 +58,8 @@ class PageWriter {
   std::string write(cmark_node* node, const std::string& inner);
   std::string write_heading(cmark_node* node, const std::string& inner);
   std::string write_link(cmark_node* node, const std::string& inner) const;
+  std::string write_term(const TermUse& term, const std::string& inner) const;
+  std::string from_root(const std::string& path) const;
   std::string write_block(std::size_t index, const std::string& inner);
 
   nlohmann::json data_of(const Example& example, std::size_t index);
@@ -73,6 +82,7 @@ class PageWriter {
   std::string report_on(std::size_t block, std::size_t part) const;
   void add_options(const Question& question, nlohmann::json& data);
   void add_items(const Question& question, nlohmann::json& data);
+  nlohmann::json data_of(const Image& image, const ImageResult& result) const;
   nlohmann::json data_of(const Io& io) const;
   nlohmann::json data_of(const Callout& callout, const std::string& inner) const;
   nlohmann::json data_of(const Demo& demo);
@@ -99,6 +109,8 @@ std::string render_template(Templates& templates, const std::string& name,
 
 // Where the pictures of a lesson's n-th lab lie, below the site's root and without the extension.
 std::string poster_path(const Lesson& lesson, int lab);
+// Where a copy of a lesson's picture lies, below the site's root.
+std::string image_path(const Lesson& lesson, const Image& image, const ImageResult& result);
 // The page of a lesson, below the site's root.
 std::string page_path(const Lesson& lesson);
 

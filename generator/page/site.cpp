@@ -8,9 +8,13 @@
 #include <utility>
 
 #include "base/content_hash.h"
+#include "course/link_target.h"
 #include "evaluate/workshop.h"
 #include "page/anchors.h"
+#include "page/api_page.h"
+#include "page/glossary_page.h"
 #include "page/inline_styles.h"
+#include "page/model_page.h"
 #include "page/page_writer.h"
 #include "page/site_directory.h"
 #include "page/verification.h"
@@ -54,6 +58,7 @@ class SiteWriter {
         templates_(site_templates(assets_)),
         highlighter_(script_bundle(assets_, "highlight")),
         manifest_(json::parse(assets_.read("manifest.json").value())),
+        definitions_(plain_definitions(course, evaluation)),
         directory_(paths.out) {}
 
   void run() {
@@ -62,6 +67,9 @@ class SiteWriter {
     }
     write_home();
     write_verification();
+    if (course_.glossary) write_glossary();
+    if (!evaluation_.api.empty()) write_api();
+    for (const ModelPage& model : evaluation_.models) write_model(model);
     copy_examples();
     for (const auto& [path, file] : copied_) directory_.copy(file, path);
     for (const fs::directory_entry& entry : fs::directory_iterator(paths_.assets / "public")) {
@@ -73,8 +81,14 @@ class SiteWriter {
  private:
   void write_lesson(std::size_t index);
   void write_posters(std::size_t index);
+  void add_images(const Lesson& page, const LessonResults& results);
   void write_home();
   void write_verification();
+  void write_glossary();
+  void write_api();
+  void write_model(const ModelPage& model);
+  Press press(InlineStyles& styles, const std::string& page);
+  json pages_data(const std::string& kind) const;
   void copy_examples();
   const Level& level_of(const Lesson& lesson) const;
   std::vector<std::size_t> published(const Level& level) const;
@@ -90,8 +104,9 @@ class SiteWriter {
   Templates templates_;
   Highlighter highlighter_;
   json manifest_;
+  std::map<std::string, std::string> definitions_;  // of the glossary's terms
   SiteDirectory directory_;
-  std::map<std::string, fs::path> copied_;  // the labs' assets, which they may share, by path
+  std::map<std::string, fs::path> copied_;  // at the end, by path: labs may share assets
 };
 
 const Level& SiteWriter::level_of(const Lesson& lesson) const {
@@ -123,6 +138,25 @@ json SiteWriter::levels_data(const Lesson* current) const {
   return levels;
 }
 
+// What the list of lessons offers beside them.
+json SiteWriter::pages_data(const std::string& kind) const {
+  json pages = json::array();
+  if (course_.glossary) {
+    const Lesson& glossary = course_.glossary->page;
+    pages.push_back({{"title", glossary.front.title.text},
+                     {"href", page_path(glossary)},
+                     {"current", kind == "glossary"}});
+  }
+  if (!evaluation_.api.empty()) {
+    pages.push_back({{"title", kApiTitle}, {"href", kApiPage}, {"current", kind == "api"}});
+  }
+  return pages;
+}
+
+Press SiteWriter::press(InlineStyles& styles, const std::string& page) {
+  return {templates_, highlighter_, manifest_, styles, page, &definitions_};
+}
+
 // The page around `body`, which never takes the way through the script engine: the template leaves
 // a mark, and the body is put there. What its elements have of styles is written beside the page.
 std::string SiteWriter::frame(const std::string& kind, const std::string& title,
@@ -138,21 +172,23 @@ std::string SiteWriter::frame(const std::string& kind, const std::string& title,
   const std::string mark =
       "\x02"
       "body\x03";
-  std::string html =
-      render_template(templates_, "page",
-                      {{"course",
-                        {{"title", course_.title},
-                         {"description", course_.description},
-                         {"language", course_.language}}},
-                       {"page", {{"title", title}, {"description", description}, {"kind", kind}}},
-                       {"root", root},
-                       {"assets",
-                        {{"css", manifest_.at("site.css")},
-                         {"js", manifest_.at("site.js")},
-                         {"favicon", manifest_.at("favicon.svg")}}},
-                       {"styles", sheet},
-                       {"levels", levels_data(current)},
-                       {"body", mark}});
+  std::string html = render_template(
+      templates_, "page",
+      {{"course",
+        {{"title", course_.title},
+         {"description", course_.description},
+         {"language", course_.language}}},
+       {"page",
+        {{"title", title}, {"description", description}, {"kind", kind}, {"home", kind == "home"}}},
+       {"root", root},
+       {"assets",
+        {{"css", manifest_.at("site.css")},
+         {"js", manifest_.at("site.js")},
+         {"favicon", manifest_.at("favicon.svg")}}},
+       {"styles", sheet},
+       {"levels", levels_data(current)},
+       {"pages", pages_data(kind)},
+       {"body", mark}});
   return html.replace(html.find(mark), mark.size(), styled);
 }
 
@@ -160,7 +196,7 @@ void SiteWriter::write_lesson(std::size_t index) {
   const Lesson& lesson = course_.lessons[index];
   const LessonResults& results = evaluation_.lessons[index];
   InlineStyles styles;
-  PageWriter writer(course_, lesson, results, {templates_, highlighter_, manifest_, styles});
+  PageWriter writer(course_, lesson, results, press(styles, page_path(lesson)));
   const std::string mark =
       "\x02"
       "prose\x03";
@@ -206,6 +242,7 @@ void SiteWriter::write_lesson(std::size_t index) {
   directory_.write(page_path(lesson), frame("lesson", lesson.number + " " + lesson.front.title.text,
                                             description, "../", &lesson, body, styles));
   write_posters(index);
+  add_images(lesson, results);
   for (const LabFiles& files : writer.lab_files()) {
     for (const auto& [path, bytes] : files.written) directory_.write(path, bytes);
     copied_.insert(files.copied.begin(), files.copied.end());
@@ -222,6 +259,15 @@ void SiteWriter::write_posters(std::size_t index) {
     if (result == nullptr || !result->poster) continue;
     directory_.write(poster_path(lesson, lab) + ".webp", result->poster->webp);
     directory_.write(poster_path(lesson, lab) + ".png", result->poster->png);
+  }
+}
+
+void SiteWriter::add_images(const Lesson& page, const LessonResults& results) {
+  for (std::size_t i = 0; i < page.blocks.size(); ++i) {
+    const auto* image = std::get_if<Image>(&page.blocks[i]);
+    const auto* result = results.get<ImageResult>(i);
+    if (image == nullptr || result == nullptr) continue;
+    copied_[image_path(page, *image, *result)] = result->file;
   }
 }
 
@@ -252,8 +298,7 @@ void SiteWriter::write_home() {
     for (const std::size_t index : published(level)) {
       const Lesson& lesson = course_.lessons[index];
       const LessonResults& results = evaluation_.lessons[index];
-      const PageWriter writer(course_, lesson, results,
-                              {templates_, highlighter_, manifest_, styles});
+      const PageWriter writer(course_, lesson, results, press(styles, "index.html"));
       total += results.tally;
       json card = reference_to(lesson);
       card["summary"] = writer.inline_html(lesson.front.summary);
@@ -266,6 +311,7 @@ void SiteWriter::write_home() {
                       {"title", level.title},
                       {"lessons", std::move(lessons)}});
   }
+  total += evaluation_.glossary.tally;
   const std::string body = render_template(
       templates_, "home",
       {{"course", {{"title", course_.title}, {"description", course_.description}}},
@@ -285,6 +331,41 @@ void SiteWriter::write_verification() {
       frame("verification", "What was verified", "What this course states, and how it was checked.",
             "", nullptr,
             render_template(templates_, "verification", verification_data(all, true, {})), styles));
+}
+
+void SiteWriter::write_glossary() {
+  const Lesson& glossary = course_.glossary->page;
+  const std::string path = page_path(glossary);
+  InlineStyles styles;
+  const std::string body =
+      glossary_page(course_, evaluation_, press(styles, path), script_bundle(assets_, "collate"));
+  add_images(glossary, evaluation_.glossary);
+  const Document& summary = glossary.front.summary;
+  directory_.write(path, frame("glossary", glossary.front.title.text,
+                               summary ? plain_text(summary.get()) : course_.description, "",
+                               nullptr, body, styles));
+}
+
+void SiteWriter::write_api() {
+  InlineStyles styles;
+  const std::string body = api_page(course_, evaluation_, press(styles, kApiPage));
+  directory_.write(kApiPage, frame("api", kApiTitle,
+                                   "What " + course_.title + " uses of MuJoCo " +
+                                       evaluation_.versions.mujoco + ", as its headers declare it.",
+                                   "", nullptr, body, styles));
+}
+
+void SiteWriter::write_model(const ModelPage& model) {
+  const std::string path = model_page_path(model.name);
+  InlineStyles styles;
+  const std::string body = model_page(model, course_, evaluation_, press(styles, path));
+  directory_.write(path, frame("model", model.name,
+                               "The model " + model.name + " of " + course_.title +
+                                   ": a picture, its joints, its MJCF.",
+                               "../", nullptr, body, styles));
+  directory_.write(model_poster_path(model) + ".webp", model.poster.webp);
+  directory_.write(model_poster_path(model) + ".png", model.poster.png);
+  for (const ModelPage::File& file : model.files) copied_[file.path] = paths_.course / file.path;
 }
 
 void SiteWriter::copy_examples() {

@@ -43,5 +43,11 @@ TEST(Utf8, RefusesWhatRfc3629Refuses) {
   }
 }
 
+TEST(Utf8, SmallLettersAreThoseOfEveryLanguage) {
+  EXPECT_EQ(lower_case_utf8("Free JOINT 2"), "free joint 2");
+  EXPECT_EQ(lower_case_utf8("ÉCOLE Straße ΩΜΕΓΑ ЖУК"), "école straße ωμεγα жук");
+  EXPECT_EQ(lower_case_utf8("𝔘 漢字 𐐀"), "𝔘 漢字 𐐨");
+}
+
 }  // namespace
 }  // namespace mjcourse

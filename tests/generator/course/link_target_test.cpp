@@ -27,7 +27,7 @@ TEST(Links, MustLeadToALessonThatIsThere) {
             R"(content/1-a/1.1-x.md:4:10: error: `other.md` leads nowhere [E-link-dead]
   4 | See [it](other.md).
     |          ^~~~~~~~
-  cure: a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of its own page (`#heading`) or to the web (`https://…`)
+  cure: a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of its own page (`#heading`), to a model (`model:NAME`), to a name of MuJoCo's (`api:mj_step`) or to the web (`https://…`)
 )");
 }
 
@@ -71,15 +71,45 @@ TEST(Links, AreFoundInsideBlocksToo) {
 )");
 }
 
-TEST(Links, SayWhatThisVersionCannotDoYet) {
-  EXPECT_EQ(
-      course_of("[a](model:zoo)\n", "").mistakes(),
-      R"(content/1-a/1.1-x.md:4:5: error: links to `model:` belong to the lesson language, but this version of mjcourse cannot do them yet [E-not-yet]
-  4 | [a](model:zoo)
-    |     ^~~~~~~~~
-  cure: write the name as code for now
+TEST(Links, LeadToPagesOfModelsAndOfMujocosNames) {
+  const CourseOf read({{"content/course.yaml", kTwo},
+                       {"models/zoo.xml", "<mujoco/>"},
+                       {"content/1-a/1.1-x.md", lesson("[a](model:zoo) [b](model:zo)\n")},
+                       {"content/1-a/1.2-y.md", lesson("[c](api:mjModel.nq)\n")}});
+  EXPECT_EQ(read.mistakes(),
+            R"(content/1-a/1.1-x.md:4:20: error: there is no model `zo` in models/ [E-model-unknown]
+  4 | [a](model:zoo) [b](model:zo)
+    |                    ^~~~~~~~
+  cure: did you mean `zoo`?
 )");
-  EXPECT_EQ(course_of("[a](api:mj_step)\n", "").diagnostics.at(0).id, "E-not-yet");
+  const auto zoo = resolve_link(*read.course, read.course->lessons[0], "model:zoo");
+  EXPECT_EQ(zoo.value().page + "#" + zoo.value().anchor, "models/zoo.html#");
+  const auto nq = resolve_link(*read.course, read.course->lessons[0], "api:mjModel.nq");
+  EXPECT_EQ(nq.value().page + "#" + nq.value().anchor, "api.html#mjModel-nq");
+}
+
+TEST(Terms, MustBeInTheGlossary) {
+  const CourseOf read({{"content/course.yaml", kTwo},
+                       {"content/glossary.md", lesson("## Free joint\n\nIt.\n\n## Ödem\n\nIt.\n")},
+                       {"content/1-a/1.1-x.md", lesson("[[FREE JOINT]] [[ödem]]\n")},
+                       {"content/1-a/1.2-y.md", lesson("[[fre jiont]]\n")}});
+  EXPECT_EQ(
+      read.mistakes(),
+      R"(content/1-a/1.2-y.md:4:3: error: the glossary has no term `fre jiont` [E-term-unknown]
+  4 | [[fre jiont]]
+    |   ^~~~~~~~~
+  cure: did you mean `Free joint`?
+)");
+}
+
+// Of a glossary that cannot be read nobody knows the terms: one mistake is not made many.
+TEST(Terms, AreNotLookedForInABrokenGlossary) {
+  const CourseOf read({{"content/course.yaml", kTwo},
+                       {"content/glossary.md", "## Free joint\n"},
+                       {"content/1-a/1.1-x.md", lesson("[[free joint]]\n")},
+                       {"content/1-a/1.2-y.md", lesson("")}});
+  ASSERT_EQ(read.diagnostics.size(), 1U);
+  EXPECT_EQ(read.diagnostics[0].id, "E-front-matter");
 }
 
 TEST(Prerequisites, MustBeLessonsOfTheCourse) {

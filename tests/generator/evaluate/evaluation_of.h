@@ -48,6 +48,7 @@ class EvaluationOf {
 
   const Diagnostics& diagnostics() const { return evaluation_.diagnostics; }
   std::string mistakes() const { return shown(evaluation_.diagnostics); }
+  const Evaluation& evaluation() const { return evaluation_; }
   const Tally& tally() const { return evaluation_.lessons.at(0).tally; }
   const Claims& claims() const { return evaluation_.lessons.at(0).claims; }
   const Versions& versions() const { return evaluation_.versions; }

@@ -89,23 +89,6 @@ TEST(Link, KnowsWhereItsTargetStands) {
   EXPECT_EQ(links, "1.3 4:7\n1.3#x 4:28\n1.9 8:8\nhttps://a.example 6:13\n");
 }
 
-TEST(Lesson, SaysWhatThisVersionCannotDoYet) {
-  EXPECT_EQ(
-      mistakes_in("See ![img](x.png).\n"),
-      R"(content/1-a/1.1-x.md:4:12: error: an image belongs to the lesson language, but this version of mjcourse cannot do it yet [E-not-yet]
-  4 | See ![img](x.png).
-    |            ^~~~~
-  cure: leave it out for now
-)");
-  EXPECT_EQ(
-      mistakes_in("| a |\n|---|\n| [[term]] |\n"),
-      R"(content/1-a/1.1-x.md:6:3: error: a glossary term belongs to the lesson language, but this version of mjcourse cannot do it yet [E-not-yet]
-  6 | | [[term]] |
-    |   ^~~~~~~~
-  cure: leave it out for now
-)");
-}
-
 TEST(Lesson, ShowsAllItsMistakesInOneRun) {
   const ReadingOf reading = reading_of_file(R"(---
 titel: T

@@ -27,6 +27,32 @@ TEST_F(PageWriterTest, LeadsLinksToTheirPages) {
             "<p><a class=\"external\" href=\"https://f.example/?g&amp;h\">e</a></p>\n");
 }
 
+TEST_F(PageWriterTest, LeadsLinksToPagesThatNoLessonIs) {
+  course_.models = {"zoo"};
+  EXPECT_EQ(
+      body("[a](model:zoo) [b](api:mjModel.nq)\n"),
+      "<p><a href=\"../models/zoo.html\">a</a> <a href=\"../api.html#mjModel-nq\">b</a></p>\n");
+}
+
+TEST_F(PageWriterTest, LeadsLinksFromTheFrontPage) {
+  const PageWriter unused = writer("[a](1.2) [b](#c)\n\n## C\n");
+  PageWriter home(course_, course_.lessons[0], results_,
+                  {*templates_, *highlighter_, manifest_, styles_, "index.html"});
+  EXPECT_TRUE(home.body().starts_with(
+      "<p><a href=\"1-a/1.2-y.html\">a</a> <a href=\"1-a/1.1-x.html#c\">b</a></p>\n"));
+}
+
+TEST_F(PageWriterTest, ShowsPicturesInTheirSize) {
+  results_.of_block[0] = ImageResult{"/nowhere/a b.png", "0123456789", 30, 20};
+  EXPECT_EQ(body("![An <arm>](<a b.png> \"By hand\")\n"),
+            "<figure class=\"image\">\n<img src=\"../1-a/1.1-x/a-b-0123456789.png\" width=\"30\" "
+            "height=\"20\" alt=\"An &lt;arm&gt;\" loading=\"lazy\" decoding=\"async\">\n"
+            "<figcaption>By hand</figcaption>\n</figure>\n");
+  EXPECT_EQ(body("A ![b](b.png).\n"),
+            "<p>A <img class=\"in-line\" src=\"../1-a/1.1-x/b-0123456789.png\" width=\"30\" "
+            "height=\"20\" alt=\"b\" loading=\"lazy\" decoding=\"async\">.</p>\n");
+}
+
 TEST_F(PageWriterTest, AlignsTheCellsOfATableByClass) {
   const std::string table = body("| a | b | c |\n|:--|:-:|--:|\n| 1 | 2 | 3 |\n");
   EXPECT_TRUE(table.starts_with("<div class=\"table\"><table>")) << table;

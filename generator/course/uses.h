@@ -1,0 +1,23 @@
+// Who speaks of what: the sections of the course that use a term or link to something.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "course/course.h"
+
+namespace mjcourse {
+
+struct Use {
+  const Lesson* page;      // a lesson, or the glossary's page
+  const Heading* section;  // null before the first heading
+
+  bool operator==(const Use&) const = default;
+};
+
+// In the course's order, each section once; drafts are left out. Terms are looked for in lessons
+// only, since definitions use each other all the time.
+std::vector<Use> uses_of_term(const Course& course, const std::string& key);
+std::vector<Use> uses_of_link(const Course& course, const std::string& target);
+
+}  // namespace mjcourse

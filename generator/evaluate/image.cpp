@@ -1,0 +1,54 @@
+#include "evaluate/image.h"
+
+#include <string>
+#include <vector>
+
+#include "base/content_hash.h"
+#include "base/files.h"
+#include "base/nearest.h"
+#include "evaluate/image_size.h"
+#include "lesson/image_kinds.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The pictures beside the lesson, and in the folder that `file` names, as a lesson would name them.
+std::vector<std::string> images_near(const fs::path& folder, const fs::path& file,
+                                     const fs::path& root) {
+  std::vector<fs::path> searched{""};
+  if (file.has_parent_path()) searched.push_back(file.parent_path());
+  std::vector<std::string> found;
+  for (const fs::path& below : searched) {
+    for (const std::string& name : DiskFiles(root).list((folder / below).string())) {
+      if (is_image_file(name)) found.push_back((below / name).string());
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::optional<ImageResult> evaluate_image(const Image& image, const Lesson& lesson,
+                                          const fs::path& root, Diagnostics& diagnostics) {
+  const fs::path folder = fs::path(lesson.source->path()).parent_path();
+  const std::string path = (folder / image.file.text).string();
+  const auto error = [&](const std::string& id, const std::string& message,
+                         const std::string& cure) {
+    diagnostics.push_back(error_at(place_of(*lesson.source, image.file.span()), id, message, cure));
+    return std::nullopt;
+  };
+  const DiskFiles files(root);
+  if (!files.exists(path)) {
+    return error("E-image-missing", "there is no file " + path,
+                 suggest(image.file.text, images_near(folder, image.file.text, root)));
+  }
+  const auto bytes = files.read(path);
+  if (!bytes) return error("E-image-missing", "cannot read " + bytes.error(), "");
+  const tl::expected<ImageSize, std::string> size = image_size(image.file.text, *bytes);
+  if (!size) return error("E-image-broken", path + " " + size.error(), "save it anew");
+  return ImageResult{root / path, content_hash(*bytes), size->width, size->height};
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,67 @@
+// Pictures of a lesson: `![what it shows](file.png "where it comes from")`.
+#include <algorithm>
+#include <filesystem>
+
+#include "lesson/image_kinds.h"
+#include "lesson/lesson_reader.h"
+
+namespace mjcourse {
+namespace {
+
+// Why `file` cannot name a picture beside the lesson, and what to do; empty where it can.
+struct Refusal {
+  const char* message = nullptr;
+  const char* cure = "";
+};
+
+Refusal refuse(const std::string& file) {
+  const std::filesystem::path path(file);
+  if (file.empty())
+    return {"this picture names no file", "name one: `![what it shows](picture.png)`"};
+  if (file.find(':') != file.npos || file.starts_with("//")) {
+    return {"a picture lies beside its lesson, and is no address in the web",
+            "put the file there, and say where it comes from in its title: "
+            "`![what it shows](picture.png \"where it comes from\")`"};
+  }
+  const bool leaves = std::find(path.begin(), path.end(), "..") != path.end();
+  if (path.is_absolute() || leaves || file.find('\\') != file.npos) {
+    return {"a picture lies in the folder of its lesson, or below it", "put the file there"};
+  }
+  return {};
+}
+
+}  // namespace
+
+void LessonReader::read_image(cmark_node* node, Region& region) {
+  const std::string url = cmark_node_get_url(node);
+  // The text of the picture, which may hold the file's name as well, stands before it.
+  const std::size_t target = region.text.text.find("](", region.cursor);
+  if (target != std::string::npos) region.cursor = target + 2;
+  const LocatedText file = find(url, region);
+  if (const Refusal refusal = refuse(url); refusal.message != nullptr) {
+    return reading_.error("E-image-place", file.span(), refusal.message, refusal.cure);
+  }
+  if (!is_image_file(url)) {
+    return reading_.error("E-image-kind", file.span(),
+                          "`" + url + "` is no picture that pages show",
+                          "pictures are .png, .jpg, .jpeg, .webp or .svg");
+  }
+  const std::string alt = plain_text(node);
+  if (alt.find_first_not_of(' ') == alt.npos) {
+    return reading_.error("E-image-alt", file.span(),
+                          "this picture says nothing to who cannot see it",
+                          "say in words what it shows: `![words](" + url + ")`");
+  }
+  const bool alone = stands_alone(node);
+  add(alone ? cmark_node_parent(node) : node, Image{file, alt, cmark_node_get_title(node), alone});
+}
+
+// Is the picture a whole paragraph of the lesson's own text?
+bool LessonReader::stands_alone(cmark_node* node) const {
+  cmark_node* paragraph = cmark_node_parent(node);
+  if (!in_document_ || cmark_node_get_type(paragraph) != CMARK_NODE_PARAGRAPH) return false;
+  if (cmark_node_next(node) != nullptr || cmark_node_previous(node) != nullptr) return false;
+  return !in_callout_title(paragraph);
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,106 @@
+#include "lesson/term_syntax.h"
+
+#include <sstream>
+
+#include "base/utf8.h"
+
+namespace mjcourse {
+namespace {
+
+std::string with_single_blanks(const std::string& text) {
+  std::istringstream words(text);
+  std::string joined;
+  for (std::string word; words >> word;) joined += (joined.empty() ? "" : " ") + word;
+  return joined;
+}
+
+bool may_stand_in_term(cmark_node* node) {
+  const cmark_node_type type = cmark_node_get_type(node);
+  return type == CMARK_NODE_TEXT || type == CMARK_NODE_CODE || type == CMARK_NODE_EMPH ||
+         type == CMARK_NODE_STRONG || type == math_inline_type();
+}
+
+// Where a term ends, and how it is called.
+struct Extent {
+  cmark_node* last = nullptr;  // the text that has its `]]`
+  std::size_t close = 0;       // the offset of that
+  bool has_bar = false;
+  std::string name;
+};
+
+std::optional<Extent> measure(cmark_node* text, std::size_t at) {
+  Extent extent;
+  for (cmark_node* node = text; node != nullptr; node = cmark_node_next(node)) {
+    if (!may_stand_in_term(node)) return std::nullopt;
+    if (cmark_node_get_type(node) != CMARK_NODE_TEXT) {
+      if (!extent.has_bar) extent.name += plain_text(node);
+      continue;
+    }
+    const std::string literal = cmark_node_get_literal(node);
+    const std::size_t from = node == text ? at + 2 : 0;
+    const std::size_t close = literal.find("]]", from);
+    const std::string piece = literal.substr(from, close == literal.npos ? close : close - from);
+    if (piece.find_first_of("[]") != piece.npos) return std::nullopt;
+    if (!extent.has_bar) extent.name += piece.substr(0, piece.find('|'));
+    extent.has_bar = extent.has_bar || piece.find('|') != piece.npos;
+    if (close == literal.npos) continue;
+    extent.last = node;
+    extent.close = close;
+    extent.name = with_single_blanks(extent.name);
+    return extent.name.empty() ? std::nullopt : std::optional(extent);
+  }
+  return std::nullopt;
+}
+
+cmark_node* text_node(const std::string& literal) {
+  cmark_node* node = cmark_node_new(CMARK_NODE_TEXT);
+  cmark_node_set_literal(node, literal.c_str());
+  return node;
+}
+
+// Take the name and its bar away from what is shown, unless nothing stands behind the bar.
+void remove_name(cmark_node* term) {
+  while (cmark_node* first = cmark_node_first_child(term)) {
+    std::string literal;
+    if (cmark_node_get_type(first) == CMARK_NODE_TEXT) literal = cmark_node_get_literal(first);
+    cmark_node_free(first);
+    const std::size_t bar = literal.find('|');
+    if (bar == literal.npos) continue;
+    const std::size_t shown = literal.find_first_not_of(' ', bar + 1);
+    if (shown != literal.npos) cmark_node_prepend_child(term, text_node(literal.substr(shown)));
+    return;
+  }
+}
+
+}  // namespace
+
+std::optional<CutTerm> cut_term(cmark_node* text, std::size_t at) {
+  const std::optional<Extent> extent = measure(text, at);
+  if (!extent) return std::nullopt;
+  const std::string opening = cmark_node_get_literal(text);
+  const std::string closing = cmark_node_get_literal(extent->last);
+  cmark_node* term = cmark_node_new(CMARK_NODE_LINK);
+  cmark_node_insert_after(extent->last, text_node(closing.substr(extent->close + 2)));
+  cmark_node_insert_after(extent->last, term);
+  if (extent->last == text) {
+    cmark_node_append_child(term, text_node(opening.substr(at + 2, extent->close - at - 2)));
+  } else {
+    cmark_node_append_child(term, text_node(opening.substr(at + 2)));
+    for (cmark_node* inner = cmark_node_next(text); inner != term;) {
+      cmark_node* next = cmark_node_next(inner);
+      cmark_node_append_child(term, inner);
+      inner = next;
+    }
+    cmark_node_set_literal(extent->last, closing.substr(0, extent->close).c_str());
+  }
+  cmark_node_set_literal(text, opening.substr(0, at).c_str());
+  if (extent->has_bar) remove_name(term);
+  if (plain_text(term).empty()) cmark_node_append_child(term, text_node(extent->name));
+  return CutTerm{term, extent->name};
+}
+
+std::string term_key(const std::string& name) {
+  return lower_case_utf8(with_single_blanks(name));
+}
+
+}  // namespace mjcourse

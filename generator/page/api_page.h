@@ -1,0 +1,16 @@
+// The page of MuJoCo's names: what each is that the course links to, and who speaks of it.
+#pragma once
+
+#include <string>
+
+#include "evaluate/evaluate.h"
+#include "page/page_writer.h"
+
+namespace mjcourse {
+
+inline constexpr const char* kApiTitle = "MuJoCo’s names";
+
+// The page's body; `press` writes api.html.
+std::string api_page(const Course& course, const Evaluation& evaluation, const Press& press);
+
+}  // namespace mjcourse

@@ -1,0 +1,20 @@
+// The glossary's page: every term in alphabetical order, what it means, and where it is used.
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "evaluate/evaluate.h"
+#include "page/page_writer.h"
+
+namespace mjcourse {
+
+// The page's body; `press` writes glossary.html. `collation` is the text of script/collate.js.
+std::string glossary_page(const Course& course, const Evaluation& evaluation, const Press& press,
+                          const std::string& collation);
+
+// What each term means as plain text, by its key; empty without a glossary.
+std::map<std::string, std::string> plain_definitions(const Course& course,
+                                                     const Evaluation& evaluation);
+
+}  // namespace mjcourse

@@ -1,0 +1,93 @@
+#include "page/model_page.h"
+
+#include "base/content_hash.h"
+#include "course/uses.h"
+#include "page/uses_data.h"
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+
+// "qpos[7:11]", as the lessons' programs print it.
+std::string slice(const std::string& array, const ModelPage::Range& range) {
+  return array + "[" + std::to_string(range.first) + ":" +
+         std::to_string(range.first + range.count) + "]";
+}
+
+// A table of no rows is null, and left out.
+json table(const std::string& title, const std::vector<std::string>& head, json rows) {
+  if (rows.empty()) return nullptr;
+  return {{"title", title}, {"head", head}, {"rows", std::move(rows)}};
+}
+
+json cell(const std::string& text, bool is_code = false) {
+  return {{"text", text}, {"code", is_code && !text.empty()}};
+}
+
+json tables_of(const ModelPage& model) {
+  json joints = json::array(), actuators = json::array(), sensors = json::array(),
+       keyframes = json::array();
+  for (const ModelPage::Joint& joint : model.joints) {
+    joints.push_back({cell(joint.name, true), cell(joint.type), cell(joint.body, true),
+                      cell(slice("qpos", joint.qpos), true), cell(slice("qvel", joint.dof), true),
+                      cell(joint.limits)});
+  }
+  for (const ModelPage::Actuator& actuator : model.actuators) {
+    actuators.push_back({cell(actuator.name, true), cell(actuator.on), cell(actuator.limits)});
+  }
+  for (const ModelPage::Sensor& sensor : model.sensors) {
+    sensors.push_back(
+        {cell(sensor.name, true), cell(sensor.of), cell(slice("sensordata", sensor.data), true)});
+  }
+  for (const ModelPage::Keyframe& keyframe : model.keyframes) {
+    keyframes.push_back({cell(keyframe.name, true), cell(keyframe.time)});
+  }
+  json tables = json::array();
+  for (json& one : std::vector<json>{
+           table("Joints", {"Name", "Type", "Body", "Positions", "Velocities", "Range"}, joints),
+           table("Actuators", {"Name", "Drives", "Control range"}, actuators),
+           table("Sensors", {"Name", "Of", "Readings"}, sensors),
+           table("Keyframes", {"Name", "Time (s)"}, keyframes)}) {
+    if (!one.is_null()) tables.push_back(std::move(one));
+  }
+  return tables;
+}
+
+}  // namespace
+
+std::string model_poster_path(const ModelPage& model) {
+  return "models/" + model.name + "-" + content_hash(model.poster.webp);
+}
+
+std::string model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,
+                       const Press& press) {
+  json sizes = json::array(), files = json::array();
+  for (const auto& [name, count] : model.sizes) sizes.push_back({{"name", name}, {"value", count}});
+  for (const ModelPage::File& file : model.files) {
+    files.push_back({{"id", nullptr},
+                     {"file", file.path},
+                     {"download", "../" + file.path},
+                     {"code", press.highlighter.highlight(file.text, "xml")},
+                     {"is_text", !file.text.empty()},
+                     {"unchecked", false},
+                     {"output", nullptr}});
+  }
+  const std::string poster = "../" + model_poster_path(model);
+  return render_template(press.templates, "model",
+                         {{"name", model.name},
+                          {"poster",
+                           {{"webp", poster + ".webp"},
+                            {"png", poster + ".png"},
+                            {"width", model.poster.width},
+                            {"height", model.poster.height},
+                            {"alt", "The model " + model.name + " in its initial state"}}},
+                          {"sizes", std::move(sizes)},
+                          {"timestep", model.timestep},
+                          {"tables", tables_of(model)},
+                          {"files", std::move(files)},
+                          {"uses", uses_data(uses_of_link(course, "model:" + model.name), course,
+                                             evaluation, "../")}});
+}
+
+}  // namespace mjcourse

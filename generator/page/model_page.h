@@ -1,0 +1,18 @@
+// The page of a model: a picture of it, what it is made of, its MJCF to read and to take away.
+#pragma once
+
+#include <string>
+
+#include "evaluate/evaluate.h"
+#include "page/page_writer.h"
+
+namespace mjcourse {
+
+// The page's body; `press` writes models/NAME.html.
+std::string model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,
+                       const Press& press);
+
+// Where the model's picture lies, below the site's root and without the extension.
+std::string model_poster_path(const ModelPage& model);
+
+}  // namespace mjcourse

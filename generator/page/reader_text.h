@@ -1,0 +1,15 @@
+// What a reader sees of Markdown with all markup gone: for titles and tooltips, which take no HTML.
+#pragma once
+
+#include <string>
+
+#include "evaluate/result.h"
+#include "lesson/lesson.h"
+
+namespace mjcourse {
+
+// Of `node` in `page`, with the values that its build computed; formulas as TeX, each stretch of
+// blanks as one.
+std::string reader_text(cmark_node* node, const Lesson& page, const LessonResults& results);
+
+}  // namespace mjcourse

@@ -1,0 +1,30 @@
+#include "page/uses_data.h"
+
+#include "page/page_writer.h"
+#include "page/reader_text.h"
+
+namespace mjcourse {
+
+nlohmann::json uses_data(const std::vector<Use>& uses, const Course& course,
+                         const Evaluation& evaluation, const std::string& root) {
+  nlohmann::json pages = nlohmann::json::array();
+  const Lesson* last = nullptr;
+  for (const Use& use : uses) {
+    const Lesson& page = *use.page;
+    const std::string href = root + page_path(page);
+    if (use.page != last) {
+      pages.push_back({{"number", page.number},
+                       {"title", page.front.title.text},
+                       {"href", href},
+                       {"sections", nlohmann::json::array()}});
+    }
+    last = use.page;
+    if (use.section == nullptr) continue;
+    pages.back()["sections"].push_back(
+        {{"title", reader_text(use.section->node, page, evaluation.results_of(course, page))},
+         {"href", href + "#" + use.section->id}});
+  }
+  return pages;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,254 @@
+#include "physics/mujoco_api.h"
+
+#include <cstdlib>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+namespace mjcourse {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t\r");
+  if (begin == text.npos) return "";
+  return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
+}
+
+// A line's code, and what its `//` comment says.
+struct Line {
+  std::string code, comment;
+  bool has_comment = false;
+};
+
+Line split(const std::string& line) {
+  const std::size_t slashes = line.find("//");
+  if (slashes == line.npos) return {trimmed(line), "", false};
+  return {trimmed(line.substr(0, slashes)), trimmed(line.substr(slashes + 2)), true};
+}
+
+// "------- Main simulation -------" → "Main simulation"; "" for other comments.
+std::string section_in(const std::string& comment) {
+  static const std::regex ruled(R"(-{3,}\s*(.*?)\s*-*)");
+  std::smatch parts;
+  return std::regex_match(comment, parts, ruled) ? parts[1].str() : "";
+}
+
+// The name that a declaration gives: "mjtNum gravity[3];" → "gravity".
+std::string declared_name(const std::string& declaration) {
+  static const std::regex last(R"(.*?[\s*](\w+)\s*(\[[^\]]*\]\s*)*;)");
+  std::smatch parts;
+  return std::regex_match(declaration, parts, last) ? parts[1].str() : "";
+}
+
+// "mjtNum*   qpos;" → "mjtNum* qpos;": the header's columns mean nothing outside of it.
+std::string closed_up(const std::string& code) {
+  static const std::regex blanks(R"(\s+)");
+  return std::regex_replace(code, blanks, " ");
+}
+
+class HeaderReader {
+ public:
+  HeaderReader(std::string header, MujocoApi& api) : header_(std::move(header)), api_(api) {}
+
+  void run(const std::string& text) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+      if (line.ends_with('\r')) line.pop_back();
+      read(line);
+    }
+  }
+
+ private:
+  void read(const std::string& raw) {
+    const Line line = split(raw);
+    if (!owner_.empty()) return read_member(raw, line);
+    if (!statement_.empty()) return go_on(raw, line);
+    if (line.code.empty()) return read_comment(line);
+    if (line.code.starts_with('#')) return read_macro(line);
+    static const std::regex structure(R"(struct (mj\w+?)_ \{)");
+    static const std::regex enumeration(R"(typedef enum (mj\w+?)_ \{)");
+    std::smatch parts;
+    if (std::regex_match(line.code, parts, structure)) {
+      open(parts[1], ApiName::Kind::structure, raw, line);
+    } else if (std::regex_match(line.code, parts, enumeration)) {
+      open(parts[1], ApiName::Kind::enumeration, raw, line);
+    } else if (line.code.starts_with("MJAPI ") || line.code.starts_with("typedef ")) {
+      go_on(raw, line);
+    } else {
+      above_.clear();
+    }
+  }
+
+  // Lines of comments above a declaration belong to it, until a blank line comes.
+  void read_comment(const Line& line) {
+    if (!line.has_comment) return above_.clear();
+    const std::string section = section_in(line.comment);
+    if (!section.empty()) section_ = section;
+    if (section.empty()) above_ += (above_.empty() ? "" : " ") + line.comment;
+  }
+
+  void read_macro(const Line& line) {
+    static const std::regex define(R"(#define\s+(mj\w+)(\([^)]*\))?(\s+.*)?)");
+    std::smatch parts;
+    if (std::regex_match(line.code, parts, define)) {
+      add(parts[1], {ApiName::Kind::macro, closed_up(line.code),
+                     line.has_comment ? line.comment : above_, header_, section_, ""});
+    }
+    above_.clear();
+  }
+
+  // A statement at the header's top level, which may take several lines.
+  void go_on(const std::string& raw, const Line& line) {
+    statement_ += (statement_.empty() ? "" : "\n") + std::string(trimmed_end(raw, line));
+    behind_ = line.has_comment ? line.comment : behind_;
+    if (!line.code.ends_with(';')) return;
+    finish_statement();
+    statement_.clear();
+    behind_.clear();
+    above_.clear();
+  }
+
+  static std::string trimmed_end(const std::string& raw, const Line& line) {
+    const std::string code = raw.substr(0, line.has_comment ? raw.find("//") : raw.npos);
+    const std::size_t end = code.find_last_not_of(" \t");
+    return end == code.npos ? "" : code.substr(0, end + 1);
+  }
+
+  void finish_statement() {
+    static const std::regex api(R"(^MJAPI (extern )?)");
+    static const std::regex function(R"([^(]*?(mj\w+)\([\s\S]*)");
+    static const std::regex pointer(R"([^(]*\(\*\s*(mj\w+)\)[\s\S]*)");
+    const bool exported = statement_.starts_with("MJAPI ");
+    std::string declaration = trimmed(std::regex_replace(statement_, api, "$1"));
+    ApiName found{ApiName::Kind::type,
+                  declaration,
+                  behind_.empty() ? above_ : behind_,
+                  header_,
+                  section_,
+                  ""};
+    std::smatch parts;
+    if (std::regex_match(declaration, parts, pointer)) {
+      if (exported) found.kind = ApiName::Kind::variable;
+      return add(parts[1], found);
+    }
+    if (exported && !declaration.starts_with("extern ") &&
+        std::regex_match(declaration, parts, function)) {
+      found.kind = ApiName::Kind::function;
+      return add(parts[1], found);
+    }
+    if (exported) found.kind = ApiName::Kind::variable;
+    const bool of_structure = declaration.starts_with("typedef struct ");
+    if (!of_structure) add(declared_name(declaration), found);
+  }
+
+  void open(const std::string& name, ApiName::Kind kind, const std::string& raw, const Line& line) {
+    owner_ = name;
+    owner_kind_ = kind;
+    body_ = raw;
+    owner_comment_ = line.has_comment ? line.comment : above_;
+    above_.clear();
+    inner_.clear();
+  }
+
+  void read_member(const std::string& raw, const Line& line) {
+    body_ += "\n" + raw;
+    if (line.code.starts_with('}')) {
+      if (!inner_.empty()) return close_inner(line.code);
+      return close();
+    }
+    if (line.code == "struct {" || line.code == "union {") {
+      inner_.emplace_back();
+      return;
+    }
+    if (line.code.empty()) return;
+    if (owner_kind_ == ApiName::Kind::enumeration) return add_constant(line);
+    const std::string name = declared_name(line.code);
+    if (name.empty()) return;
+    const ApiName field{ApiName::Kind::field,
+                        closed_up(line.code),
+                        closed_up(line.comment),
+                        header_,
+                        section_,
+                        owner_};
+    if (inner_.empty()) {
+      add(owner_ + "." + name, field);
+    } else {
+      inner_.back().emplace_back(name, field);
+    }
+  }
+
+  // The name of a struct inside of a struct stands behind it, if it has one: "} global;".
+  void close_inner(const std::string& code) {
+    const std::string name_behind = declared_name(code);
+    const std::string group = name_behind.empty() ? "" : name_behind + ".";
+    const auto members = std::move(inner_.back());
+    inner_.pop_back();
+    for (const auto& [name, field] : members) {
+      if (inner_.empty()) {
+        add(owner_ + "." + group + name, field);
+      } else {
+        inner_.back().emplace_back(group + name, field);
+      }
+    }
+  }
+
+  void add_constant(const Line& line) {
+    static const std::regex constant(R"((mj\w+)\s*(=[^,]*)?,?)");
+    std::smatch parts;
+    if (!std::regex_match(line.code, parts, constant)) return;
+    std::string code = closed_up(line.code);
+    if (code.ends_with(',')) code.pop_back();
+    add(parts[1],
+        {ApiName::Kind::constant, code, closed_up(line.comment), header_, section_, owner_});
+  }
+
+  void close() {
+    add(owner_, {owner_kind_, body_, owner_comment_, header_, section_, ""});
+    owner_.clear();
+    above_.clear();
+  }
+
+  // The first wins: of two branches of an #ifdef, that which is taken comes first.
+  void add(const std::string& name, const ApiName& found) {
+    if (name.starts_with("mj")) api_.emplace(name, found);
+  }
+
+  std::string header_;
+  MujocoApi& api_;
+  std::string section_;
+  std::string above_;                         // comments right above this line
+  std::string statement_, behind_;            // being read, and the comment behind it
+  std::string owner_, body_, owner_comment_;  // the struct or enum being read
+  ApiName::Kind owner_kind_ = ApiName::Kind::structure;
+  std::vector<std::vector<std::pair<std::string, ApiName>>> inner_;  // structs inside of it
+};
+
+}  // namespace
+
+void read_api_header(const std::string& header, const std::string& text, MujocoApi& api) {
+  HeaderReader(header, api).run(text);
+}
+
+tl::expected<MujocoApi, std::string> read_mujoco_api(const Files& headers) {
+  MujocoApi api;
+  const auto main = headers.read("mujoco/mujoco.h");
+  if (!main) return tl::unexpected(main.error());
+  static const std::regex include(R"(#include <mujoco/(\w+\.h)>)");
+  std::vector<std::string> names{"mujoco.h"};
+  for (std::sregex_iterator it(main->begin(), main->end(), include), end; it != end; ++it) {
+    names.push_back((*it)[1]);
+  }
+  for (const std::string& name : names) {
+    const auto text = headers.read("mujoco/" + name);
+    if (!text) return tl::unexpected(text.error());
+    read_api_header(name, *text, api);
+  }
+  return api;
+}
+
+std::string mujoco_headers_folder() {
+  const char* named = std::getenv("MJCOURSE_HEADERS");
+  return named != nullptr ? named : MJCOURSE_MUJOCO_HEADERS;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,19 @@
+#include "script/collation.h"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "script/engine.h"
+
+namespace mjcourse {
+
+std::vector<std::size_t> alphabetical(const std::string& bundle, const std::string& language,
+                                      const std::vector<std::string>& texts) {
+  Engine engine;
+  engine.load(bundle, "collate.js");
+  const auto order = engine.call("collate", {language, nlohmann::json(texts).dump()});
+  if (!order) throw std::runtime_error("collate.js: " + order.error().message);
+  return nlohmann::json::parse(*order).get<std::vector<std::size_t>>();
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,41 @@
+#include "evaluate/image.h"
+
+#include <gtest/gtest.h>
+
+#include "evaluation_of.h"
+
+namespace mjcourse {
+namespace {
+
+constexpr const char* kSvg = "<svg width='3' height='2'/>";
+
+TEST(Image, KnowsItsFileAndItsSize) {
+  const EvaluationOf found("![a](b/a.svg)\n", {{"content/1-a/b/a.svg", kSvg}});
+  EXPECT_EQ(found.mistakes(), "");
+  const auto& image = found.result<ImageResult>();
+  EXPECT_EQ(image.width * 10 + image.height, 32);
+  EXPECT_TRUE(image.file.string().ends_with("content/1-a/b/a.svg"));
+  EXPECT_EQ(image.hash.size(), 10U);
+}
+
+TEST(Image, MustBeThere) {
+  EXPECT_EQ(
+      evaluated_mistakes("![a](b/aa.svg)\n", {{"content/1-a/b/a.svg", kSvg}}),
+      R"(content/1-a/1.1-x.md:4:6: error: there is no file content/1-a/b/aa.svg [E-image-missing]
+  4 | ![a](b/aa.svg)
+    |      ^~~~~~~~
+  cure: did you mean `b/a.svg`?
+)");
+}
+
+TEST(Image, MustBeWhatItsNameSays) {
+  EXPECT_EQ(evaluated_mistakes("![a](a.png)\n", {{"content/1-a/a.png", kSvg}}),
+            R"(content/1-a/1.1-x.md:4:6: error: content/1-a/a.png is no PNG [E-image-broken]
+  4 | ![a](a.png)
+    |      ^~~~~
+  cure: save it anew
+)");
+}
+
+}  // namespace
+}  // namespace mjcourse

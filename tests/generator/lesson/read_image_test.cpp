@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+
+#include "reading_of.h"
+
+namespace mjcourse {
+namespace {
+
+// Each picture of a lesson with this body.
+std::string images(const std::string& body) {
+  const ReadingOf reading = reading_of(body);
+  std::string text = underlined_mistakes(reading);
+  for (const Image* image : reading.all<Image>()) {
+    text += reading.place(image->file) + " " + image->file.text + ", " + image->alt + ", \"" +
+            image->title + "\"" + (image->alone ? ", alone\n" : "\n");
+  }
+  return text;
+}
+
+TEST(Image, HasAFileWordsAndAnOrigin) {
+  EXPECT_EQ(images("![An *arm*](arm.png \"By hand\")\n"),
+            "4:12 arm.png, An arm, \"By hand\", alone\n");
+  EXPECT_EQ(images("![a](<x y.svg>) ![b](b/c.webp)\n"),
+            "4:7 x y.svg, a, \"\"\n4:22 b/c.webp, b, \"\"\n");
+  EXPECT_EQ(images("![a.png](a.png)\n"), "4:10 a.png, a.png, \"\", alone\n");
+}
+
+TEST(Image, IsAloneOnlyAsAParagraphOfTheText) {
+  EXPECT_EQ(images("> [!note] ![a](a.png)\n>\n> ![b](b.png)\n"),
+            "4:16 a.png, a, \"\"\n6:8 b.png, b, \"\", alone\n");
+  EXPECT_EQ(images("| ![a](a.png) |\n|---|\n"), "4:8 a.png, a, \"\"\n");
+  EXPECT_EQ(images("```io\nINPUT: ![a](a.png)\n```\n"), "5:13 a.png, a, \"\"\n");
+  EXPECT_EQ(images("[![a](a.png)](https://a.example)\n"), "4:7 a.png, a, \"\"\n");
+}
+
+TEST(Image, MustSayWhatItShows) {
+  EXPECT_EQ(
+      images("![](a.png)\n"),
+      "E-image-alt <a.png> this picture says nothing to who cannot see it | say in words what "
+      "it shows: `![words](a.png)`\n");
+}
+
+TEST(Image, LiesBesideItsLesson) {
+  const std::string outside =
+      " a picture lies in the folder of its lesson, or below it | put the file there\n";
+  EXPECT_EQ(images("![a](../a.png)\n"), "E-image-place <../a.png>" + outside);
+  EXPECT_EQ(images("![a](b/../../a.png)\n"), "E-image-place <b/../../a.png>" + outside);
+  EXPECT_EQ(images("![a](/a.png)\n"), "E-image-place </a.png>" + outside);
+  EXPECT_EQ(images("![a](a..b.png)\n"), "4:6 a..b.png, a, \"\", alone\n");
+}
+
+}  // namespace
+}  // namespace mjcourse

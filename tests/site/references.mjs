@@ -1,0 +1,80 @@
+// What the course explains is found from where it is spoken of, and the way back as well; a picture
+// of the author's keeps its place before it has come.
+
+import { pages, testSite } from "./browser.mjs";
+
+const words = (text) => text.replace(/\s+/g, " ").trim();
+
+// The links that leave the page for something that is explained: terms, MuJoCo's names, models.
+function links() {
+  return [...document.querySelectorAll("main a[href]")]
+    .map((link) => ({
+      href: link.href,
+      title: link.title,
+      term: link.classList.contains("term"),
+      used: link.closest(".used-in") !== null,
+    }))
+    .filter(({ href, term }) => term || /\/(api\.html#|models\/)[^/]*$/.test(href))
+    .filter(({ href, used }) => !used && !href.endsWith(".xml"));
+}
+
+// What a page explains, by its address: the text of each entry, and where it is used.
+function entries() {
+  const explained = [...document.querySelectorAll("main h2[id]")].map((heading) => {
+    const entry = heading.closest(".entry");
+    return [`#${heading.id}`, entry];
+  });
+  if (document.querySelector(".model")) explained.push(["", document.querySelector(".model")]);
+  return explained
+    .filter(([, entry]) => entry !== null)
+    .map(([id, entry]) => ({
+      address: new URL(id, location.href).href,
+      text: entry.querySelector(".prose")?.innerText ?? "",
+      used: [...entry.querySelectorAll(".used-in a")].map((link) => link.href.split("#")[0]),
+    }));
+}
+
+// The pictures whose place is not that of the file, as "address: why".
+async function misplacedImages() {
+  const wrong = [];
+  for (const image of document.querySelectorAll(".image img, img.in-line")) {
+    const box = image.getBoundingClientRect();
+    if (image.loading !== "lazy") wrong.push(`${image.src}: is loaded at once`);
+    image.loading = "eager";
+    await image.decode();
+    const after = image.getBoundingClientRect();
+    const [now, file] = [after.width / after.height, image.naturalWidth / image.naturalHeight];
+    if (Math.abs(now / file - 1) > 0.02) wrong.push(`${image.src}: ${now} and not ${file}`);
+    if (Math.abs(after.height - box.height) > 0.5) wrong.push(`${image.src}: moves what is below`);
+  }
+  return wrong;
+}
+
+await testSite(async (visitor) => {
+  const explained = new Map();
+  const linked = [];
+  for (const path of pages) {
+    await visitor.visit(path, {}, async (page) => {
+      if (!path.includes("-")) {
+        for (const entry of await page.evaluate(entries)) explained.set(entry.address, entry);
+      }
+      for (const link of await page.evaluate(links)) linked.push({ path, ...link });
+      for (const wrong of await page.evaluate(misplacedImages)) visitor.complain(path, wrong);
+    });
+  }
+  visitor.expect(
+    linked.some(({ term }) => term),
+    "the site",
+    "no term is used",
+  );
+  for (const { path, href, title, term } of linked) {
+    const entry = explained.get(href);
+    if (!visitor.expect(entry !== undefined, path, `${href} explains nothing`)) continue;
+    const isLesson = path.includes("/") && !path.startsWith("models/");
+    const back = !isLesson || entry.used.includes(visitor.address(path));
+    visitor.expect(back, path, `there is no way back from ${href}`);
+    // Formulas and values look otherwise as text; words are words.
+    const first = words(entry.text).split(" ").slice(0, 2).join(" ");
+    visitor.expect(!term || title.startsWith(first), path, `${href} is not titled ${first}`);
+  }
+});
