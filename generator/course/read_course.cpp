@@ -5,6 +5,7 @@
 #include "base/nearest.h"
 #include "course/course.h"
 #include "course/link_target.h"
+#include "course/reference_picture.h"
 #include "lesson/read_lesson.h"
 #include "lesson/reading.h"
 #include "lesson/yaml_map.h"
@@ -140,6 +141,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics) 
   }
   warn_of_unlisted(files, course, diagnostics);
   check_references(course, diagnostics);
+  warn_of_unused_references(files, course, diagnostics);
   return course;
 }
 

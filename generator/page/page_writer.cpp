@@ -43,10 +43,6 @@ std::string page_path(const Lesson& lesson) {
   return lesson.folder + "/" + lesson.slug + ".html";
 }
 
-std::string poster_path(const Lesson& lesson, int lab) {
-  return lesson.folder + "/" + lesson.slug + "/lab-" + std::to_string(lab);
-}
-
 PageWriter::PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results,
                        Press press)
     : course_(course), lesson_(lesson), results_(results), press_(press) {
@@ -138,6 +134,9 @@ std::string PageWriter::write_block(std::size_t index, const std::string& inner)
   }
   if (const auto* lab = std::get_if<Lab>(&block)) return render("lab", data_of(*lab, index));
   if (const auto* quiz = std::get_if<Quiz>(&block)) return render("quiz", data_of(*quiz, index));
+  if (const auto* figure = std::get_if<Figure>(&block)) {
+    return render("figure", data_of(*figure, index));
+  }
   if (const auto* io = std::get_if<Io>(&block)) return render("io", data_of(*io));
   if (const auto* callout = std::get_if<Callout>(&block)) {
     return render("callout", data_of(*callout, inner));

@@ -61,6 +61,7 @@ class PageWriter {
   bool has_proved_output(const std::optional<std::size_t>& output) const;
   nlohmann::json data_of(const Lab& lab, std::size_t index);
   nlohmann::json live_data(const Lab& lab, const LabResult& result);
+  nlohmann::json data_of(const Figure& figure, std::size_t index);
   nlohmann::json data_of(const Quiz& quiz, std::size_t index);
   nlohmann::json data_of(const Question& question, const QuestionResult& result,
                          const std::string& id, std::size_t number);
@@ -77,7 +78,7 @@ class PageWriter {
   NodeWriter writer_;
   nlohmann::json contents_ = nlohmann::json::array();
   std::vector<LabFiles> lab_files_;
-  int labs_ = 0;
+  int labs_ = 0, figures_ = 0;
 };
 
 // Render a template that must render: the data is ours. Throws std::runtime_error with the
@@ -85,8 +86,6 @@ class PageWriter {
 std::string render_template(Templates& templates, const std::string& name,
                             const nlohmann::json& data);
 
-// Where the pictures of a lesson's n-th lab lie, below the site's root and without the extension.
-std::string poster_path(const Lesson& lesson, int lab);
 // The page of a lesson, below the site's root.
 std::string page_path(const Lesson& lesson);
 

@@ -50,6 +50,8 @@ class EvaluationOf {
   std::string mistakes() const { return shown(evaluation_.diagnostics); }
   const Tally& tally() const { return evaluation_.lessons.at(0).tally; }
 
+  const std::vector<PinComparison>& pins() const { return evaluation_.lessons.at(0).pins; }
+
   // The result of the only block that has one of type T.
   template <typename T>
   const T& result() const {
