@@ -5,5 +5,6 @@
 int main() {
   std::ofstream file(std::getenv("MJCOURSE_RECORDS"));
   file << R"({"snapshot": "after", "value": {"time": 1, "qpos": [0.8], "qvel": [0], "act": [], )"
-          R"("ctrl": [], "mocap_pos": [], "mocap_quat": []}})" << '\n';
+          R"("ctrl": [], "mocap_pos": [], "mocap_quat": []}})"
+       << '\n';
 }
