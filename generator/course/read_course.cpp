@@ -5,6 +5,7 @@
 #include "base/nearest.h"
 #include "course/course.h"
 #include "course/link_target.h"
+#include "course/reference_picture.h"
 #include "lesson/is_utf8.h"
 #include "lesson/read_glossary.h"
 #include "lesson/read_lesson.h"
@@ -174,6 +175,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics) 
   read_glossary_file(files, course, diagnostics);
   check_references(course, diagnostics);
   check_terms(files, course, diagnostics);
+  warn_of_unused_references(files, course, diagnostics);
   return course;
 }
 

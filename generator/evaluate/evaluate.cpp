@@ -7,6 +7,7 @@
 #include "base/stopwatch.h"
 #include "evaluate/claims.h"
 #include "evaluate/example_crew.h"
+#include "evaluate/figure.h"
 #include "evaluate/formula.h"
 #include "evaluate/image.h"
 #include "evaluate/inline_value.h"
@@ -22,7 +23,13 @@
 namespace mjcourse {
 namespace {
 
-// What one lesson's formulas, labs, questions and inline values come to.
+bool may_quote(const Block& block) {
+  const auto* figure = std::get_if<Figure>(&block);
+  return std::holds_alternative<InlineValue>(block) || std::holds_alternative<Quiz>(block) ||
+         (figure != nullptr && figure->from);
+}
+
+// What one lesson's formulas, labs, figures, questions and inline values come to.
 class LessonEvaluator {
  public:
   LessonEvaluator(const Lesson& lesson, Workshop& workshop, Progress& progress,
@@ -41,9 +48,7 @@ class LessonEvaluator {
   void run(bool quoting) {
     for (std::size_t i = 0; i < lesson_.blocks.size(); ++i) {
       const Block& block = lesson_.blocks[i];
-      const bool quotes =
-          std::holds_alternative<InlineValue>(block) || std::holds_alternative<Quiz>(block);
-      if (quotes != quoting) continue;
+      if (may_quote(block) != quoting) continue;
       const Stopwatch stopwatch;
       std::visit([&](const auto& known) { evaluate_block(i, known); }, block);
       if (results_.of_block.contains(i)) results_.seconds[i] = stopwatch.seconds();
@@ -63,6 +68,15 @@ class LessonEvaluator {
   void evaluate_block(std::size_t index, const Lab& lab) {
     progress_.begin("rehearse the lab \"" + lab.title + "\"");
     if (auto result = evaluate_lab(lab, lesson_, workshop_, diagnostics_)) {
+      if (result->pin) results_.pins.push_back(*result->pin);
+      results_.of_block[index] = *std::move(result);
+    }
+    progress_.done();
+  }
+  void evaluate_block(std::size_t index, const Figure& figure) {
+    progress_.begin("draw a figure of " + lesson_.number);
+    if (auto result = evaluate_figure(figure, lesson_, workshop_, diagnostics_)) {
+      if (result->pin) results_.pins.push_back(*result->pin);
       results_.of_block[index] = *std::move(result);
     }
     progress_.done();
@@ -120,12 +134,15 @@ void compare_outputs(const Lesson& lesson, LessonResults& results, Diagnostics& 
   }
 }
 
-// Labs and quizzes; the crew's programs come on top.
+// Labs, figures and quizzes; the crew's programs come on top.
 int count_tasks(const Course& course) {
   int tasks = 0;
   for (const Lesson& lesson : course.lessons) {
     for (const Block& block : lesson.blocks) {
-      if (std::holds_alternative<Lab>(block) || std::holds_alternative<Quiz>(block)) ++tasks;
+      if (std::holds_alternative<Lab>(block) || std::holds_alternative<Quiz>(block) ||
+          std::holds_alternative<Figure>(block)) {
+        ++tasks;
+      }
     }
   }
   return tasks;

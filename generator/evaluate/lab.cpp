@@ -1,28 +1,17 @@
 #include "evaluate/lab.h"
 
-#include <algorithm>
 #include <utility>
 
-#include "base/nearest.h"
 #include "evaluate/assignment.h"
 #include "evaluate/lab_model.h"
+#include "evaluate/pin.h"
 #include "evaluate/rehearsal.h"
+#include "evaluate/view.h"
 
 namespace mjcourse {
 namespace {
 
 constexpr int kPosterWidth = 712;  // CSS pixels: the widest that a lab gets
-
-void check_overlays(const LabBench& bench) {
-  std::vector<LocatedText> names = bench.lab().toggles;
-  for (const Lab::Overlay& overlay : bench.lab().overlays) names.push_back(overlay.name);
-  const std::vector<std::string> known = overlay_names();
-  for (const LocatedText& name : names) {
-    if (std::find(known.begin(), known.end(), name.text) != known.end()) continue;
-    bench.error("E-lab-overlay", name.span(), "there is no overlay \"" + name.text + "\"",
-                suggest(name.text, known));
-  }
-}
 
 std::vector<int> find_keyframes(const Lab& lab, const Model& model) {
   std::vector<int> ids;
@@ -48,40 +37,14 @@ bool read_at_rest(const Lab& lab, LabRun& run, LabResult& result) {
   return good;
 }
 
-// Without one of the author's, all of the model is seen.
-Lab::Camera camera_of(const Lab& lab, const Model& model) {
-  const mjStatistic& seen = model->stat;
-  return lab.camera.value_or(
-      Lab::Camera{90, -45, 1.5 * seen.extent, {seen.center[0], seen.center[1], seen.center[2]}});
-}
-
-std::optional<Poster> draw(const LabBench& bench, const Simulation& simulation,
-                           const Lab::Camera& camera) {
-  const Lab& lab = bench.lab();
-  const tl::expected<Renderer*, std::string> renderer = bench.workshop().renderer();
-  if (!renderer) {
-    bench.error("E-picture", lab.span, "no picture can be drawn: " + renderer.error());
-    return std::nullopt;
-  }
-  Overlays overlays;
-  for (const Lab::Overlay& overlay : lab.overlays) overlays[overlay.name.text] = overlay.on;
-  const tl::expected<Picture, std::string> picture = (*renderer)->render(
-      simulation, {camera.azimuth, camera.elevation, camera.distance, camera.target}, overlays,
-      {2 * kPosterWidth, 2 * lab.height});
-  if (!picture) {
-    bench.error("E-picture", lab.span, "the poster cannot be drawn: " + picture.error());
-    return std::nullopt;
-  }
-  return Poster{encode_webp(*picture), encode_png(*picture), kPosterWidth, lab.height};
-}
-
 }  // namespace
 
 std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
                                       Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.size();
   const LabBench bench(lab, lesson, workshop, diagnostics);
-  check_overlays(bench);
+  check_overlays(lab.toggles, bench);
+  check_overlays(names_of(lab.overlays), bench);
   std::optional<LabRun> run = LabRun::start(bench, lab.model);
   if (!run) return std::nullopt;
   LabResult result;
@@ -95,8 +58,12 @@ std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, Work
   }
   if (std::optional<LabModel> model = find_lab_model(bench)) result.model = *std::move(model);
   if (diagnostics.size() > before) return std::nullopt;
-  result.camera = camera_of(lab, run->simulation().model());
-  result.poster = draw(bench, run->simulation(), result.camera);
+  result.camera = camera_of(lab.camera, run->simulation().model());
+  const View view{result.camera, lab.overlays, kPosterWidth, lab.height};
+  if (const auto picture = draw(run->simulation(), view, "the poster", lab.span, bench)) {
+    result.poster = poster_of(*picture, view);
+    result.pin = compare_pin(lab.pin, *picture, bench);
+  }
   return result;
 }
 

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <utility>
 
-#include "base/nearest.h"
+#include "evaluate/keyframe.h"
+#include "evaluate/step_count.h"
 
 namespace mjcourse {
 namespace {
 
 constexpr double kScriptLimit = 5;  // seconds of CPU time for one script
-constexpr int kMostSteps = 1'000'000;
 
 // The script of the author's that makes the control do its work; empty for a slider and a keyframe.
 struct ScriptOf {
@@ -115,12 +114,7 @@ bool LabRun::apply(Actor& actor, const Lab::Control& control, const ControlValue
     return bench_.error(set.error(), slider->bind, solution_);
   }
   if (const auto* keyframe = std::get_if<Lab::Keyframe>(&control)) {
-    const Model& model = actor.simulation.model();
-    const std::string& name = keyframe->key.text;
-    return actor.simulation.reset_to_keyframe(name) ||
-           bench_.error("E-lab-keyframe", keyframe->key.span(),
-                        "the model has no keyframe \"" + name + "\"",
-                        suggest(name, model.names(mjOBJ_KEY)));
+    return reset_to(keyframe->key, actor.simulation, bench_);
   }
   return run(actor, std::visit(ScriptOf{value}, control));
 }
@@ -145,13 +139,10 @@ bool LabRun::sound(const Actor& actor) const {
 }
 
 std::optional<int> LabRun::steps_in(double seconds) const {
-  const double step = main_->simulation.model()->opt.timestep;
-  const double steps = seconds / step;
-  if (step > 0 && steps <= kMostSteps) return static_cast<int>(std::lround(steps));
-  std::ostringstream message;
-  message << "after " << after_ << ": the time step is " << step << " s, so " << seconds
-          << " s are more than a million steps";
-  bench_.error("E-lab-simulation", blamed_, message.str(), "a larger time step");
+  const auto steps = step_count(main_->simulation.model(), seconds);
+  if (steps) return *steps;
+  bench_.error("E-lab-simulation", blamed_, "after " + after_ + ": " + steps.error(),
+               "a larger time step");
   return std::nullopt;
 }
 

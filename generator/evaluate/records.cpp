@@ -53,8 +53,8 @@ std::vector<Records::Column> columns_of(const json& value) {
   return columns;
 }
 
-std::map<std::string, std::vector<double>> state_of(const json& value) {
-  std::map<std::string, std::vector<double>> state;
+State state_of(const json& value) {
+  State state;
   for (const auto& [field, numbers] : value.items()) {
     state[field] = numbers.is_array() ? numbers_of(numbers) : std::vector{number_of(numbers)};
   }

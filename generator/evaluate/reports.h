@@ -25,7 +25,14 @@ class Reports {
   std::optional<Reported> find(const LocatedText& example, const LocatedText& result,
                                const SourceText& lesson, Diagnostics& diagnostics) const;
 
+  // The same of a state that it recorded, by the names of its parts.
+  std::optional<State> find_snapshot(const LocatedText& example, const LocatedText& snapshot,
+                                     const SourceText& lesson, Diagnostics& diagnostics) const;
+
  private:
+  const ExampleResult* find_example(const LocatedText& example, const SourceText& lesson,
+                                    Diagnostics& diagnostics) const;
+
   std::map<std::string, const ExampleResult*> results_;
 };
 

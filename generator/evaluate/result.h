@@ -23,6 +23,8 @@ struct FormulaResult {
 
 // What a program told its lesson by result(), table() and snapshot() of the helper header, by name.
 using Reported = std::variant<double, std::string, std::vector<double>>;
+// The parts of a state by MuJoCo's names of them: "time", "qpos", "mocap_pos" …
+using State = std::map<std::string, std::vector<double>>;
 struct Records {
   struct Column {
     std::string name;
@@ -30,8 +32,7 @@ struct Records {
   };
   std::map<std::string, Reported> results;
   std::map<std::string, std::vector<Column>> tables;  // their columns are equally long
-  // The parts of a state by MuJoCo's names of them: "time", "qpos", "mocap_pos" …
-  std::map<std::string, std::map<std::string, std::vector<double>>> snapshots;
+  std::map<std::string, State> snapshots;
 };
 
 struct ExampleResult {
@@ -68,6 +69,21 @@ struct Poster {
   int width = 0, height = 0;  // CSS pixels; the picture has two for each of them
 };
 
+// A picture held against its pinned reference; kept when it differs too, for reports. All PNG.
+struct PinComparison {
+  std::string name;        // as the lesson pins it
+  std::string reference;   // empty where there is none that can be read
+  std::string actual;      // at the reference's size
+  std::string difference;  // empty where the two could not be compared
+  bool agrees = false;
+};
+
+struct FigureResult {
+  Poster poster;     // a film's first picture
+  std::string film;  // bytes of an MP4 file; empty for a still
+  std::optional<PinComparison> pin = {};
+};
+
 // What a lab's model is made of, by the names under which MuJoCo finds it without a disk.
 struct LabModel {
   std::string main;
@@ -101,6 +117,7 @@ struct LabResult {
   std::vector<LabRunResult> runs;
   std::optional<double> predicted;  // what the reader is asked to predict
   std::optional<Poster> poster;
+  std::optional<PinComparison> pin = {};  // of the poster
 };
 
 // One way in which an answer was found, or the reason why none was needed.
@@ -124,7 +141,7 @@ struct QuizResult {
 };
 
 using Result = std::variant<FormulaResult, ValueResult, ExampleResult, ModelResult, OutputResult,
-                            ImageResult, LabResult, QuizResult>;
+                            ImageResult, LabResult, QuizResult, FigureResult>;
 
 // How much was verified; what failed is not counted. The claims in numbers: see tally_of.
 struct Tally {
@@ -150,6 +167,7 @@ struct LessonResults {
   std::map<std::size_t, double> seconds;   // measured, of the blocks that take time
   Claims claims;                           // in the order of the blocks
   Tally tally;
+  std::vector<PinComparison> pins;  // those that differ too
 
   // The result of block `index` if it is there and of this type.
   template <typename T>

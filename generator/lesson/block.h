@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "lesson/figure.h"
 #include "lesson/lab.h"
 #include "lesson/located_text.h"
 #include "lesson/markdown.h"
@@ -133,6 +134,6 @@ struct Shown {};
 
 using Block =
     std::variant<Math, InlineValue, TermUse, Example, Unchecked, Snippet, ModelExcerpt, InlineModel,
-                 Output, Image, Io, Callout, Lab, Quiz, Demo, Shown>;
+                 Output, Image, Io, Callout, Lab, Quiz, Figure, Demo, Shown>;
 
 }  // namespace mjcourse

@@ -57,6 +57,7 @@ class LessonReader {
   void read_demo(cmark_node* node, class Fence& fence, Region& region);
   void read_output(cmark_node* node, class Fence& fence);
   void refuse_second_quiz(const Quiz& quiz, Span span);
+  void refuse_second_pin(LocatedText& pin);
   std::optional<std::size_t> example_named(const LocatedText& name);
   LocatedText find(const std::string& text, Region& region);
 

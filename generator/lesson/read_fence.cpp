@@ -6,11 +6,13 @@
 #include "lesson/fence.h"
 #include "lesson/lesson_reader.h"
 #include "lesson/read_code.h"
+#include "lesson/read_figure.h"
 #include "lesson/read_io.h"
 #include "lesson/read_lab.h"
 #include "lesson/read_model_fence.h"
 #include "lesson/read_quiz.h"
 #include "lesson/read_unchecked.h"
+#include "lesson/read_view.h"
 
 namespace mjcourse {
 namespace {
@@ -21,12 +23,12 @@ std::string word(const Fence& fence, std::size_t index) {
 
 void report_unknown(const Fence& fence, Reading& reading) {
   const std::string kind = word(fence, 0);
-  std::vector<std::string> known{"cpp", "xml", "text", "io", "lab", "quiz", "demo"};
+  std::vector<std::string> known{"cpp",  "xml",    "text", "io", "lab", "quiz", "figure", "demo"};
   known.insert(known.end(), unchecked_languages().begin(), unchecked_languages().end());
   if (fence.indented()) {
     reading.error("E-fence-kind", fence.span(), "an indented block is code that nobody ran",
                   "remove the indentation, or use a fence");
-  } else if (kind == "figure" || kind == "plot") {
+  } else if (kind == "plot") {
     reading.error("E-not-yet", fence.words()[0].span(),
                   "a `" + kind +
                       "` fence belongs to the lesson language, but this version of "
@@ -67,7 +69,10 @@ void LessonReader::read_fence(cmark_node* node, Region& region) {
   } else if (kind == "io") {
     if (auto io = read_io(fence, *this)) add(node, std::move(*io));
   } else if (kind == "lab" && word(fence, 1) == "simlab") {
-    if (auto lab = read_lab(fence, *this)) add(node, std::move(*lab));
+    if (auto lab = read_lab(fence, *this)) {
+      refuse_second_pin(lab->pin);
+      add(node, std::move(*lab));
+    }
   } else if (kind == "lab") {
     reading_.error("E-fence-kind", fence.span(), "a lab says of which kind it is",
                    "write `lab simlab`");
@@ -75,6 +80,11 @@ void LessonReader::read_fence(cmark_node* node, Region& region) {
     if (auto quiz = read_quiz(fence, *this)) {
       refuse_second_quiz(*quiz, fence.span());
       add(node, std::move(*quiz));
+    }
+  } else if (kind == "figure") {
+    if (auto figure = read_figure(fence, *this)) {
+      refuse_second_pin(figure->pin);
+      add(node, std::move(*figure));
     }
   } else if (kind == "demo") {
     read_demo(node, fence, region);
@@ -104,6 +114,17 @@ void LessonReader::refuse_second_quiz(const Quiz& quiz, Span span) {
     if (other == nullptr || other->id != quiz.id) continue;
     reading_.error("E-quiz-id", span, "another quiz of this lesson has the id \"" + quiz.id + "\"",
                    "give each quiz an id of its own");
+  }
+}
+
+// A lesson's reference pictures are told apart by their names; a second of one name is left out.
+void LessonReader::refuse_second_pin(LocatedText& pin) {
+  for (const Block& block : lesson_.blocks) {
+    if (pin.text.empty() || pin_of(block).text != pin.text) continue;
+    reading_.error("E-pin-name", pin.span(),
+                   "another picture of this lesson is pinned as \"" + pin.text + "\"",
+                   "give each a name of its own");
+    pin = {};
   }
 }
 

@@ -1,6 +1,5 @@
 #include "lesson/read_lab.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -8,43 +7,10 @@
 #include "lesson/read_assignment.h"
 #include "lesson/read_control.h"
 #include "lesson/read_plot.h"
+#include "lesson/read_view.h"
 
 namespace mjcourse {
 namespace {
-
-Lab::Camera read_camera(const JsonValue& value, Reading& reading) {
-  JsonObject object(value, "camera", reading);
-  Lab::Camera camera;
-  camera.azimuth = object.number("azimuth", camera.azimuth);
-  camera.elevation = object.number("elevation", camera.elevation);
-  camera.distance = object.number("distance", camera.distance);
-  const std::vector<JsonValue>& target = object.list("target");
-  for (std::size_t i = 0; i < target.size() && i < 3; ++i) camera.target[i] = target[i].number;
-  const bool numbers = std::all_of(target.begin(), target.end(), [](const JsonValue& item) {
-    return item.kind == JsonValue::Kind::number;
-  });
-  if (object.has("target") && (target.size() != 3 || !numbers)) {
-    reading.error("E-json-range", object.find("target")->span,
-                  "\"target\" is a point: three numbers, in metres");
-  }
-  object.finish();
-  return camera;
-}
-
-std::vector<Lab::Overlay> read_overlays(const JsonValue* value, Reading& reading) {
-  std::vector<Lab::Overlay> overlays;
-  if (value == nullptr) return overlays;
-  if (value->kind != JsonValue::Kind::object) {
-    report_kind("overlays", *value, "an object: {\"frames\": true}", reading);
-  }
-  for (const JsonMember& member : value->members) {
-    if (member.value.kind != JsonValue::Kind::boolean) {
-      report_kind(member.key.text, member.value, "true or false", reading);
-    }
-    overlays.push_back({member.key, member.value.boolean});
-  }
-  return overlays;
-}
 
 std::optional<Lab::Ghost> read_ghost(const JsonValue* value, Reading& reading) {
   if (value == nullptr) return std::nullopt;
@@ -69,7 +35,7 @@ std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
   lab.dock = object.boolean("dock", lab.dock);
   lab.height = static_cast<int>(
       object.number("height", lab.height, {1, 1024, "is a number of pixels: from 1 to 1024"}));
-  if (const JsonValue* camera = object.find("camera")) lab.camera = read_camera(*camera, reading);
+  lab.camera = read_camera(object, reading);
   for (const JsonValue& toggle : object.list("toggles")) {
     if (toggle.kind == JsonValue::Kind::string) {
       lab.toggles.push_back(toggle.string);
@@ -77,7 +43,7 @@ std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
       report_kind("toggles", toggle, "a string", reading);
     }
   }
-  lab.overlays = read_overlays(object.find("overlays"), reading);
+  lab.overlays = read_overlays(object, reading);
   for (const JsonValue& control : object.list("controls")) {
     if (auto read = read_control(control, reading)) lab.controls.push_back(std::move(*read));
   }
@@ -89,6 +55,7 @@ std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
   lab.editable = read_editable(object.find("editable"), reader, lab.tasks);
   lab.goal = read_goal(object.find("goal"), lab.editable, reader);
   lab.ghost = read_ghost(object.find("ghost"), reading);
+  lab.pin = read_pin(object, reading);
   lab.note = reader.fragment(object.string("note"));
   object.finish();
   if (lab.model.text.empty()) return std::nullopt;

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "page/fixed_number.h"
+#include "page/lesson_pictures.h"
 #include "page/page_writer.h"
 
 namespace mjcourse {

@@ -59,10 +59,6 @@ std::string page_path(const Lesson& lesson) {
   return (lesson.folder.empty() ? "" : lesson.folder + "/") + lesson.slug + ".html";
 }
 
-std::string poster_path(const Lesson& lesson, int lab) {
-  return lesson.folder + "/" + lesson.slug + "/lab-" + std::to_string(lab);
-}
-
 std::string image_path(const Lesson& lesson, const Image& image, const ImageResult& result) {
   const std::filesystem::path file(image.file.text);
   std::string name = file.stem().string();
@@ -204,6 +200,9 @@ std::string PageWriter::write_block(std::size_t index, const std::string& inner)
   if (const auto* image = std::get_if<Image>(&block)) {
     const auto* result = results_.get<ImageResult>(index);
     return result != nullptr ? render("image", data_of(*image, *result)) : "";
+  }
+  if (const auto* figure = std::get_if<Figure>(&block)) {
+    return render("figure", data_of(*figure, index));
   }
   if (const auto* io = std::get_if<Io>(&block)) return render("io", data_of(*io));
   if (const auto* callout = std::get_if<Callout>(&block)) {

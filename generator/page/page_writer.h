@@ -76,6 +76,7 @@ class PageWriter {
   std::string unique_id(const std::string& wanted);
   nlohmann::json data_of(const Lab& lab, std::size_t index);
   nlohmann::json live_data(const Lab& lab, const LabResult& result);
+  nlohmann::json data_of(const Figure& figure, std::size_t index);
   nlohmann::json data_of(const Quiz& quiz, std::size_t index);
   nlohmann::json data_of(const Question& question, const QuestionResult& result,
                          const std::string& id, std::size_t number);
@@ -96,7 +97,7 @@ class PageWriter {
   nlohmann::json contents_ = nlohmann::json::array();
   std::vector<LabFiles> lab_files_;
   std::set<std::string> ids_;  // of listings
-  int labs_ = 0;
+  int labs_ = 0, figures_ = 0;
 };
 
 // The templates that the site's build left in `assets`, with their engine.
@@ -107,8 +108,6 @@ Templates site_templates(const Files& assets);
 std::string render_template(Templates& templates, const std::string& name,
                             const nlohmann::json& data);
 
-// Where the pictures of a lesson's n-th lab lie, below the site's root and without the extension.
-std::string poster_path(const Lesson& lesson, int lab);
 // Where a copy of a lesson's picture lies, below the site's root.
 std::string image_path(const Lesson& lesson, const Image& image, const ImageResult& result);
 // The page of a lesson, below the site's root.

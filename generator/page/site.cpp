@@ -14,6 +14,7 @@
 #include "page/api_page.h"
 #include "page/glossary_page.h"
 #include "page/inline_styles.h"
+#include "page/lesson_pictures.h"
 #include "page/model_page.h"
 #include "page/page_writer.h"
 #include "page/site_directory.h"
@@ -80,7 +81,7 @@ class SiteWriter {
 
  private:
   void write_lesson(std::size_t index);
-  void write_posters(std::size_t index);
+  void write_pictures(std::size_t index);
   void add_images(const Lesson& page, const LessonResults& results);
   void write_home();
   void write_verification();
@@ -241,7 +242,7 @@ void SiteWriter::write_lesson(std::size_t index) {
   const std::string description = summary ? plain_text(summary.get()) : course_.description;
   directory_.write(page_path(lesson), frame("lesson", lesson.number + " " + lesson.front.title.text,
                                             description, "../", &lesson, body, styles));
-  write_posters(index);
+  write_pictures(index);
   add_images(lesson, results);
   for (const LabFiles& files : writer.lab_files()) {
     for (const auto& [path, bytes] : files.written) directory_.write(path, bytes);
@@ -249,16 +250,14 @@ void SiteWriter::write_lesson(std::size_t index) {
   }
 }
 
-void SiteWriter::write_posters(std::size_t index) {
-  const Lesson& lesson = course_.lessons[index];
-  int lab = 0;
-  for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
-    if (!std::holds_alternative<Lab>(lesson.blocks[i])) continue;
-    ++lab;
-    const auto* result = evaluation_.lessons[index].get<LabResult>(i);
-    if (result == nullptr || !result->poster) continue;
-    directory_.write(poster_path(lesson, lab) + ".webp", result->poster->webp);
-    directory_.write(poster_path(lesson, lab) + ".png", result->poster->png);
+void SiteWriter::write_pictures(std::size_t index) {
+  for (const LessonPicture& picture :
+       pictures_of(course_.lessons[index], evaluation_.lessons[index])) {
+    directory_.write(picture.path + ".webp", picture.poster->webp);
+    directory_.write(picture.path + ".png", picture.poster->png);
+    if (picture.film != nullptr && !picture.film->empty()) {
+      directory_.write(picture.path + ".mp4", *picture.film);
+    }
   }
 }
 
@@ -271,22 +270,16 @@ void SiteWriter::add_images(const Lesson& page, const LessonResults& results) {
   }
 }
 
-// The first poster of a lesson, as its card shows it.
+// A lesson's picture, as its card shows it.
 json card_poster(const Lesson& lesson, const LessonResults& results) {
-  int lab = 0;
-  for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
-    if (!std::holds_alternative<Lab>(lesson.blocks[i])) continue;
-    ++lab;
-    const auto* result = results.get<LabResult>(i);
-    if (result == nullptr || !result->poster) continue;
-    const std::string path = poster_path(lesson, lab);
-    return {{"webp", path + ".webp"},
-            {"png", path + ".png"},
-            {"width", result->poster->width},
-            {"height", result->poster->height},
-            {"alt", ""}};
-  }
-  return nullptr;
+  const std::vector<LessonPicture> pictures = pictures_of(lesson, results);
+  const LessonPicture* picture = foremost(pictures);
+  if (picture == nullptr) return nullptr;
+  return {{"webp", picture->path + ".webp"},
+          {"png", picture->path + ".png"},
+          {"width", picture->poster->width},
+          {"height", picture->poster->height},
+          {"alt", ""}};
 }
 
 void SiteWriter::write_home() {

@@ -1,6 +1,6 @@
 // Enter writing here: a course and its results become a site.
 //
-// Steps: each lesson's page and its posters; the home page; what was verified; the pages that
+// Steps: each lesson's page and its pictures; the home page; what was verified; the pages that
 // explain: the glossary, MuJoCo's names, models; the examples, to download; the assets that the
 // site's build made (styles, fonts, scripts). All of it goes into a SiteDirectory, which replaces
 // the old site at once.

@@ -3,13 +3,15 @@
 #include <png.h>
 #include <webp/encode.h>
 
+#include <algorithm>
 #include <memory>
 #include <stdexcept>
 
 namespace mjcourse {
 namespace {
 
-constexpr float webp_quality = 88;  // of 100; a picture of 640 x 400 takes 10 to 25 KB
+constexpr float webp_quality = 88;       // of 100; a picture of 640 x 400 takes 10 to 25 KB
+constexpr unsigned longest_side = 4096;  // pixels, of a picture that is read
 
 struct FreeWebP {
   void operator()(WebPPicture* picture) const { WebPPictureFree(picture); }
@@ -85,6 +87,26 @@ std::string encode_png(const Picture& picture) {
   }
   png_write_end(png, nullptr);
   return bytes;
+}
+
+tl::expected<Picture, std::string> decode_png(const std::string& bytes) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  const std::unique_ptr<png_image, decltype(&png_image_free)> free_image(&image, png_image_free);
+  if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) {
+    return tl::unexpected(std::string(image.message));
+  }
+  if (std::max(image.width, image.height) > longest_side) {
+    return tl::unexpected("it is " + std::to_string(image.width) + " × " +
+                          std::to_string(image.height) + " pixels large");
+  }
+  image.format = PNG_FORMAT_RGB;
+  Picture picture{static_cast<int>(image.width), static_cast<int>(image.height), {}};
+  picture.rgb.resize(PNG_IMAGE_SIZE(image));
+  if (png_image_finish_read(&image, nullptr, picture.rgb.data(), 0, nullptr) == 0) {
+    return tl::unexpected(std::string(image.message));
+  }
+  return picture;
 }
 
 }  // namespace mjcourse

@@ -1,8 +1,9 @@
-// A picture in memory, and the two files it can become.
+// A picture in memory, the two files it can become, and the one that it can come from.
 #pragma once
 
 #include <cstdint>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 namespace mjcourse {
@@ -19,5 +20,8 @@ std::string encode_webp(const Picture& picture);
 
 // The bytes of a PNG file, for browsers without WebP. The same picture gives the same bytes.
 std::string encode_png(const Picture& picture);
+
+// The picture in a PNG file of any kind, what is transparent in it black; or why it cannot be read.
+tl::expected<Picture, std::string> decode_png(const std::string& bytes);
 
 }  // namespace mjcourse

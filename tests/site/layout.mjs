@@ -39,10 +39,10 @@ await testSite(async (visitor) => {
           }
           const missing = await page.evaluate(missingPictures);
           visitor.expect(missing.length === 0, `${how})`, `pictures did not load: ${missing}`);
-          pictures += await page.locator(".lab picture img").count();
+          pictures += await page.locator(":is(.lab, .figure) picture img").count();
         });
       }
     }
   }
-  visitor.expect(pictures > 0, "the site", "no lab has a poster");
+  visitor.expect(pictures > 0, "the site", "no lab or figure has a picture");
 });

@@ -53,6 +53,8 @@ class EvaluationOf {
   const Claims& claims() const { return evaluation_.lessons.at(0).claims; }
   const Versions& versions() const { return evaluation_.versions; }
 
+  const std::vector<PinComparison>& pins() const { return evaluation_.lessons.at(0).pins; }
+
   // The result of the only block that has one of type T.
   template <typename T>
   const T& result() const {

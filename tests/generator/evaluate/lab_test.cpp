@@ -48,11 +48,11 @@ TEST(Lab, IsSeenFromItsCameraOrWhole) {
 
 TEST(Lab, KnowsMuJoCosOverlays) {
   EXPECT_EQ(evaluated_mistakes(lab_text(R"("toggles": ["frmes"], "overlays": {"contcts": true})")),
-            R"(content/1-a/1.1-x.md:6:14: error: there is no overlay "frmes" [E-lab-overlay]
+            R"(content/1-a/1.1-x.md:6:14: error: there is no overlay "frmes" [E-overlay-unknown]
   6 | "toggles": ["frmes"], "overlays": {"contcts": true}}
     |              ^~~~~
   cure: did you mean `frames`?
-content/1-a/1.1-x.md:6:37: error: there is no overlay "contcts" [E-lab-overlay]
+content/1-a/1.1-x.md:6:37: error: there is no overlay "contcts" [E-overlay-unknown]
   6 | "toggles": ["frmes"], "overlays": {"contcts": true}}
     |                                     ^~~~~~~
   cure: did you mean `contacts`?

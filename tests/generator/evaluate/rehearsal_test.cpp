@@ -115,8 +115,9 @@ TEST(Rehearsal, GoesToKeyframes) {
   const auto& result = found.result<LabResult>();
   EXPECT_EQ(result.keyframes, std::vector<int>{1});
   EXPECT_EQ(result.runs.at(1).readings.at(0).values, std::vector<double>{1});
-  EXPECT_EQ(evaluated_mistakes(keyframe("hom"), files),
-            R"(content/1-a/1.1-x.md:7:50: error: the model has no keyframe "hom" [E-lab-keyframe]
+  EXPECT_EQ(
+      evaluated_mistakes(keyframe("hom"), files),
+      R"(content/1-a/1.1-x.md:7:50: error: the model has no keyframe "hom" [E-keyframe-unknown]
   7 |       {"type": "keyframe", "label": "K", "key": "hom"}]}
     |                                                  ^~~
   cure: did you mean `home`?

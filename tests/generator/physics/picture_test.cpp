@@ -1,7 +1,6 @@
 #include "physics/picture.h"
 
 #include <gtest/gtest.h>
-#include <png.h>
 #include <webp/decode.h>
 
 #include <algorithm>
@@ -26,17 +25,6 @@ Picture gradient() {
   return picture;
 }
 
-Picture decode_png(const std::string& bytes) {
-  png_image image{};
-  image.version = PNG_IMAGE_VERSION;
-  EXPECT_NE(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()), 0);
-  image.format = PNG_FORMAT_RGB;
-  Picture picture{static_cast<int>(image.width), static_cast<int>(image.height), {}};
-  picture.rgb.resize(PNG_IMAGE_SIZE(image));
-  EXPECT_NE(png_image_finish_read(&image, nullptr, picture.rgb.data(), 0, nullptr), 0);
-  return picture;
-}
-
 Picture decode_webp(const std::string& bytes) {
   Picture picture;
   std::uint8_t* rgb = WebPDecodeRGB(reinterpret_cast<const std::uint8_t*>(bytes.data()),
@@ -48,7 +36,7 @@ Picture decode_webp(const std::string& bytes) {
 
 TEST(Picture, PngKeepsEveryPixel) {
   const Picture picture = gradient();
-  const Picture decoded = decode_png(encode_png(picture));
+  const Picture decoded = decode_png(encode_png(picture)).value();
   EXPECT_EQ(decoded.width, 48);
   EXPECT_EQ(decoded.height, 32);
   EXPECT_EQ(decoded.rgb, picture.rgb);
@@ -70,6 +58,18 @@ TEST(Picture, WebpKeepsSizeAndLook) {
 TEST(Picture, EncodesToTheSameBytesEachTime) {
   EXPECT_EQ(encode_png(gradient()), encode_png(gradient()));
   EXPECT_EQ(encode_webp(gradient()), encode_webp(gradient()));
+}
+
+TEST(Picture, IsReadFromPngOnlyWhereThatIsSound) {
+  const std::string bytes = encode_png(gradient());
+  EXPECT_EQ(decode_png("").error(), "png_image_begin_read_from_memory: invalid argument");
+  EXPECT_EQ(decode_png("GIF89a" + bytes).error(), "Not a PNG file");
+  EXPECT_FALSE(decode_png(bytes.substr(0, bytes.size() / 2)));
+  std::string broken = bytes;
+  broken[60] ^= 1;
+  EXPECT_FALSE(decode_png(broken));
+  EXPECT_EQ(decode_png(encode_png({5000, 1, std::vector<std::uint8_t>(15000)})).error(),
+            "it is 5000 × 1 pixels large");
 }
 
 }  // namespace

@@ -1,0 +1,60 @@
+#include "evaluate/figure.h"
+
+#include <string>
+#include <utility>
+
+#include "evaluate/figure_state.h"
+#include "evaluate/pin.h"
+#include "evaluate/step_count.h"
+#include "evaluate/view.h"
+#include "physics/film.h"
+
+namespace mjcourse {
+namespace {
+
+// From where `simulation` stands, whose picture is `first`; empty (reported) where that fails.
+std::string shoot(const Figure::Animation& animation, const Picture& first, Simulation& simulation,
+                  const View& view, const Bench& bench) {
+  const auto all = step_count(simulation.model(), animation.seconds);
+  if (!all) {
+    bench.error("E-figure-simulation", animation.span, all.error(), "a larger time step");
+    return "";
+  }
+  Film film(animation.rate);
+  film.add(first);
+  int taken = 0;
+  for (int frame = 1; frame < animation.frames(); ++frame) {
+    const int steps =
+        step_count(simulation.model(), static_cast<double>(frame) / animation.rate).value();
+    if (!step_on(simulation, steps - taken, animation.span, bench)) return "";
+    taken = steps;
+    const auto picture = draw(simulation, view, "the animation", animation.span, bench);
+    if (!picture) return "";
+    film.add(*picture);
+  }
+  auto bytes = film.encode();
+  if (bytes) return *std::move(bytes);
+  bench.error("E-figure-film", animation.span, bytes.error().message, bytes.error().cure);
+  return "";
+}
+
+}  // namespace
+
+std::optional<FigureResult> evaluate_figure(const Figure& figure, const Lesson& lesson,
+                                            Workshop& workshop, Diagnostics& diagnostics) {
+  const std::size_t before = diagnostics.size();
+  const Bench bench(lesson, workshop, diagnostics);
+  check_overlays(names_of(figure.overlays), bench);
+  std::optional<Simulation> simulation = simulate_figure(figure, bench);
+  if (!simulation || diagnostics.size() > before) return std::nullopt;
+  const View view{camera_of(figure.camera, simulation->model()), figure.overlays, figure.width,
+                  figure.height};
+  const auto picture = draw(*simulation, view, "the figure", figure.span, bench);
+  if (!picture) return std::nullopt;
+  FigureResult result{poster_of(*picture, view), ""};
+  if (figure.animation) result.film = shoot(*figure.animation, *picture, *simulation, view, bench);
+  result.pin = compare_pin(figure.pin, *picture, bench);
+  return result;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,22 @@
+// What labs and figures have in common: how they are seen, and the reference picture that holds
+// them to it.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lesson/block.h"
+#include "lesson/json_object.h"
+
+namespace mjcourse {
+
+std::optional<Lab::Camera> read_camera(JsonObject& object, Reading& reading);
+std::vector<Lab::Overlay> read_overlays(JsonObject& object, Reading& reading);
+
+// The name of the reference picture; empty where there is none, or its name is no name (reported).
+LocatedText read_pin(JsonObject& object, Reading& reading);
+
+// The same of a block that was read; empty for what is not drawn.
+LocatedText pin_of(const Block& block);
+
+}  // namespace mjcourse

@@ -1,0 +1,30 @@
+// The picture files of a lesson's labs and figures, each in a folder of the lesson's own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "evaluate/result.h"
+#include "lesson/lesson.h"
+
+namespace mjcourse {
+
+// Where the pictures of a lesson's n-th lab or figure lie, below the site's root and without the
+// extension.
+std::string poster_path(const Lesson& lesson, int lab);
+std::string figure_path(const Lesson& lesson, int figure);
+
+struct LessonPicture {
+  std::string path;  // without the extension
+  const Poster* poster;
+  const std::string* film;  // null for a lab
+};
+
+// In the order of the blocks. They point into `results`.
+std::vector<LessonPicture> pictures_of(const Lesson& lesson, const LessonResults& results);
+
+// The picture that stands for the lesson: its first lab's, else its first figure's; null where it
+// has none.
+const LessonPicture* foremost(const std::vector<LessonPicture>& pictures);
+
+}  // namespace mjcourse
