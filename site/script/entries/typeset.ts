@@ -1,6 +1,8 @@
 /** KaTeX: `typeset(tex, display, macros)` gives `{html}`, or `{message, offset, length, cure}`. */
 import katex from "katex";
 
+import { bytes } from "../bytes.js";
+
 /** `display` is "true" or "false"; `macros` is JSON from `\name` to TeX; so is the answer JSON. */
 function typeset(tex: string, display: string, macros: string): string {
   const options = {
@@ -40,11 +42,6 @@ function describe(tex: string, error: ParseError, macros: Record<string, string>
     length: bytes(tex.slice(position, position + length)),
     cure: unknown === undefined ? "" : suggestCommand(unknown, macros),
   };
-}
-
-/** Bytes of `text` in UTF-8. */
-function bytes(text: string): number {
-  return encodeURIComponent(text).replace(/%../g, "%").length;
 }
 
 /** The command that differs by one slip of the fingers. KaTeX has no list of its commands, but it
