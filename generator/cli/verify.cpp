@@ -33,6 +33,7 @@ std::string tally_text(const Tally& tally) {
   add_count(parts, tally.answers_asserted, "answer asserted", "answers asserted");
   add_count(parts, tally.labs, "lab rehearsed", "labs rehearsed");
   add_count(parts, tally.pictures, "picture drawn", "pictures drawn");
+  add_count(parts, tally.plots, "plot drawn", "plots drawn");
   add_count(parts, tally.formulas, "formula set", "formulas set");
   add_count(parts, tally.unchecked, "listing unchecked", "listings unchecked");
   std::string text;

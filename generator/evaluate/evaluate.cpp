@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "evaluate/chart.h"
 #include "evaluate/example_crew.h"
 #include "evaluate/formula.h"
 #include "evaluate/inline_value.h"
@@ -38,8 +39,9 @@ class LessonEvaluator {
   void run(bool quoting) {
     for (std::size_t i = 0; i < lesson_.blocks.size(); ++i) {
       const Block& block = lesson_.blocks[i];
-      const bool quotes =
-          std::holds_alternative<InlineValue>(block) || std::holds_alternative<Quiz>(block);
+      const bool quotes = std::holds_alternative<InlineValue>(block) ||
+                          std::holds_alternative<Chart>(block) ||
+                          std::holds_alternative<Quiz>(block);
       if (quotes != quoting) continue;
       std::visit([&](const auto& known) { evaluate_block(i, known); }, block);
     }
@@ -62,6 +64,14 @@ class LessonEvaluator {
     if (auto result = evaluate_lab(lab, lesson_, workshop_, diagnostics_)) {
       ++results_.tally.labs;
       if (result->poster) ++results_.tally.pictures;
+      results_.of_block[index] = *std::move(result);
+    }
+    progress_.done();
+  }
+  void evaluate_block(std::size_t index, const Chart& chart) {
+    progress_.begin("draw the plot of " + chart.table.text);
+    if (auto result = evaluate_chart(chart, index, lesson_, workshop_, diagnostics_)) {
+      ++results_.tally.plots;
       results_.of_block[index] = *std::move(result);
     }
     progress_.done();
@@ -117,12 +127,15 @@ void compare_outputs(const Lesson& lesson, LessonResults& results, Diagnostics& 
   }
 }
 
-// Labs and quizzes; the crew's programs come on top.
+// Labs, charts and quizzes; the crew's programs come on top.
 int count_tasks(const Course& course) {
   int tasks = 0;
   for (const Lesson& lesson : course.lessons) {
     for (const Block& block : lesson.blocks) {
-      if (std::holds_alternative<Lab>(block) || std::holds_alternative<Quiz>(block)) ++tasks;
+      const bool counts = std::holds_alternative<Lab>(block) ||
+                          std::holds_alternative<Chart>(block) ||
+                          std::holds_alternative<Quiz>(block);
+      if (counts) ++tasks;
     }
   }
   return tasks;

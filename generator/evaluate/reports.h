@@ -25,7 +25,15 @@ class Reports {
   std::optional<Reported> find(const LocatedText& example, const LocatedText& result,
                                const SourceText& lesson, Diagnostics& diagnostics) const;
 
+  // The same of a table; null for nothing.
+  const std::vector<Records::Column>* find_table(const LocatedText& example,
+                                                 const LocatedText& table, const SourceText& lesson,
+                                                 Diagnostics& diagnostics) const;
+
  private:
+  const Records* records_of(const LocatedText& example, const SourceText& lesson,
+                            Diagnostics& diagnostics) const;
+
   std::map<std::string, const ExampleResult*> results_;
 };
 

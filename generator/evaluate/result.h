@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "lesson/lab.h"
+#include "script/chart_press.h"
 
 namespace mjcourse {
 
@@ -94,6 +95,12 @@ struct LabResult {
   std::optional<Poster> poster;
 };
 
+struct ChartResult {
+  ChartDrawings drawings;
+  std::vector<Records::Column> table;  // what it shows
+  std::string file;                    // of the example that reported it
+};
+
 // One way in which an answer was found, or the reason why none was needed.
 struct ProofResult {
   std::string built;       // "a model with 7 hinge joints", "pick_place.xml", "l1_2_example.cpp"
@@ -113,7 +120,7 @@ struct QuizResult {
 };
 
 using Result = std::variant<FormulaResult, ValueResult, ExampleResult, ModelResult, OutputResult,
-                            LabResult, QuizResult>;
+                            LabResult, ChartResult, QuizResult>;
 
 // How much was verified; what failed is not counted.
 struct Tally {
@@ -128,6 +135,7 @@ struct Tally {
   int answers_asserted = 0;
   int labs = 0;
   int pictures = 0;
+  int plots = 0;
 
   Tally& operator+=(const Tally& other);
 };

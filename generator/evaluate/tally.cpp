@@ -14,6 +14,7 @@ Tally& Tally::operator+=(const Tally& other) {
   answers_asserted += other.answers_asserted;
   labs += other.labs;
   pictures += other.pictures;
+  plots += other.plots;
   return *this;
 }
 

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "lesson/chart.h"
 #include "lesson/lab.h"
 #include "lesson/located_text.h"
 #include "lesson/markdown.h"
@@ -105,6 +106,6 @@ struct Callout {
 struct Shown {};
 
 using Block = std::variant<Math, InlineValue, Example, Unchecked, Snippet, ModelExcerpt,
-                           InlineModel, Output, Io, Callout, Lab, Quiz, Shown>;
+                           InlineModel, Output, Io, Callout, Lab, Chart, Quiz, Shown>;
 
 }  // namespace mjcourse

@@ -4,6 +4,7 @@
 #include "base/nearest.h"
 #include "lesson/fence.h"
 #include "lesson/lesson_reader.h"
+#include "lesson/read_chart.h"
 #include "lesson/read_code.h"
 #include "lesson/read_lab.h"
 #include "lesson/read_model_fence.h"
@@ -51,7 +52,7 @@ void report_unknown(const Fence& fence, Reading& reading) {
   if (fence.indented()) {
     reading.error("E-fence-kind", fence.span(), "an indented block is code that nobody ran",
                   "remove the indentation, or use a fence");
-  } else if (kind == "figure" || kind == "plot") {
+  } else if (kind == "figure") {
     reading.error("E-not-yet", fence.words()[0].span(),
                   "a `" + kind +
                       "` fence belongs to the lesson language, but this version of "
@@ -59,10 +60,10 @@ void report_unknown(const Fence& fence, Reading& reading) {
                   "leave it out for now");
   } else if (kind.empty()) {
     reading.error("E-fence-kind", fence.span(), "this fence does not say what it holds",
-                  "known: cpp, xml, text, io, lab, quiz");
+                  "known: cpp, xml, text, io, lab, plot, quiz");
   } else {
     reading.error("E-fence-kind", fence.words()[0].span(), "there is no fence `" + kind + "`",
-                  suggest(kind, {"cpp", "xml", "text", "io", "lab", "quiz"}));
+                  suggest(kind, {"cpp", "xml", "text", "io", "lab", "plot", "quiz"}));
   }
 }
 
@@ -89,6 +90,8 @@ void LessonReader::read_fence(cmark_node* node) {
   } else if (kind == "lab") {
     reading_.error("E-fence-kind", fence.span(), "a lab says of which kind it is",
                    "write `lab simlab`");
+  } else if (kind == "plot") {
+    if (auto chart = read_chart(fence, *this)) add(node, std::move(*chart));
   } else if (kind == "quiz") {
     if (auto quiz = read_quiz(fence, *this)) {
       refuse_second_quiz(*quiz, fence.span());

@@ -47,6 +47,10 @@ std::string poster_path(const Lesson& lesson, int lab) {
   return lesson.folder + "/" + lesson.slug + "/lab-" + std::to_string(lab);
 }
 
+std::string table_path(const Lesson& lesson, int chart) {
+  return lesson.folder + "/" + lesson.slug + "/plot-" + std::to_string(chart) + ".csv";
+}
+
 PageWriter::PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results,
                        Press press)
     : course_(course), lesson_(lesson), results_(results), press_(press) {
@@ -137,6 +141,9 @@ std::string PageWriter::write_block(std::size_t index, const std::string& inner)
     return render("example", data_of(*model, index));
   }
   if (const auto* lab = std::get_if<Lab>(&block)) return render("lab", data_of(*lab, index));
+  if (const auto* chart = std::get_if<Chart>(&block)) {
+    return render("plot", data_of(*chart, index));
+  }
   if (const auto* quiz = std::get_if<Quiz>(&block)) return render("quiz", data_of(*quiz, index));
   if (const auto* io = std::get_if<Io>(&block)) return render("io", data_of(*io));
   if (const auto* callout = std::get_if<Callout>(&block)) {

@@ -61,6 +61,7 @@ class PageWriter {
   bool has_proved_output(const std::optional<std::size_t>& output) const;
   nlohmann::json data_of(const Lab& lab, std::size_t index);
   nlohmann::json live_data(const Lab& lab, const LabResult& result);
+  nlohmann::json data_of(const Chart& chart, std::size_t index);
   nlohmann::json data_of(const Quiz& quiz, std::size_t index);
   nlohmann::json data_of(const Question& question, const QuestionResult& result,
                          const std::string& id, std::size_t number);
@@ -87,6 +88,8 @@ std::string render_template(Templates& templates, const std::string& name,
 
 // Where the pictures of a lesson's n-th lab lie, below the site's root and without the extension.
 std::string poster_path(const Lesson& lesson, int lab);
+// Where the table of its n-th chart lies, to download.
+std::string table_path(const Lesson& lesson, int chart);
 // The page of a lesson, below the site's root.
 std::string page_path(const Lesson& lesson);
 

@@ -9,6 +9,7 @@
 
 #include "base/content_hash.h"
 #include "evaluate/workshop.h"
+#include "page/csv.h"
 #include "page/inline_styles.h"
 #include "page/page_writer.h"
 #include "page/site_directory.h"
@@ -39,6 +40,7 @@ json verified_data(const Tally& tally, const std::string& mujoco) {
           {"answers_asserted", tally.answers_asserted},
           {"labs", tally.labs},
           {"pictures", tally.pictures},
+          {"plots", tally.plots},
           {"formulas", tally.formulas},
           {"mujoco", mujoco}};
 }
@@ -76,6 +78,7 @@ class SiteWriter {
  private:
   void write_lesson(std::size_t index);
   void write_posters(std::size_t index);
+  void write_tables(std::size_t index);
   void write_home();
   void copy_examples();
   std::vector<std::size_t> published(const Level& level) const;
@@ -199,6 +202,7 @@ void SiteWriter::write_lesson(std::size_t index) {
   directory_.write(page_path(lesson), frame("lesson", lesson.number + " " + lesson.front.title.text,
                                             description, "../", &lesson, body, styles));
   write_posters(index);
+  write_tables(index);
   for (const LabFiles& files : writer.lab_files()) {
     for (const auto& [path, bytes] : files.written) directory_.write(path, bytes);
     copied_.insert(files.copied.begin(), files.copied.end());
@@ -215,6 +219,15 @@ void SiteWriter::write_posters(std::size_t index) {
     if (result == nullptr || !result->poster) continue;
     directory_.write(poster_path(lesson, lab) + ".webp", result->poster->webp);
     directory_.write(poster_path(lesson, lab) + ".png", result->poster->png);
+  }
+}
+
+void SiteWriter::write_tables(std::size_t index) {
+  const Lesson& lesson = course_.lessons[index];
+  for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
+    const auto* result = evaluation_.lessons[index].get<ChartResult>(i);
+    if (result == nullptr) continue;
+    directory_.write(table_path(lesson, chart_number(lesson, i)), csv_of(result->table));
   }
 }
 
