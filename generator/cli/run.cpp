@@ -26,9 +26,9 @@ constexpr Option kOut{"--out", "a folder",
 constexpr Option kDryRun{"--dry-run", "",
                          [](Options& options, const std::string&) { options.dry_run = true; }};
 
-constexpr Option kReport{
-    "--report", "a folder",
-    [](Options& options, const std::string& value) { options.report = value; }};
+constexpr Option kReport{"--report", "a folder", [](Options& options, const std::string& value) {
+                           options.report = value;
+                         }};
 constexpr Option kStrict{"--strict", "",
                          [](Options& options, const std::string&) { options.strict = true; }};
 

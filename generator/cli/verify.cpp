@@ -38,6 +38,7 @@ std::string tally_text(const Tally& tally) {
   add_count(parts, tally.answers_asserted, "answer asserted", "answers asserted");
   add_count(parts, tally.labs, "lab rehearsed", "labs rehearsed");
   add_count(parts, tally.pictures, "picture drawn", "pictures drawn");
+  add_count(parts, tally.plots, "plot drawn", "plots drawn");
   add_count(parts, tally.formulas, "formula set", "formulas set");
   add_count(parts, tally.unchecked, "listing unchecked", "listings unchecked");
   std::string text;
@@ -61,10 +62,12 @@ void sort_diagnostics(Diagnostics& diagnostics) {
 // Adds what only --strict minds; what is a warning without it is an error.
 void apply_strictly(Evaluation& evaluation) {
   Diagnostics& all = evaluation.diagnostics;
-  for (const LessonResults& lesson : evaluation.lessons) {
-    const Diagnostics found = unreasoned(lesson.claims);
+  const auto add = [&](const LessonResults& page) {
+    const Diagnostics found = unreasoned(page.claims);
     all.insert(all.end(), found.begin(), found.end());
-  }
+  };
+  for (const LessonResults& lesson : evaluation.lessons) add(lesson);
+  add(evaluation.glossary);
   for (Diagnostic& diagnostic : all) diagnostic.severity = Severity::error;
 }
 // Errors in `file`, and those elsewhere that a note says it has a part in: a model that it uses.

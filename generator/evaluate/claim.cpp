@@ -22,6 +22,10 @@ const char* name_of(Claim::Kind kind) {
       return "lab";
     case Claim::Kind::picture:
       return "picture";
+    case Claim::Kind::plot:
+      return "plot";
+    case Claim::Kind::image:
+      return "image";
     case Claim::Kind::answer:
       return "answer";
     case Claim::Kind::citation:

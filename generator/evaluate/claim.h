@@ -24,6 +24,8 @@ struct Claim {
     formula,   // this is TeX
     lab,       // every control and reading of it works
     picture,   // this is what the model looks like
+    plot,      // this is what an example reported
+    image,     // a picture of the author's own
     answer,    // the answer of one question
     citation,  // an established fact, from a source
     code       // code that nobody runs

@@ -88,6 +88,24 @@ std::string how_rehearsed(const Lab& lab, const LabResult& result) {
   return text;
 }
 
+std::string how_drawn(const Figure& figure, const Versions& versions) {
+  std::string text = "drawn by MuJoCo " + versions.mujoco;
+  if (figure.from) {
+    text += ", as " + figure.from->example.text + ".cpp recorded it";
+  } else if (figure.seconds > 0) {
+    text += " after " + number_text(figure.seconds) + " s";
+  }
+  if (figure.animation) text += ", " + number_text(figure.animation->seconds) + " s on film";
+  if (!figure.pin.text.empty()) text += "; to the eye, the reference picture";
+  return text;
+}
+
+std::string how_plotted(const Chart& chart, const ChartResult& result) {
+  const std::size_t rows = result.table.front().values.size();
+  return "drawn by Vega from " + counted(rows, "row", "rows") + " that " + chart.example.text +
+         ".cpp reported as \u201c" + chart.table.text + "\u201d";
+}
+
 std::string how_proved(const Question& question, const QuestionResult& result) {
   std::string text;
   for (const ProofResult& proof : result.proofs) {

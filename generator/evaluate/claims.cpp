@@ -43,7 +43,7 @@ std::string text_of(const Records& records) {
     std::visit([&](const auto& known) { all["results"][name] = known; }, value);
   }
   for (const auto& [name, columns] : records.tables) {
-    for (const Records::Column& column : columns) all["tables"][name][column.name] = column.values;
+    for (const Column& column : columns) all["tables"][name][column.name] = column.values;
   }
   all["snapshots"] = records.snapshots;
   return all.dump();
@@ -90,11 +90,12 @@ std::string source_of(const Lesson& lesson, std::size_t index) {
 // The claims of one lesson.
 class LessonClaims {
  public:
-  LessonClaims(const Lesson& lesson, std::size_t index, const Evaluation& evaluation,
-               const Programs& programs, const std::set<Stand>& stands, ClaimSources& sources)
+  LessonClaims(const Lesson& lesson, std::size_t index, const LessonResults& results,
+               const Evaluation& evaluation, const Programs& programs,
+               const std::set<Stand>& stands, ClaimSources& sources)
       : lesson_(lesson),
         index_(index),
-        results_(evaluation.lessons[index]),
+        results_(results),
         evaluation_(evaluation),
         programs_(programs),
         stands_(stands),
@@ -117,11 +118,16 @@ class LessonClaims {
   void add(std::size_t i, const InlineValue& value);
   void add(std::size_t i, const Math& math);
   void add(std::size_t i, const Lab& lab);
+  void add(std::size_t i, const Figure& figure);
+  void add(std::size_t i, const Chart& chart);
+  void add(std::size_t i, const Image& image);
   void add(std::size_t i, const Quiz& quiz);
   void add(std::size_t i, const Callout& callout);
   void add(std::size_t i, const Unchecked& unchecked);
   // States nothing that could be untrue.
   void add(std::size_t, const Io&) {}
+  void add(std::size_t, const TermUse&) {}
+  void add(std::size_t, const Demo&) {}  // its blocks are the lesson's
   void add(std::size_t, const Shown&) {}
 
   Claim begin(Kind kind, std::size_t block, std::string what, Span extent) const;
@@ -300,6 +306,34 @@ void LessonClaims::add(std::size_t i, const Lab& lab) {
          {model, result->poster ? result->poster->png : ""});
 }
 
+void LessonClaims::add(std::size_t i, const Figure& figure) {
+  Claim claim = begin(Kind::picture, i, as_title("a figure: " + figure.alt), fence(figure.span));
+  const auto* result = results_.get<FigureResult>(i);
+  claim.how = how_drawn(figure, versions());
+  const std::string written(lesson_.source->text().substr(
+      claim.extent.begin, claim.extent.end - claim.extent.begin));
+  finish(std::move(claim), result != nullptr,
+         {sources_.model(figure.model.text), sources_.models_named_in(written),
+          result == nullptr ? "" : result->poster.png + result->film});
+}
+
+void LessonClaims::add(std::size_t i, const Chart& chart) {
+  Claim claim = begin(Kind::plot, i, as_title("a plot: " + chart.alt), fence(chart.span));
+  const auto* result = results_.get<ChartResult>(i);
+  if (result != nullptr) claim.how = how_plotted(chart, *result);
+  finish(std::move(claim), result != nullptr,
+         {result == nullptr ? "" : result->drawings.wide + result->drawings.narrow});
+}
+
+void LessonClaims::add(std::size_t i, const Image& image) {
+  Claim claim = begin(Kind::image, i, as_title(image.file.text + ": " + image.alt),
+                      image.file.span());
+  const auto* result = results_.get<ImageResult>(i);
+  claim.status = Status::unchecked;
+  claim.reason = image.title;
+  finish(std::move(claim), result != nullptr, {result == nullptr ? "" : result->hash});
+}
+
 void LessonClaims::add(std::size_t i, const Quiz& quiz) {
   const auto* results = results_.get<QuizResult>(i);
   for (std::size_t q = 0; q < quiz.questions.size(); ++q) {
@@ -348,12 +382,15 @@ void make_claims(const Course& course, const std::filesystem::path& root, const 
                  Evaluation& evaluation) {
   const std::set<Stand> stands = stands_of(course);
   ClaimSources sources(root, course.models);
-  for (std::size_t i = 0; i < course.lessons.size(); ++i) {
-    LessonResults& results = evaluation.lessons[i];
+  const auto fill = [&](const Lesson& page, std::size_t index, LessonResults& results) {
     results.claims =
-        LessonClaims(course.lessons[i], i, evaluation, programs, stands, sources).run();
+        LessonClaims(page, index, results, evaluation, programs, stands, sources).run();
     results.tally = tally_of(results.claims);
+  };
+  for (std::size_t i = 0; i < course.lessons.size(); ++i) {
+    fill(course.lessons[i], i, evaluation.lessons[i]);
   }
+  if (course.glossary) fill(course.glossary->page, course.lessons.size(), evaluation.glossary);
 }
 
 }  // namespace mjcourse

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/stopwatch.h"
+#include "evaluate/chart.h"
 #include "evaluate/claims.h"
 #include "evaluate/example_crew.h"
 #include "evaluate/figure.h"
@@ -25,8 +26,8 @@ namespace {
 
 bool may_quote(const Block& block) {
   const auto* figure = std::get_if<Figure>(&block);
-  return std::holds_alternative<InlineValue>(block) || std::holds_alternative<Quiz>(block) ||
-         (figure != nullptr && figure->from);
+  return std::holds_alternative<InlineValue>(block) || std::holds_alternative<Chart>(block) ||
+         std::holds_alternative<Quiz>(block) || (figure != nullptr && figure->from);
 }
 
 // What one lesson's formulas, labs, figures, questions and inline values come to.
@@ -77,6 +78,14 @@ class LessonEvaluator {
     progress_.begin("draw a figure of " + lesson_.number);
     if (auto result = evaluate_figure(figure, lesson_, workshop_, diagnostics_)) {
       if (result->pin) results_.pins.push_back(*result->pin);
+      results_.of_block[index] = *std::move(result);
+    }
+    progress_.done();
+  }
+  void evaluate_block(std::size_t index, const Chart& chart) {
+    progress_.begin("draw the plot of " + chart.table.text);
+    if (auto result = evaluate_chart(chart, index, lesson_, workshop_, diagnostics_)) {
+      ++results_.tally.plots;
       results_.of_block[index] = *std::move(result);
     }
     progress_.done();
@@ -134,15 +143,15 @@ void compare_outputs(const Lesson& lesson, LessonResults& results, Diagnostics& 
   }
 }
 
-// Labs, figures and quizzes; the crew's programs come on top.
+// Labs, figures, charts and quizzes; the crew's programs come on top.
 int count_tasks(const Course& course) {
   int tasks = 0;
   for (const Lesson& lesson : course.lessons) {
     for (const Block& block : lesson.blocks) {
-      if (std::holds_alternative<Lab>(block) || std::holds_alternative<Quiz>(block) ||
-          std::holds_alternative<Figure>(block)) {
-        ++tasks;
-      }
+      const bool counts =
+          std::holds_alternative<Lab>(block) || std::holds_alternative<Figure>(block) ||
+          std::holds_alternative<Chart>(block) || std::holds_alternative<Quiz>(block);
+      if (counts) ++tasks;
     }
   }
   return tasks;

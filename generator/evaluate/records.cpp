@@ -36,8 +36,8 @@ Reported reported_of(const json& value) {
   return number_of(value);
 }
 
-std::vector<Records::Column> columns_of(const json& value) {
-  std::vector<Records::Column> columns;
+Table columns_of(const json& value) {
+  Table columns;
   std::set<std::string> names;
   for (const json& column : value) {
     columns.push_back({column.at(0).get<std::string>(), numbers_of(column.at(1))});

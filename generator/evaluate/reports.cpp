@@ -3,6 +3,16 @@
 #include "base/nearest.h"
 
 namespace mjcourse {
+namespace {
+
+template <typename T>
+std::vector<std::string> names_of(const std::map<std::string, T>& things) {
+  std::vector<std::string> names;
+  for (const auto& [name, thing] : things) names.push_back(name);
+  return names;
+}
+
+}  // namespace
 
 void Reports::add(const std::string& example, const ExampleResult* result) {
   const ExampleResult*& known = results_[example];
@@ -10,15 +20,15 @@ void Reports::add(const std::string& example, const ExampleResult* result) {
 }
 
 std::vector<std::string> Reports::examples() const {
-  std::vector<std::string> names;
-  for (const auto& [name, result] : results_) names.push_back(name);
-  return names;
+  return names_of(results_);
 }
 
-const ExampleResult* Reports::find_example(const LocatedText& example, const SourceText& lesson,
-                                           Diagnostics& diagnostics) const {
+const Records* Reports::records_of(const LocatedText& example, const SourceText& lesson,
+                                   Diagnostics& diagnostics) const {
   const auto known = results_.find(example.text);
-  if (known != results_.end()) return known->second;
+  if (known != results_.end()) {
+    return known->second != nullptr ? &known->second->records : nullptr;
+  }
   diagnostics.push_back(error_at(place_of(lesson, example.span()), "E-example-unknown",
                                  "no lesson has an example `" + example.text + "`",
                                  suggest(example.text, examples())));
@@ -27,40 +37,45 @@ const ExampleResult* Reports::find_example(const LocatedText& example, const Sou
 
 namespace {
 
-// The record `name` of `example`; nothing (reported) where it has none of that name. `kind` is what
-// a message calls it, and `call` the function of the helper header that would make it.
+// The record `name` of `example`; null (reported) where it has none of that name. `kind` is what a
+// message calls it, and `arguments` what the function of the helper header takes that would make
+// it.
 template <typename Value>
-std::optional<Value> find_record(const std::map<std::string, Value>& records,
-                                 const LocatedText& example, const LocatedText& name,
-                                 const std::string& kind, const std::string& call,
-                                 const SourceText& lesson, Diagnostics& diagnostics) {
-  if (const auto found = records.find(name.text); found != records.end()) return found->second;
-  std::vector<std::string> names;
-  for (const auto& [known, value] : records) names.push_back(known);
-  diagnostics.push_back(
-      error_at(place_of(lesson, name.span()), "E-example-" + kind,
-               "the example `" + example.text + "` reports no " + kind + " `" + name.text + "`",
-               names.empty() ? "report it there: `" + call + "`" : suggest(name.text, names)));
-  return std::nullopt;
+const Value* find_record(const std::map<std::string, Value>& records, const LocatedText& example,
+                         const LocatedText& name, const std::string& kind,
+                         const std::string& arguments, const SourceText& lesson,
+                         Diagnostics& diagnostics) {
+  if (const auto found = records.find(name.text); found != records.end()) return &found->second;
+  const std::string call = kind + "(\"" + name.text + "\", " + arguments + ")";
+  diagnostics.push_back(error_at(
+      place_of(lesson, name.span()), "E-example-" + kind,
+      "the example `" + example.text + "` reports no " + kind + " `" + name.text + "`",
+      records.empty() ? "report it there: `" + call + "`" : suggest(name.text, names_of(records))));
+  return nullptr;
 }
 
 }  // namespace
 
-std::optional<Reported> Reports::find(const LocatedText& example, const LocatedText& result,
-                                      const SourceText& lesson, Diagnostics& diagnostics) const {
-  const ExampleResult* found = find_example(example, lesson, diagnostics);
-  if (found == nullptr) return std::nullopt;
-  return find_record(found->records.results, example, result, "result",
-                     "result(\"" + result.text + "\", …)", lesson, diagnostics);
+const Reported* Reports::find(const LocatedText& example, const LocatedText& result,
+                              const SourceText& lesson, Diagnostics& diagnostics) const {
+  const Records* records = records_of(example, lesson, diagnostics);
+  if (records == nullptr) return nullptr;
+  return find_record(records->results, example, result, "result", "…", lesson, diagnostics);
 }
 
-std::optional<State> Reports::find_snapshot(const LocatedText& example, const LocatedText& snapshot,
-                                            const SourceText& lesson,
-                                            Diagnostics& diagnostics) const {
-  const ExampleResult* found = find_example(example, lesson, diagnostics);
-  if (found == nullptr) return std::nullopt;
-  return find_record(found->records.snapshots, example, snapshot, "snapshot",
-                     "snapshot(\"" + snapshot.text + "\", model, data)", lesson, diagnostics);
+const State* Reports::find_snapshot(const LocatedText& example, const LocatedText& snapshot,
+                                    const SourceText& lesson, Diagnostics& diagnostics) const {
+  const Records* records = records_of(example, lesson, diagnostics);
+  if (records == nullptr) return nullptr;
+  return find_record(records->snapshots, example, snapshot, "snapshot", "model, data", lesson,
+                     diagnostics);
+}
+
+const Table* Reports::find_table(const LocatedText& example, const LocatedText& table,
+                                 const SourceText& lesson, Diagnostics& diagnostics) const {
+  const Records* records = records_of(example, lesson, diagnostics);
+  if (records == nullptr) return nullptr;
+  return find_record(records->tables, example, table, "table", "…", lesson, diagnostics);
 }
 
 }  // namespace mjcourse

@@ -20,18 +20,19 @@ class Reports {
 
   std::vector<std::string> examples() const;
 
-  // What `example` reported as `result`. Nothing when there is no such example or result
-  // (reported), or when the example failed, which was reported where it stands.
-  std::optional<Reported> find(const LocatedText& example, const LocatedText& result,
-                               const SourceText& lesson, Diagnostics& diagnostics) const;
-
-  // The same of a state that it recorded, by the names of its parts.
-  std::optional<State> find_snapshot(const LocatedText& example, const LocatedText& snapshot,
-                                     const SourceText& lesson, Diagnostics& diagnostics) const;
+  // What `example` reported as `result`, recorded as `snapshot`, or as `table`. Null when there is
+  // no such example or record (reported), or when the example failed, which was reported where it
+  // stands.
+  const Reported* find(const LocatedText& example, const LocatedText& result,
+                       const SourceText& lesson, Diagnostics& diagnostics) const;
+  const State* find_snapshot(const LocatedText& example, const LocatedText& snapshot,
+                             const SourceText& lesson, Diagnostics& diagnostics) const;
+  const Table* find_table(const LocatedText& example, const LocatedText& table,
+                          const SourceText& lesson, Diagnostics& diagnostics) const;
 
  private:
-  const ExampleResult* find_example(const LocatedText& example, const SourceText& lesson,
-                                    Diagnostics& diagnostics) const;
+  const Records* records_of(const LocatedText& example, const SourceText& lesson,
+                            Diagnostics& diagnostics) const;
 
   std::map<std::string, const ExampleResult*> results_;
 };

@@ -14,6 +14,7 @@
 
 #include "evaluate/claim.h"
 #include "lesson/lab.h"
+#include "script/chart_press.h"
 
 namespace mjcourse {
 
@@ -25,13 +26,14 @@ struct FormulaResult {
 using Reported = std::variant<double, std::string, std::vector<double>>;
 // The parts of a state by MuJoCo's names of them: "time", "qpos", "mocap_pos" …
 using State = std::map<std::string, std::vector<double>>;
+struct Column {
+  std::string name;
+  std::vector<double> values;
+};
+using Table = std::vector<Column>;  // its columns are equally long
 struct Records {
-  struct Column {
-    std::string name;
-    std::vector<double> values;
-  };
   std::map<std::string, Reported> results;
-  std::map<std::string, std::vector<Column>> tables;  // their columns are equally long
+  std::map<std::string, Table> tables;
   std::map<std::string, State> snapshots;
 };
 
@@ -120,6 +122,12 @@ struct LabResult {
   std::optional<PinComparison> pin = {};  // of the poster
 };
 
+struct ChartResult {
+  ChartDrawings drawings;
+  Table table;       // what it shows
+  std::string file;  // of the example that reported it
+};
+
 // One way in which an answer was found, or the reason why none was needed.
 struct ProofResult {
   std::string built;       // "a model with 7 hinge joints", "pick_place.xml", "l1_2_example.cpp"
@@ -141,7 +149,7 @@ struct QuizResult {
 };
 
 using Result = std::variant<FormulaResult, ValueResult, ExampleResult, ModelResult, OutputResult,
-                            ImageResult, LabResult, QuizResult, FigureResult>;
+                            ImageResult, LabResult, FigureResult, ChartResult, QuizResult>;
 
 // How much was verified; what failed is not counted. The claims in numbers: see tally_of.
 struct Tally {
@@ -156,6 +164,7 @@ struct Tally {
   int answers_asserted = 0;
   int labs = 0;
   int pictures = 0;
+  int plots = 0;
 
   Tally& operator+=(const Tally& other);
 };

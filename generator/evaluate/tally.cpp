@@ -22,10 +22,13 @@ int Tally::*counter_of(Claim::Kind kind) {
       return &Tally::labs;
     case Claim::Kind::picture:
       return &Tally::pictures;
+    case Claim::Kind::plot:
+      return &Tally::plots;
     case Claim::Kind::answer:
       return &Tally::answers_proved;
     case Claim::Kind::region:  // of a program that was counted
     case Claim::Kind::citation:
+    case Claim::Kind::image:
     case Claim::Kind::code:
       return nullptr;
   }
@@ -59,6 +62,7 @@ Tally& Tally::operator+=(const Tally& other) {
   answers_asserted += other.answers_asserted;
   labs += other.labs;
   pictures += other.pictures;
+  plots += other.plots;
   return *this;
 }
 

@@ -45,7 +45,8 @@ Workshop::Workshop(const Course& course, std::filesystem::path root, const Files
     : course_(course),
       root_(std::move(root)),
       world_bundle_(script_bundle(assets, "world")),
-      typesetter_(script_bundle(assets, "typeset"), course.macros) {}
+      typesetter_(script_bundle(assets, "typeset"), course.macros),
+      chart_press_(script_bundle(assets, "plot")) {}
 
 tl::expected<Renderer*, std::string> Workshop::renderer() {
   if (!renderer_) {

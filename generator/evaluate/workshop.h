@@ -13,6 +13,7 @@
 #include "physics/renderer.h"
 #include "physics/simulation.h"
 #include "report/diagnostic.h"
+#include "script/chart_press.h"
 #include "script/typeset.h"
 
 namespace mjcourse {
@@ -26,6 +27,8 @@ class Workshop {
   const std::filesystem::path& root() const { return root_; }
   Typesetter& typesetter() { return typesetter_; }
   const std::string& world_bundle() const { return world_bundle_; }
+
+  ChartPress& chart_press() { return chart_press_; }
 
   // Complete once all examples were run.
   Reports& reports() { return reports_; }
@@ -53,6 +56,7 @@ class Workshop {
   std::filesystem::path root_;
   std::string world_bundle_;
   Typesetter typesetter_;
+  ChartPress chart_press_;
   Reports reports_;
   std::optional<Renderer> renderer_;
 };

@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "lesson/chart.h"
 #include "lesson/figure.h"
 #include "lesson/lab.h"
 #include "lesson/located_text.h"
@@ -134,6 +135,6 @@ struct Shown {};
 
 using Block =
     std::variant<Math, InlineValue, TermUse, Example, Unchecked, Snippet, ModelExcerpt, InlineModel,
-                 Output, Image, Io, Callout, Lab, Quiz, Figure, Demo, Shown>;
+                 Output, Image, Io, Callout, Lab, Figure, Chart, Quiz, Demo, Shown>;
 
 }  // namespace mjcourse

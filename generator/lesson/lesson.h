@@ -59,4 +59,7 @@ struct Lesson {
   }
 };
 
+// Which of the lesson's charts the block `index` is, from 1: so its page and its files call it.
+int chart_number(const Lesson& lesson, std::size_t index);
+
 }  // namespace mjcourse

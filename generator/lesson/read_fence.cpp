@@ -5,6 +5,7 @@
 #include "base/nearest.h"
 #include "lesson/fence.h"
 #include "lesson/lesson_reader.h"
+#include "lesson/read_chart.h"
 #include "lesson/read_code.h"
 #include "lesson/read_figure.h"
 #include "lesson/read_io.h"
@@ -23,17 +24,12 @@ std::string word(const Fence& fence, std::size_t index) {
 
 void report_unknown(const Fence& fence, Reading& reading) {
   const std::string kind = word(fence, 0);
-  std::vector<std::string> known{"cpp",  "xml",    "text", "io", "lab", "quiz", "figure", "demo"};
+  std::vector<std::string> known{"cpp",    "xml",  "text", "io",  "lab",
+                                 "figure", "plot", "quiz", "demo"};
   known.insert(known.end(), unchecked_languages().begin(), unchecked_languages().end());
   if (fence.indented()) {
     reading.error("E-fence-kind", fence.span(), "an indented block is code that nobody ran",
                   "remove the indentation, or use a fence");
-  } else if (kind == "plot") {
-    reading.error("E-not-yet", fence.words()[0].span(),
-                  "a `" + kind +
-                      "` fence belongs to the lesson language, but this version of "
-                      "mjcourse cannot do it yet",
-                  "leave it out for now");
   } else if (kind.empty()) {
     reading.error("E-fence-kind", fence.span(), "this fence does not say what it holds",
                   suggest(kind, known));
@@ -76,6 +72,8 @@ void LessonReader::read_fence(cmark_node* node, Region& region) {
   } else if (kind == "lab") {
     reading_.error("E-fence-kind", fence.span(), "a lab says of which kind it is",
                    "write `lab simlab`");
+  } else if (kind == "plot") {
+    if (auto chart = read_chart(fence, *this)) add(node, std::move(*chart));
   } else if (kind == "quiz") {
     if (auto quiz = read_quiz(fence, *this)) {
       refuse_second_quiz(*quiz, fence.span());

@@ -1,17 +1,19 @@
 #include "page/anchors.h"
 
+#include <algorithm>
 #include <cctype>
 
 namespace mjcourse {
 namespace {
 
-// The number of the lesson's labs up to blocks[index]: "lab-2" is the second.
-int lab_number(const Lesson& lesson, std::size_t index) {
-  int labs = 0;
-  for (std::size_t i = 0; i <= index; ++i) {
-    if (std::holds_alternative<Lab>(lesson.blocks[i])) ++labs;
-  }
-  return labs;
+// The number of the lesson's blocks of this kind up to blocks[index]: "lab-2" is the second.
+template <typename Kind>
+std::string numbered(const std::string& name, const Lesson& lesson, std::size_t index) {
+  const auto end = lesson.blocks.begin() + static_cast<std::ptrdiff_t>(index) + 1;
+  const auto number = std::count_if(lesson.blocks.begin(), end, [](const Block& block) {
+    return std::holds_alternative<Kind>(block);
+  });
+  return name + "-" + std::to_string(number);
 }
 
 std::string heading_above(const Lesson& lesson, int line) {
@@ -32,7 +34,7 @@ std::string as_id(std::string text) {
 }
 
 std::string lesson_anchor(const Lesson& lesson) {
-  return "lesson-" + as_id(lesson.number);
+  return "lesson-" + as_id(lesson.number.empty() ? lesson.slug : lesson.number);
 }
 
 std::string claim_anchor(const Lesson& lesson, std::size_t index) {
@@ -52,9 +54,10 @@ std::string place_anchor(const Lesson& lesson, const Claim& claim) {
   if (const auto* output = std::get_if<Output>(block)) block = &lesson.blocks[output->example];
   if (const auto* example = std::get_if<Example>(block)) return example_anchor(*example);
   if (const auto* quiz = std::get_if<Quiz>(block)) return question_anchor(*quiz, claim.part);
-  if (std::holds_alternative<Lab>(*block)) {
-    return "lab-" + std::to_string(lab_number(lesson, claim.block));
-  }
+  const std::size_t index = claim.block;
+  if (std::holds_alternative<Lab>(*block)) return numbered<Lab>("lab", lesson, index);
+  if (std::holds_alternative<Figure>(*block)) return numbered<Figure>("figure", lesson, index);
+  if (std::holds_alternative<Chart>(*block)) return numbered<Chart>("plot", lesson, index);
   return heading_above(lesson, claim.place.line);
 }
 

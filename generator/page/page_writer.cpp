@@ -71,6 +71,10 @@ std::string image_path(const Lesson& lesson, const Image& image, const ImageResu
          file.extension().string();
 }
 
+std::string table_path(const Lesson& lesson, int chart) {
+  return lesson.folder + "/" + lesson.slug + "/plot-" + std::to_string(chart) + ".csv";
+}
+
 PageWriter::PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results,
                        Press press)
     : course_(course), lesson_(lesson), results_(results), press_(std::move(press)) {
@@ -196,6 +200,9 @@ std::string PageWriter::write_block(std::size_t index, const std::string& inner)
     return render("example", data_of(*model, index));
   }
   if (const auto* lab = std::get_if<Lab>(&block)) return render("lab", data_of(*lab, index));
+  if (const auto* chart = std::get_if<Chart>(&block)) {
+    return render("plot", data_of(*chart, index));
+  }
   if (const auto* quiz = std::get_if<Quiz>(&block)) return render("quiz", data_of(*quiz, index));
   if (const auto* image = std::get_if<Image>(&block)) {
     const auto* result = results_.get<ImageResult>(index);

@@ -77,6 +77,7 @@ class PageWriter {
   nlohmann::json data_of(const Lab& lab, std::size_t index);
   nlohmann::json live_data(const Lab& lab, const LabResult& result);
   nlohmann::json data_of(const Figure& figure, std::size_t index);
+  nlohmann::json data_of(const Chart& chart, std::size_t index);
   nlohmann::json data_of(const Quiz& quiz, std::size_t index);
   nlohmann::json data_of(const Question& question, const QuestionResult& result,
                          const std::string& id, std::size_t number);
@@ -110,6 +111,8 @@ std::string render_template(Templates& templates, const std::string& name,
 
 // Where a copy of a lesson's picture lies, below the site's root.
 std::string image_path(const Lesson& lesson, const Image& image, const ImageResult& result);
+// Where the table of its n-th chart lies, to download.
+std::string table_path(const Lesson& lesson, int chart);
 // The page of a lesson, below the site's root.
 std::string page_path(const Lesson& lesson);
 

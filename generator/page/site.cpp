@@ -12,6 +12,7 @@
 #include "evaluate/workshop.h"
 #include "page/anchors.h"
 #include "page/api_page.h"
+#include "page/csv.h"
 #include "page/glossary_page.h"
 #include "page/inline_styles.h"
 #include "page/lesson_pictures.h"
@@ -39,6 +40,7 @@ json verified_data(const Tally& tally, const std::string& mujoco, const std::str
           {"answers_asserted", tally.answers_asserted},
           {"labs", tally.labs},
           {"pictures", tally.pictures},
+          {"plots", tally.plots},
           {"formulas", tally.formulas},
           {"mujoco", mujoco},
           {"href", href}};
@@ -83,6 +85,7 @@ class SiteWriter {
   void write_lesson(std::size_t index);
   void write_pictures(std::size_t index);
   void add_images(const Lesson& page, const LessonResults& results);
+  void write_tables(std::size_t index);
   void write_home();
   void write_verification();
   void write_glossary();
@@ -244,6 +247,7 @@ void SiteWriter::write_lesson(std::size_t index) {
                                             description, "../", &lesson, body, styles));
   write_pictures(index);
   add_images(lesson, results);
+  write_tables(index);
   for (const LabFiles& files : writer.lab_files()) {
     for (const auto& [path, bytes] : files.written) directory_.write(path, bytes);
     copied_.insert(files.copied.begin(), files.copied.end());
@@ -267,6 +271,15 @@ void SiteWriter::add_images(const Lesson& page, const LessonResults& results) {
     const auto* result = results.get<ImageResult>(i);
     if (image == nullptr || result == nullptr) continue;
     copied_[image_path(page, *image, *result)] = result->file;
+  }
+}
+
+void SiteWriter::write_tables(std::size_t index) {
+  const Lesson& lesson = course_.lessons[index];
+  for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
+    const auto* result = evaluation_.lessons[index].get<ChartResult>(i);
+    if (result == nullptr) continue;
+    directory_.write(table_path(lesson, chart_number(lesson, i)), csv_of(result->table));
   }
 }
 

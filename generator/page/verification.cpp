@@ -85,24 +85,25 @@ double rounded(double seconds) {
 
 json published_verification(const Course& course, const Evaluation& evaluation) {
   json all = verification(course.title, evaluation.versions);
-  for (std::size_t i = 0; i < course.lessons.size(); ++i) {
-    if (course.lessons[i].front.draft) continue;
-    all["lessons"].push_back(lesson_json(course.lessons[i], evaluation.lessons[i].claims));
-    count(all["counts"], evaluation.lessons[i].claims);
+  for (const Lesson* page : course.pages()) {
+    if (page->front.draft) continue;
+    const Claims& claims = evaluation.results_of(course, *page).claims;
+    all["lessons"].push_back(lesson_json(*page, claims));
+    count(all["counts"], claims);
   }
   return all;
 }
 
 json full_verification(const Course* course, const Evaluation& evaluation, double seconds) {
   json all = verification(course != nullptr ? course->title : "", evaluation.versions);
-  for (std::size_t i = 0; i < evaluation.lessons.size(); ++i) {
-    const Claims& claims = evaluation.lessons[i].claims;
-    json& lesson = all["lessons"].emplace_back(lesson_json(course->lessons[i], claims));
+  for (const Lesson* page : course != nullptr ? course->pages() : std::vector<const Lesson*>()) {
+    const Claims& claims = evaluation.results_of(*course, *page).claims;
+    json& lesson = all["lessons"].emplace_back(lesson_json(*page, claims));
     for (std::size_t c = 0; c < claims.size(); ++c) {
       lesson["claims"][c]["seconds"] = rounded(claims[c].seconds);
       lesson["claims"][c]["run_seconds"] = rounded(claims[c].run_seconds);
     }
-    lesson["draft"] = course->lessons[i].front.draft;
+    lesson["draft"] = page->front.draft;
     count(all["counts"], claims);
   }
   const Diagnostics& found = evaluation.diagnostics;

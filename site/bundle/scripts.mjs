@@ -5,6 +5,8 @@ import path from "node:path";
 
 import { build } from "esbuild";
 
+import { computed } from "./computed.mjs";
+
 export async function buildScripts(site, out) {
   const folder = path.join(site, "script", "entries");
   const names = (await readdir(folder)).filter((name) => name.endsWith(".ts")).sort();
@@ -21,6 +23,7 @@ export async function buildScripts(site, out) {
     charset: "utf8",
     target: "es2022",
     legalComments: "none",
+    plugins: [computed(site)],
     logLevel: "warning",
   });
 }

@@ -109,6 +109,8 @@ export type Kind =
   | "formula"
   | "lab"
   | "picture"
+  | "plot"
+  | "image"
   | "answer"
   | "citation"
   | "code";

@@ -6,7 +6,7 @@
 import { globSync, readFileSync } from "node:fs";
 import { basename, dirname, join } from "node:path";
 
-import { Font } from "./sfnt.mjs";
+import { Font } from "../../site/bundle/sfnt.mjs";
 
 const folder = process.argv[2] ?? "build/release/test-site";
 const modules = join(import.meta.dirname, "../../site/node_modules");

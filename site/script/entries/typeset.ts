@@ -2,6 +2,8 @@
  * `version()` gives KaTeX's own. */
 import katex from "katex";
 
+import { bytes } from "../bytes.js";
+
 /** `display` is "true" or "false"; `macros` is JSON from `\name` to TeX; so is the answer JSON. */
 function typeset(tex: string, display: string, macros: string): string {
   const options = {
@@ -41,11 +43,6 @@ function describe(tex: string, error: ParseError, macros: Record<string, string>
     length: bytes(tex.slice(position, position + length)),
     cure: unknown === undefined ? "" : suggestCommand(unknown, macros),
   };
-}
-
-/** Bytes of `text` in UTF-8. */
-function bytes(text: string): number {
-  return encodeURIComponent(text).replace(/%../g, "%").length;
 }
 
 /** The command that differs by one slip of the fingers. KaTeX has no list of its commands, but it

@@ -72,7 +72,7 @@ TEST(Fence, MustSayWhatItHolds) {
             R"(content/1-a/1.1-x.md:4:1: error: this fence does not say what it holds [E-fence-kind]
   4 | ```
     | ^~~
-  cure: known: cpp, xml, text, io, lab, quiz, figure, demo, sh, cmake, python, yaml, json, markdown
+  cure: known: cpp, xml, text, io, lab, figure, plot, quiz, demo, sh, cmake, python, yaml, json, markdown
 )");
   EXPECT_EQ(
       mistakes_in("    int x;\n"),
@@ -154,10 +154,6 @@ std::string blamed(const std::string& body) {
         d.id + " " + d.place.excerpt.substr(start, static_cast<std::size_t>(d.place.width)) + "\n";
   }
   return text;
-}
-
-TEST(Fence, SaysWhatThisVersionCannotDoYet) {
-  EXPECT_EQ(blamed("```plot model=a\n```\n"), "E-not-yet plot\n");
 }
 
 }  // namespace

@@ -1,14 +1,15 @@
-// As much of a font file as the tests look into: its characters, its names, its measures.
+// As much of a font file as we look into: its characters and their widths, its names, its measures.
 
-import subsetFont from "../../site/node_modules/subset-font/index.js";
+import subsetFont from "subset-font";
 
 export class Font {
   #bytes;
   #tables = new Map();
 
-  // Of a WOFF2 file.
-  static async of(woff2) {
+  // Of a WOFF2 file; of a variable font, as it is at `weight`.
+  static async of(woff2, weight) {
     const whole = { keepAllGlyphs: true, targetFormat: "truetype" };
+    if (weight) whole.variationAxes = { wght: weight };
     return new Font(await subsetFont(woff2, undefined, whole));
   }
 
@@ -48,18 +49,34 @@ export class Font {
 
   // The code points that have a glyph.
   get characters() {
+    return new Set(this.#glyphs.keys());
+  }
+
+  // How wide each code point's glyph is, in ems.
+  get widths() {
+    const [head, hhea, hmtx] = ["head", "hhea", "hmtx"].map((tag) => this.#tables.get(tag));
+    const last = hhea.readUInt16BE(34) - 1; // the glyphs after it are as wide as this one
+    const em = head.readUInt16BE(18);
+    const width = (glyph) => hmtx.readUInt16BE(4 * Math.min(glyph, last)) / em;
+    return new Map([...this.#glyphs].map(([code, glyph]) => [code, width(glyph)]));
+  }
+
+  // The glyph of each code point that has one.
+  get #glyphs() {
     const cmap = this.#tables.get("cmap");
-    const characters = new Set();
+    const glyphs = new Map();
     for (let at = 4; at < 4 + 8 * cmap.readUInt16BE(2); at += 8) {
       const table = cmap.subarray(cmap.readUInt32BE(at + 4));
       const unicode = cmap.readUInt16BE(at) !== 1; // not an old Macintosh's
       const segments = { 4: segmentsOf4, 12: segmentsOf12 }[table.readUInt16BE(0)];
       if (!unicode || !segments) continue;
       for (const [first, last, glyph] of segments(table)) {
-        for (let code = first; code <= last; ++code) if (glyph(code) !== 0) characters.add(code);
+        for (let code = first; code <= last; ++code) {
+          if (glyph(code) !== 0) glyphs.set(code, glyph(code));
+        }
       }
     }
-    return characters;
+    return glyphs;
   }
 }
 

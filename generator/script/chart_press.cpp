@@ -1,0 +1,51 @@
+#include "script/chart_press.h"
+
+#include <utility>
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+
+// Vega's memory grows with each chart, so now and then it is begun anew.
+constexpr int kChartsOfAnEngine = 32;
+
+ChartDrawing drawing_of(const json& data) {
+  return {data.at("svg"), data.at("width"), data.at("height")};
+}
+
+ChartFault fault_of(const json& data) {
+  return {data.at("id"),  data.at("message"), data.at("cure"), data.at("path"),
+          data.at("key"), data.at("from"),    data.at("to")};
+}
+
+}  // namespace
+
+tl::expected<ChartDrawings, std::vector<ChartFault>> ChartPress::draw(const std::string& spec,
+                                                                      const json& table,
+                                                                      const std::string& id) {
+  if (!engine_ || ++drawn_ > kChartsOfAnEngine) {
+    engine_.emplace();
+    engine_->load(bundle_, "plot.js");
+    drawn_ = 1;
+  }
+  const auto begun = engine_->call("draw", {spec, table.is_null() ? "" : table.dump(), id});
+  const auto answer = begun ? engine_->call("drawn", {}) : begun;
+  if (!answer) {
+    const ScriptError& error = answer.error();
+    return tl::unexpected(std::vector{ChartFault{"E-plot-spec", error.message, "", json::array()}});
+  }
+  const json result = json::parse(*answer);
+  if (const auto faults = result.find("faults"); faults != result.end()) {
+    std::vector<ChartFault> found;
+    for (const json& fault : *faults) found.push_back(fault_of(fault));
+    return tl::unexpected(std::move(found));
+  }
+  ChartDrawings drawings{drawing_of(result.at("wide")), std::nullopt};
+  if (const json& narrow = result.at("narrow"); !narrow.is_null()) {
+    drawings.narrow = drawing_of(narrow);
+  }
+  return drawings;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,48 @@
+/** A plot for wide and for narrow screens. Where its author says nothing of its width, it is drawn
+ * twice, since one that is shrunk to a phone cannot be read. */
+import { draw, type Drawing, type Row } from "./drawing.js";
+import { fault, type Fault } from "./fault.js";
+import { isObject, type JsonObject } from "./json.js";
+
+/** As wide as a paragraph, in CSS pixels. */
+const widest = 640;
+const wide = { width: widest, height: 320, room: { legend: 4, ticks: 7 } };
+const narrow = { width: 328, height: 280, room: { legend: 2, ticks: 4 } };
+
+export interface Drawings {
+  readonly wide: Drawing;
+  /** Null where the wide one is for all. */
+  readonly narrow: Drawing | null;
+}
+
+/** `id` begins the ids inside of the drawings. */
+export async function drawForPage(
+  spec: JsonObject,
+  rows: readonly Row[],
+  id: string,
+  faults: Fault[],
+): Promise<Drawings> {
+  const drawIn = async ({ width, height, room }: typeof wide, name: string) => {
+    const frame = { autosize: { type: "fit", contains: "padding" }, height };
+    const framed = hasOwnWidth(spec) ? spec : { ...frame, ...spec, width };
+    const drawing = await draw(spec, framed, rows, { id: `${id}-${name}`, room }, faults);
+    if (drawing.width > width) {
+      const message = `this plot is ${drawing.width} pixels wide, and the page has ${width} for it`;
+      faults.push(
+        fault("E-plot-size", [], message, "make its parts narrower, or its labels shorter"),
+      );
+    }
+    return drawing;
+  };
+  const drawing = await drawIn(wide, "wide");
+  // what is wrong with one is wrong with the other
+  const again = faults.length === 0 && !hasOwnWidth(spec);
+  return { wide: drawing, narrow: again ? await drawIn(narrow, "narrow") : null };
+}
+
+/** A plot of several parts has the sum of theirs. */
+function hasOwnWidth({ width, encoding, ...spec }: JsonObject): boolean {
+  if (width !== undefined && width !== "container") return true;
+  const facets = ["row", "column", "facet"].some((key) => isObject(encoding) && key in encoding);
+  return facets || ["concat", "hconcat", "vconcat", "facet", "repeat"].some((key) => key in spec);
+}
