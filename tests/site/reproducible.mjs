@@ -4,7 +4,7 @@
 //   node tests/site/reproducible.mjs MJCOURSE COURSE SITE    SITE: what COURSE was built into
 
 import { spawnSync } from "node:child_process";
-import { cpSync, mkdtempSync, rmSync } from "node:fs";
+import { cpSync, existsSync, mkdtempSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 
@@ -12,6 +12,7 @@ const [mjcourse, course, site] = process.argv.slice(2);
 const elsewhere = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
 try {
   for (const part of ["content", "examples", "models"]) {
+    if (!existsSync(join(course, part))) continue;
     cpSync(join(course, part), join(elsewhere, "moved", part), { recursive: true });
   }
   const out = join(elsewhere, "another", "site");
