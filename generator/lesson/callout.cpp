@@ -10,6 +10,16 @@
 namespace mjcourse {
 namespace {
 
+// cmark lets the text of inlines lie in their paragraph, and copies it when it is asked for. What
+// leaves a paragraph that may be freed needs a copy.
+void own_text(cmark_node* node) {
+  cmark_node_get_literal(node);
+  for (cmark_node* child = cmark_node_first_child(node); child != nullptr;
+       child = cmark_node_next(child)) {
+    own_text(child);
+  }
+}
+
 // Move the inlines of `paragraph` up to its first line break into a document of their own.
 Document take_first_line(cmark_node* paragraph) {
   Document title(cmark_node_new(CMARK_NODE_DOCUMENT));
@@ -21,6 +31,7 @@ Document take_first_line(cmark_node* paragraph) {
       cmark_node_free(child);
       break;
     }
+    own_text(child);
     cmark_node_unlink(child);
     cmark_node_append_child(line, child);
   }

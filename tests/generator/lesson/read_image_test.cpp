@@ -18,7 +18,7 @@ std::string images(const std::string& body) {
 
 TEST(Image, HasAFileWordsAndAnOrigin) {
   EXPECT_EQ(images("![An *arm*](arm.png \"By hand\")\n"),
-            "4:12 arm.png, An arm, \"By hand\", alone\n");
+            "4:13 arm.png, An arm, \"By hand\", alone\n");
   EXPECT_EQ(images("![a](<x y.svg>) ![b](b/c.webp)\n"),
             "4:7 x y.svg, a, \"\"\n4:22 b/c.webp, b, \"\"\n");
   EXPECT_EQ(images("![a.png](a.png)\n"), "4:10 a.png, a.png, \"\", alone\n");

@@ -33,7 +33,7 @@ TEST(Term, IsFoundWhereTheAuthorWroteIt) {
   EXPECT_EQ(terms("`[[a]]` and $[[b]]$ and [[c]]\n"), "4:27 c = c, shown c\n");
   EXPECT_EQ(terms("| a |\n|---|\n| [[b\\|c]] |\n"), "6:5 b = b, shown c\n");
   EXPECT_EQ(terms("[[`a`]] `a`, `b\nc`, [[d|`d`]] `d` [[e]] `a`\n\n`b c` `a`\n"),
-            "4:3 `a` = a, shown a\n5:7 d = d, shown d\n5:20 e = e, shown e\n");
+            "4:3 `a` = a, shown a\n5:7 d = d, shown d\n5:21 e = e, shown e\n");
   EXPECT_EQ(terms("> x\n> [[b]]\n"), "5:5 b = b, shown b\n");
   EXPECT_EQ(terms("```io\nINPUT: a [[b]]\n```\n"), "5:12 b = b, shown b\n");
 }
