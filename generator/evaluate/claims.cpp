@@ -322,7 +322,7 @@ void LessonClaims::add(std::size_t i, const Chart& chart) {
   const auto* result = results_.get<ChartResult>(i);
   if (result != nullptr) claim.how = how_plotted(chart, *result);
   finish(std::move(claim), result != nullptr,
-         {result == nullptr ? "" : result->drawings.wide + result->drawings.narrow});
+         {result == nullptr ? "" : result->drawings.wide.svg});
 }
 
 void LessonClaims::add(std::size_t i, const Image& image) {
