@@ -34,10 +34,11 @@ bool concerns(const Diagnostic& diagnostic, const Lesson& lesson, const Claim& c
 // Each message goes to the claims that it is about, of those that are not proved.
 Findings findings_of(const Run& run) {
   Findings findings;
+  const std::size_t lessons = run.course != nullptr ? run.course->lessons.size() : 0;
   for (const Diagnostic& diagnostic : run.evaluation.diagnostics) {
     const std::string text = format_for_terminal(diagnostic);
     bool shown = false;
-    for (std::size_t l = 0; l < run.evaluation.lessons.size(); ++l) {
+    for (std::size_t l = 0; l < lessons; ++l) {
       const Lesson& lesson = run.course->lessons[l];
       const Claims& claims = run.evaluation.lessons[l].claims;
       for (std::size_t c = 0; c < claims.size(); ++c) {

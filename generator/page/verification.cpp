@@ -95,7 +95,8 @@ json published_verification(const Course& course, const Evaluation& evaluation) 
 
 json full_verification(const Course* course, const Evaluation& evaluation, double seconds) {
   json all = verification(course != nullptr ? course->title : "", evaluation.versions);
-  for (std::size_t i = 0; i < evaluation.lessons.size(); ++i) {
+  const std::size_t lessons = course != nullptr ? course->lessons.size() : 0;
+  for (std::size_t i = 0; i < lessons; ++i) {
     const Claims& claims = evaluation.lessons[i].claims;
     json& lesson = all["lessons"].emplace_back(lesson_json(course->lessons[i], claims));
     for (std::size_t c = 0; c < claims.size(); ++c) {
