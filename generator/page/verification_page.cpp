@@ -81,7 +81,7 @@ class PageData {
     const std::string id = claim["id"];
     const auto messages = findings_.of_claim.find(id);
     const bool told = !listed && messages != findings_.of_claim.end();  // once, where it failed
-    const bool linked = links_ && claim["page"] != "";
+    const bool linked = links_ && !claim["page"].get_ref<const std::string&>().empty();
     return {{"id", listed ? id : ""},
             {"what", claim["what"]},
             {"code", claim["kind"] == "formula" || claim["kind"] == "value"},
