@@ -31,15 +31,19 @@ bool concerns(const Diagnostic& diagnostic, const Lesson& lesson, const Claim& c
                      [&](const Note& note) { return is_in(note.place, lesson, claim); });
 }
 
+std::vector<const Lesson*> pages_of(const Run& run) {
+  return run.course != nullptr ? run.course->pages() : std::vector<const Lesson*>();
+}
+
 // Each message goes to the claims that it is about, of those that are not proved.
 Findings findings_of(const Run& run) {
   Findings findings;
   for (const Diagnostic& diagnostic : run.evaluation.diagnostics) {
     const std::string text = format_for_terminal(diagnostic);
     bool shown = false;
-    for (std::size_t l = 0; l < run.evaluation.lessons.size(); ++l) {
-      const Lesson& lesson = run.course->lessons[l];
-      const Claims& claims = run.evaluation.lessons[l].claims;
+    for (const Lesson* page : pages_of(run)) {
+      const Lesson& lesson = *page;
+      const Claims& claims = run.evaluation.results_of(*run.course, lesson).claims;
       for (std::size_t c = 0; c < claims.size(); ++c) {
         const Claim::Status status = claims[c].status;
         if (status == Claim::Status::proved || status == Claim::Status::cited) continue;
@@ -53,17 +57,21 @@ Findings findings_of(const Run& run) {
   return findings;
 }
 
-// The pictures' files; gives where the page finds them.
-std::vector<ShownPicture> write_pictures(const std::vector<ComparedPicture>& pictures,
-                                         SiteDirectory& directory) {
+// The files of what is pinned; gives where the page finds them.
+std::vector<ShownPicture> write_pictures(const Run& run, SiteDirectory& directory) {
   std::vector<ShownPicture> shown;
-  for (const ComparedPicture& picture : pictures) {
-    const std::string path = "pictures/" + picture.name;
-    directory.write(path + "-reference.png", picture.reference);
-    directory.write(path + "-actual.png", picture.actual);
-    directory.write(path + "-difference.png", picture.difference);
-    shown.push_back({picture.name, path + "-reference.png", path + "-actual.png",
-                     path + "-difference.png", picture.agrees});
+  for (const Lesson* page : pages_of(run)) {
+    for (const PinComparison& pin : run.evaluation.results_of(*run.course, *page).pins) {
+      const std::string name = page->number + "-" + pin.name;
+      const auto write = [&](const std::string& which, const std::string& bytes) -> std::string {
+        if (bytes.empty()) return "";
+        const std::string path = "pictures/" + name + "-" + which + ".png";
+        directory.write(path, bytes);
+        return path;
+      };
+      shown.push_back({name, write("reference", pin.reference), write("actual", pin.actual),
+                       write("difference", pin.difference), pin.agrees});
+    }
   }
   return shown;
 }
@@ -83,7 +91,7 @@ void write_report(const Run& run, const fs::path& assets, const fs::path& out) {
     }
   }
   Findings findings = findings_of(run);
-  findings.pictures = write_pictures(run.pictures, directory);
+  findings.pictures = write_pictures(run, directory);
   const json all = full_verification(run.course, run.evaluation, run.seconds);
   directory.write(kVerificationJson, json_file(all));
   json data = verification_data(all, false, findings);

@@ -2,7 +2,7 @@
 // for tools.
 //
 // Steps: verification.json has everything; index.html shows it, with the mistakes first; pictures/
-// has what was drawn otherwise than its reference. It is made of a failed run as well.
+// has what is pinned, as it was and as it was drawn now. It is made of a failed run as well.
 #pragma once
 
 #include <filesystem>
@@ -14,18 +14,10 @@
 
 namespace mjcourse {
 
-// A pinned picture and what was drawn now: bytes of PNG files.
-struct ComparedPicture {
-  std::string name;  // of letters, digits, `-`, `_` and `.`
-  std::string reference, actual, difference;
-  bool agrees = true;
-};
-
 struct Run {
   const Course* course;  // null where there is no readable one
   const Evaluation& evaluation;
   double seconds;
-  std::vector<ComparedPicture> pictures = {};
 };
 
 // Replaces what an earlier report left in `out`. `assets` is what site/build.mjs made. Throws as

@@ -23,6 +23,8 @@ constexpr Titled kKinds[] = {{"answer", "Answers"},
                              {"output", "Outputs"},
                              {"lab", "Labs"},
                              {"picture", "Pictures"},
+                             {"plot", "Plots"},
+                             {"image", "Pictures of the author's own"},
                              {"listing", "Models in the text"},
                              {"value", "Numbers in the text"},
                              {"formula", "Formulas"},
@@ -81,7 +83,7 @@ class PageData {
     const std::string id = claim["id"];
     const auto messages = findings_.of_claim.find(id);
     const bool told = !listed && messages != findings_.of_claim.end();  // once, where it failed
-    const bool linked = links_ && claim["page"] != "";
+    const bool linked = links_ && !claim["page"].get_ref<const std::string&>().empty();
     return {{"id", listed ? id : ""},
             {"what", claim["what"]},
             {"code", claim["kind"] == "formula" || claim["kind"] == "value"},
