@@ -11,6 +11,9 @@ namespace {
 
 constexpr const char* kFrames = "frames.rgb";
 constexpr const char* kFilm = "film.mp4";
+constexpr const char* kColours =
+    "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int+bitexact,"
+    "format=yuv420p";
 constexpr double kMostSeconds = 600;  // of wall clock; a thousand megabytes take some thirty
 
 // Whatever would put the time, the version or the number of threads into the file is off. The
@@ -31,8 +34,7 @@ std::vector<std::string> command_line(const std::string& size, int rate) {
           "-i",
           kFrames,
           "-vf",
-          "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int+"
-          "bitexact,format=yuv420p",
+          kColours,
           "-c:v",
           "libx264",
           "-preset",

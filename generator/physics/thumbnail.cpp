@@ -32,8 +32,9 @@ Picture shrink(const Picture& picture, int width, int height) {
       for (int row = rows.first(); row < rows.last(); ++row) {
         for (int column = columns.first(); column < columns.last(); ++column) {
           const double share = rows.share(row) * columns.share(column);
-          const std::size_t at = 3 * (static_cast<std::size_t>(row) * picture.width + column);
-          for (std::size_t c = 0; c < 3; ++c) sum[c] += share * picture.rgb[at + c];
+          const int at = 3 * (row * picture.width + column);
+          const std::uint8_t* rgb = picture.rgb.data() + at;
+          for (std::size_t c = 0; c < 3; ++c) sum[c] += share * rgb[c];
           area += share;
         }
       }
