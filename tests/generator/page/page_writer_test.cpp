@@ -44,7 +44,7 @@ TEST_F(PageWriterTest, LeadsLinksFromTheFrontPage) {
 
 TEST_F(PageWriterTest, ShowsPicturesInTheirSize) {
   results_.of_block[0] = ImageResult{"/nowhere/a b.png", "0123456789", 30, 20};
-  EXPECT_EQ(body("![An <arm>](<a b.png> \"By hand\")\n"),
+  EXPECT_EQ(body("![An \\<arm>](<a b.png> \"By hand\")\n"),
             "<figure class=\"image\">\n<img src=\"../1-a/1.1-x/a-b-0123456789.png\" width=\"30\" "
             "height=\"20\" alt=\"An &lt;arm&gt;\" loading=\"lazy\" decoding=\"async\">\n"
             "<figcaption>By hand</figcaption>\n</figure>\n");
