@@ -145,16 +145,5 @@ TEST(Fence, KeepsExamplesInTheirFolder) {
   }
 }
 
-// The ids of what is wrong with `body`, each with the text it underlines.
-std::string blamed(const std::string& body) {
-  std::string text;
-  for (const Diagnostic& d : reading_of(body).diagnostics) {
-    const std::size_t start = static_cast<std::size_t>(d.place.column - 1);
-    text +=
-        d.id + " " + d.place.excerpt.substr(start, static_cast<std::size_t>(d.place.width)) + "\n";
-  }
-  return text;
-}
-
 }  // namespace
 }  // namespace mjcourse
