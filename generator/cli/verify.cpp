@@ -25,8 +25,7 @@ void add_count(std::vector<std::string>& parts, int count, const char* one, cons
   if (count > 0) parts.push_back(std::to_string(count) + " " + (count == 1 ? one : many));
 }
 
-constexpr const char* kNothing = "nothing to verify";
-
+// "" where nothing was verified.
 std::string tally_text(const Tally& tally) {
   std::vector<std::string> parts;
   add_count(parts, tally.programs, "program run", "programs run");
@@ -41,9 +40,17 @@ std::string tally_text(const Tally& tally) {
   add_count(parts, tally.plots, "plot drawn", "plots drawn");
   add_count(parts, tally.formulas, "formula set", "formulas set");
   add_count(parts, tally.unchecked, "listing unchecked", "listings unchecked");
+  add_count(parts, tally.images, "image unchecked", "images unchecked");
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
-  return text.empty() ? kNothing : text;
+  return text;
+}
+
+// The same for a reader who must not take a failure for a lesson of prose.
+std::string outcome_text(const Tally& tally, std::ptrdiff_t errors) {
+  const std::string text = tally_text(tally);
+  if (!text.empty()) return text;
+  return errors > 0 ? "nothing verified" : "nothing to verify";
 }
 
 std::string counted(std::ptrdiff_t count, const std::string& noun) {
@@ -70,6 +77,7 @@ void apply_strictly(Evaluation& evaluation) {
   add(evaluation.glossary);
   for (Diagnostic& diagnostic : all) diagnostic.severity = Severity::error;
 }
+
 // Errors in `file`, and those elsewhere that a note says it has a part in: a model that it uses.
 bool concerns(const Diagnostic& diagnostic, const std::string& file) {
   return diagnostic.place.file == file ||
@@ -90,7 +98,7 @@ void print_lessons(const Course& course, const Evaluation& evaluation) {
     const std::string& title = lesson.front.title.text;
     std::cout << (errors == 0 ? "ok    " : "FAIL  ") << lesson.number << "  "
               << (title.empty() ? lesson.slug : title) << ": "
-              << tally_text(evaluation.lessons[i].tally);
+              << outcome_text(evaluation.lessons[i].tally, errors);
     if (lesson.front.draft) std::cout << "; a draft, not in the site";
     if (errors > 0) std::cout << "; " << counted(errors, "error");
     std::cout << '\n';
@@ -102,7 +110,7 @@ void print_glossary(const Glossary& glossary, const Evaluation& evaluation) {
   std::cout << (errors == 0 ? "ok    " : "FAIL  ")
             << "glossary: " << counted(static_cast<std::ptrdiff_t>(glossary.terms.size()), "term");
   const std::string verified = tally_text(evaluation.glossary.tally);
-  if (verified != kNothing) std::cout << ", " << verified;
+  if (!verified.empty()) std::cout << ", " << verified;
   if (errors > 0) std::cout << "; " << counted(errors, "error");
   std::cout << '\n';
 }
@@ -164,7 +172,7 @@ Verified verify_course(const Options& options) {
   std::cout << (verified.course
                     ? counted(static_cast<std::ptrdiff_t>(verified.course->lessons.size()),
                               "lesson") +
-                          ": " + tally_text(total) + "; "
+                          ": " + outcome_text(total, errors) + "; "
                     : "")
             << counted(errors, "error") << ", " << time << '\n';
   if (!options.report.empty()) {

@@ -91,8 +91,9 @@ TEST(Claims, OfARegionThatStandsForItsProgram) {
   EXPECT_EQ(told(found), "4 program proved: examples/a.cpp\n" + ran +
                              "4 region proved: examples/a.cpp#r\n" + compared +
                              "8 region proved: examples/a.cpp#r\n" + compared);
-  EXPECT_EQ(told("```cpp file=examples/a.cpp#r\nother();\n```\n", {{"examples/a.cpp", code}}),
-            "4 program proved: examples/a.cpp\n" + ran + "4 region failed: examples/a.cpp#r\n");
+  EXPECT_EQ(
+      told("```cpp file=examples/a.cpp#r\nstd::puts(\"2\");\n```\n", {{"examples/a.cpp", code}}),
+      "4 program proved: examples/a.cpp\n" + ran + "4 region failed: examples/a.cpp#r\n");
 }
 
 TEST(Claims, OfWhatFailedAndWhatRestsOnIt) {
