@@ -40,7 +40,7 @@ int main() {
       std::printf("turns: %d   quaternion: %-32s stripe at: %s\n", step / turn,
                   to_text(quaternion).c_str(), to_text(stripe).c_str());
     }
-    if (step % 10 == 0) {
+    if (step % 20 == 0) {
       turns.push_back(static_cast<double>(step) / turn);
       w.push_back(quaternion[0]);
       x.push_back(quaternion[1]);
