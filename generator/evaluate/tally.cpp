@@ -40,7 +40,9 @@ int Tally::*counter_of(Claim::Kind kind) {
 Tally tally_of(const Claims& claims) {
   Tally tally;
   for (const Claim& claim : claims) {
-    if (claim.status == Claim::Status::unchecked) ++tally.unchecked;
+    if (claim.status == Claim::Status::unchecked && claim.kind == Claim::Kind::code) {
+      ++tally.unchecked;
+    }
     if (claim.status == Claim::Status::asserted && claim.kind == Claim::Kind::answer) {
       ++tally.answers_asserted;
     }
