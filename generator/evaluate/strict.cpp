@@ -17,6 +17,10 @@ Diagnostic asserted(const Claim& claim) {
 }
 
 Diagnostic unchecked(const Claim& claim) {
+  if (claim.kind == Claim::Kind::image) {
+    return error_at(claim.place, "E-strict-unchecked", "nothing says where this picture is from",
+                    "say it in its title: `![what it shows](file.png \"where it comes from\")`");
+  }
   return error_at(claim.place, "E-strict-unchecked", "nobody runs this code, and nothing says why",
                   "let the build run it; or say why it cannot: `unchecked because=\"…\"`");
 }

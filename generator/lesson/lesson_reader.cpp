@@ -68,7 +68,11 @@ void LessonReader::walk(cmark_node* node, Region& region) {
   // The title of a callout was moved out of the tree, and is walked with it.
   if (const auto found = lesson_.block_of.find(node); found != lesson_.block_of.end()) {
     if (const auto* callout = std::get_if<Callout>(&lesson_.blocks[found->second])) {
-      if (cmark_node* title = callout->title.get()) walk(title, region);
+      if (cmark_node* title = callout->title.get()) {
+        in_callout_title_ = true;
+        walk(title, region);
+        in_callout_title_ = false;
+      }
     }
   }
   walk_children(node, region);
@@ -192,12 +196,6 @@ void LessonReader::refuse_second_footnote(cmark_node* node) {
   reading_.error("E-footnote-name", {at, at + (end == std::string_view::npos ? 1 : end + 1)},
                  "another footnote of this page is called `" + name + "`",
                  "give it a name of its own");
-}
-
-// Titles were moved out of the lesson's tree.
-bool LessonReader::in_callout_title(cmark_node* node) const {
-  while (cmark_node_parent(node) != nullptr) node = cmark_node_parent(node);
-  return in_document_ && node != lesson_.document.get();
 }
 
 void LessonReader::read_callout(cmark_node* node) {

@@ -39,7 +39,6 @@ class LessonReader {
   void add(cmark_node* node, Block block);
   void read_code_block(cmark_node* node, Region& region);
   void read_callout(cmark_node* node);
-  bool in_callout_title(cmark_node* node) const;
   void read_heading(cmark_node* node, const Region& region);
   void refuse_second_footnote(cmark_node* node);
   void read_math(cmark_node* node, Region& region);
@@ -65,6 +64,7 @@ class LessonReader {
   Reading& reading_;
   bool in_document_ = false;
   bool in_demo_ = false;
+  bool in_callout_title_ = false;
   std::set<std::string> heading_ids_;
   std::set<std::string> footnotes_;  // by their names
 };

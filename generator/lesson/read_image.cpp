@@ -61,7 +61,7 @@ bool LessonReader::stands_alone(cmark_node* node) const {
   cmark_node* paragraph = cmark_node_parent(node);
   if (!in_document_ || cmark_node_get_type(paragraph) != CMARK_NODE_PARAGRAPH) return false;
   if (cmark_node_next(node) != nullptr || cmark_node_previous(node) != nullptr) return false;
-  return !in_callout_title(paragraph);
+  return !in_callout_title_;
 }
 
 }  // namespace mjcourse

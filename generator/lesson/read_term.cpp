@@ -80,7 +80,7 @@ void LessonReader::read_term(const CutTerm& term, Region& region) {
   // What is shown stands behind the bar, or is the name itself.
   if (text.compare(end, 1, "|") == 0 || text.compare(end, 2, "\\|") == 0) region.cursor = end;
   std::string around = link_around(cmark_node_parent(term.node));
-  if (in_callout_title(term.node)) around = "a callout's title";  // which may fold the callout
+  if (in_callout_title_) around = "a callout's title";  // which may fold the callout
   if (!around.empty()) {
     reading_.error("E-term-place", name.span(), "a term cannot stand in " + around,
                    "a term is a link itself: put it where the text first speaks of it");
