@@ -2,9 +2,10 @@
 //
 // INPUT    joint_zoo.xml, its free box tilted by 30 degrees
 // PROCESS  spin the box about its own z axis for two turns of two seconds, and
-//          record its quaternion
+//          record its quaternion; compare two poses one turn apart
 // OUTPUT   the quaternion, and where the box's white stripe is, after no turn, one
-//          and two; for the lesson, the quaternion all the way as the table "turns"
+//          and two; for the lesson, the quaternion all the way as the table
+//          "turns", and how far apart the two poses are
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l1_2_full_turn
@@ -15,6 +16,17 @@
 #include <vector>
 
 using namespace mjcourse;
+using Eigen::VectorXd;
+
+// Holds the pose after one turn against that before it: number by number, and
+// as MuJoCo does.
+void compare(const Model& model, const VectorXd& before,
+             const VectorXd& after) {
+  VectorXd velocity(model->nv);
+  mj_differentiatePos(model, velocity.data(), 1, before.data(), after.data());
+  result("apart", (after - before).norm());
+  result("turned", velocity.norm());  // no other joint has moved
+}
 
 int main() {
   const Model model = load_model("joint_zoo");
@@ -37,7 +49,7 @@ int main() {
   for (int step = 0; step <= 2 * turn; ++step) {
     if (step % turn == 0) {
       mj_kinematics(model, data);
-      std::printf("turns: %d   quaternion: %-32s stripe at: %s\n", step / turn,
+      std::printf("turns %d  q = %-33s stripe at %s\n", step / turn,
                   to_text(quaternion).c_str(), to_text(stripe).c_str());
     }
     if (step % 20 == 0) {
@@ -50,5 +62,9 @@ int main() {
     mj_step(model, data);
   }
   // #endregion
+
+  const VectorXd before = qpos(model, data);
+  for (int step = 0; step < turn; ++step) mj_step(model, data);
+  compare(model, before, qpos(model, data));
   table("turns", {{"turns", turns}, {"w", w}, {"x", x}, {"y", y}, {"z", z}});
 }
