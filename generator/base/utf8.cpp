@@ -1,10 +1,9 @@
 #include "base/utf8.h"
 
-#include <wctype.h>
-
 #include <algorithm>
 #include <clocale>
 #include <cstdint>
+#include <cwctype>
 
 namespace mjcourse {
 namespace {

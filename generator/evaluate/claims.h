@@ -1,9 +1,8 @@
 // Enter here from results to claims: once a course was evaluated, one Claim for each thing that it
 // states.
 //
-// A block becomes claims in one small function for its kind, in LessonClaims: it says what is
-// stated and whether it holds, how that was found out, how far, and what its key covers. A new kind
-// of block gets a kind of Claim (claim.h), such a function, and a line in tally_of.
+// A block becomes claims in one small function for its kind, in LessonClaims (lesson_claims.h). A
+// new kind of block gets a kind of Claim (claim.h), such a function, and a line in tally_of.
 #pragma once
 
 #include <filesystem>

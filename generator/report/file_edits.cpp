@@ -60,7 +60,9 @@ FileEdits gather_edits(const Wanted& wanted, const Files& files) {
     found->second.push_back(diagnostic);
   }
   FileEdits gathered;
-  for (const auto& [file, cures] : by_file) {
+  for (const auto& entry : by_file) {  // named here, since lambdas below use them
+    const std::string& file = entry.first;
+    const Wanted& cures = entry.second;
     const auto now = files.read(file);
     const std::optional<std::string> before = now ? std::optional(*now) : std::nullopt;
     const auto refuse = [&](const std::string& why) {
