@@ -310,8 +310,8 @@ void LessonClaims::add(std::size_t i, const Figure& figure) {
   Claim claim = begin(Kind::picture, i, as_title("a figure: " + figure.alt), fence(figure.span));
   const auto* result = results_.get<FigureResult>(i);
   claim.how = how_drawn(figure, versions());
-  const std::string written(lesson_.source->text().substr(
-      claim.extent.begin, claim.extent.end - claim.extent.begin));
+  const std::string written(
+      lesson_.source->text().substr(claim.extent.begin, claim.extent.end - claim.extent.begin));
   finish(std::move(claim), result != nullptr,
          {sources_.model(figure.model.text), sources_.models_named_in(written),
           result == nullptr ? "" : result->poster.png + result->film});
@@ -321,13 +321,12 @@ void LessonClaims::add(std::size_t i, const Chart& chart) {
   Claim claim = begin(Kind::plot, i, as_title("a plot: " + chart.alt), fence(chart.span));
   const auto* result = results_.get<ChartResult>(i);
   if (result != nullptr) claim.how = how_plotted(chart, *result);
-  finish(std::move(claim), result != nullptr,
-         {result == nullptr ? "" : result->drawings.wide.svg});
+  finish(std::move(claim), result != nullptr, {result == nullptr ? "" : result->drawings.wide.svg});
 }
 
 void LessonClaims::add(std::size_t i, const Image& image) {
-  Claim claim = begin(Kind::image, i, as_title(image.file.text + ": " + image.alt),
-                      image.file.span());
+  Claim claim =
+      begin(Kind::image, i, as_title(image.file.text + ": " + image.alt), image.file.span());
   const auto* result = results_.get<ImageResult>(i);
   claim.status = image.title.empty() ? Status::asserted : Status::cited;
   claim.reason = image.title;

@@ -27,11 +27,8 @@ import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 
 const here = import.meta.dirname;
-const mjcourse = resolve(
-  process.env.MJCOURSE ?? "build/release/generator/mjcourse",
-);
-if (!existsSync(mjcourse))
-  throw new Error(`there is no generator at ${mjcourse}`);
+const mjcourse = resolve(process.env.MJCOURSE ?? "build/release/generator/mjcourse");
+if (!existsSync(mjcourse)) throw new Error(`there is no generator at ${mjcourse}`);
 const update = process.env.UPDATE_EXPECTED === "1";
 
 // The bytes of every file below `folder`, hidden ones as well, by their paths.
@@ -46,30 +43,21 @@ function readTree(folder) {
 
 function changes(before, after) {
   const changed = new Map();
-  for (const [path, bytes] of after)
-    if (before.get(path) !== bytes) changed.set(path, bytes);
-  for (const path of before.keys())
-    if (!after.has(path)) changed.set(path, "it is gone");
+  for (const [path, bytes] of after) if (before.get(path) !== bytes) changed.set(path, bytes);
+  for (const path of before.keys()) if (!after.has(path)) changed.set(path, "it is gone");
   return changed;
 }
 
 // Of a PNG what every processor agrees on: its signature and first chunk.
 function comparable(files) {
-  const head = ([path, bytes]) => [
-    path,
-    path.endsWith(".png") ? bytes.slice(0, 33) : bytes,
-  ];
+  const head = ([path, bytes]) => [path, path.endsWith(".png") ? bytes.slice(0, 33) : bytes];
   return new Map([...files].map(head));
 }
 
 function accept(course, words) {
-  const { stdout, stderr, status } = spawnSync(
-    mjcourse,
-    ["accept", ...words, "--course", course],
-    {
-      encoding: "utf8",
-    },
-  );
+  const { stdout, stderr, status } = spawnSync(mjcourse, ["accept", ...words, "--course", course], {
+    encoding: "utf8",
+  });
   const said = `${stdout}${stderr === "" ? "" : `stderr:\n${stderr}`}exit ${status}\n`;
   return said
     .replaceAll(`${course}/`, "")
@@ -92,9 +80,7 @@ function runCase(name) {
     cpSync(join(folder, "before"), course, { recursive: true });
     const before = readTree(course);
     const file = join(folder, "arguments.txt");
-    const words = existsSync(file)
-      ? readFileSync(file, "utf8").split("\n").filter(Boolean)
-      : [];
+    const words = existsSync(file) ? readFileSync(file, "utf8").split("\n").filter(Boolean) : [];
     const first = accept(course, words);
     const after = readTree(course);
     const second = accept(course, words);
@@ -102,21 +88,13 @@ function runCase(name) {
     const changed = changes(before, after);
     if (update) save(folder, said, changed);
     const again = changes(after, readTree(course));
-    const wrong = [...again.keys()].map(
-      (path) => `the second run changes ${path}\n`,
-    );
+    const wrong = [...again.keys()].map((path) => `the second run changes ${path}\n`);
     const expected = join(folder, "expected.txt");
     if (!existsSync(expected))
       return `there is no expected.txt; UPDATE_EXPECTED=1 writes this:\n${said}`;
-    if (readFileSync(expected, "utf8") !== said)
-      wrong.push(difference(expected, said, "words"));
-    const wanted = existsSync(join(folder, "after"))
-      ? readTree(join(folder, "after"))
-      : new Map();
-    for (const path of changes(
-      comparable(wanted),
-      comparable(changed),
-    ).keys()) {
+    if (readFileSync(expected, "utf8") !== said) wrong.push(difference(expected, said, "words"));
+    const wanted = existsSync(join(folder, "after")) ? readTree(join(folder, "after")) : new Map();
+    for (const path of changes(comparable(wanted), comparable(changed)).keys()) {
       wrong.push(
         `${path} is not as in after/: ${JSON.stringify(changed.get(path) ?? "unchanged")}\n`,
       );
@@ -140,9 +118,7 @@ function save(folder, said, changed) {
 const wanted = process.argv.slice(2);
 const names = globSync("*/before", { cwd: here })
   .map((path) => dirname(path))
-  .filter(
-    (name) => wanted.length === 0 || wanted.some((part) => name.includes(part)),
-  )
+  .filter((name) => wanted.length === 0 || wanted.some((part) => name.includes(part)))
   .sort();
 let failed = 0;
 for (const name of names) {

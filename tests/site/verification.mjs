@@ -5,13 +5,7 @@
 //   node tests/site/verification.mjs MJCOURSE SITE    SITE: what a course was built into
 
 import { spawnSync } from "node:child_process";
-import {
-  mkdirSync,
-  mkdtempSync,
-  readFileSync,
-  rmSync,
-  writeFileSync,
-} from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -44,8 +38,7 @@ function misfits(text, type) {
   };
   const found = ts.getPreEmitDiagnostics(ts.createProgram([file], options));
   return found.map(({ messageText, start }) => {
-    const line =
-      start === undefined ? 0 : text.slice(0, start).split("\n").length - 1;
+    const line = start === undefined ? 0 : text.slice(0, start).split("\n").length - 1;
     return `${type}, line ${line}: ${ts.flattenDiagnosticMessageText(messageText, "\n")}`;
   });
 }
@@ -53,14 +46,7 @@ function misfits(text, type) {
 // Runs a check of the course in `folder` with a report, and gives that.
 function report(folder, ...more) {
   const out = join(here, "report");
-  const run = spawnSync(mjcourse, [
-    "check",
-    "--course",
-    folder,
-    "--report",
-    out,
-    ...more,
-  ]);
+  const run = spawnSync(mjcourse, ["check", "--course", folder, "--report", out, ...more]);
   const text = readFileSync(join(out, "verification.json"), "utf8");
   return {
     exit: run.status,
@@ -78,10 +64,7 @@ function course(body) {
     join(folder, "content", "course.yaml"),
     "title: C\nlevels: [{folder: 1-a, title: A, lessons: [1.1-x]}]\n",
   );
-  writeFileSync(
-    join(folder, "content", "1-a", "1.1-x.md"),
-    `---\ntitle: T\n---\n${body}`,
-  );
+  writeFileSync(join(folder, "content", "1-a", "1.1-x.md"), `---\ntitle: T\n---\n${body}`);
   return folder;
 }
 
@@ -103,9 +86,7 @@ async function opened(page) {
     args: quiet,
   });
   const tab = await browser.newPage();
-  tab.on("console", (message) =>
-    problems.push(`${page}: console: ${message.text()}`),
-  );
+  tab.on("console", (message) => problems.push(`${page}: console: ${message.text()}`));
   await tab.goto(pathToFileURL(page).href);
   const first = await tab.locator("h2").first().textContent();
   const messages = await tab.locator(".claim .message").allTextContents();
@@ -126,52 +107,25 @@ try {
   problems.push(...misfits(published, "Verification"));
   // These types can tell: one key more, one less, one of another kind.
   const count = (text) => misfits(text, "Verification").length;
-  expect(
-    count(published.replace('"format": 1', '"format": 1, "more": 1')) === 1,
-    "a key too many",
-  );
+  expect(count(published.replace('"format": 1', '"format": 1, "more": 1')) === 1, "a key too many");
   expect(count(published.replace('"what"', '"waht"')) > 0, "a misspelt key");
-  expect(
-    count(published.replace(/"line": (\d+)/, '"line": "$1"')) === 1,
-    "a text for a number",
-  );
-  expect(
-    !published.includes("seconds"),
-    "a time in the site, which would never be the same",
-  );
+  expect(count(published.replace(/"line": (\d+)/, '"line": "$1"')) === 1, "a text for a number");
+  expect(!published.includes("seconds"), "a time in the site, which would never be the same");
 
   const good = report(course("$x$ and $y$\n"));
-  expect(
-    good.exit === 0 && good.json.succeeded,
-    "a clean course, whose report says so",
-  );
+  expect(good.exit === 0 && good.json.succeeded, "a clean course, whose report says so");
   problems.push(...misfits(good.text, "Report"));
   expect(good.json.counts.proved === 2, "two formulas");
 
-  const bad = report(
-    course("$\\alhpa$\n\n> [!nte] x\n\n```sh unchecked\nls\n```\n"),
-    "--strict",
-  );
-  expect(
-    bad.exit === 1 && !bad.json.succeeded,
-    "a failed run, whose report says so",
-  );
+  const bad = report(course("$\\alhpa$\n\n> [!nte] x\n\n```sh unchecked\nls\n```\n"), "--strict");
+  expect(bad.exit === 1 && !bad.json.succeeded, "a failed run, whose report says so");
   problems.push(...misfits(bad.text, "Report"));
   const ids = bad.json.diagnostics.map(({ id }) => id).join(" ");
-  expect(
-    ids === "E-math E-callout-kind E-strict-unchecked",
-    `other diagnostics: ${ids}`,
-  );
+  expect(ids === "E-math E-callout-kind E-strict-unchecked", `other diagnostics: ${ids}`);
   const shown = await opened(bad.page);
   expect(shown.first === "What is not so", `it begins with "${shown.first}"`);
-  expect(
-    shown.messages.length === 2,
-    "messages of what failed and of what has no reason",
-  );
-  expect(
-    shown.messages[0]?.includes("\\alpha"),
-    "first the message of what failed",
-  );
+  expect(shown.messages.length === 2, "messages of what failed and of what has no reason");
+  expect(shown.messages[0]?.includes("\\alpha"), "first the message of what failed");
   expect(shown.others.length === 1, "the message that is about no claim");
 
   const arm = course(pinned(0));
@@ -184,9 +138,7 @@ try {
   problems.push(...misfits(moved.text, "Report"));
   const { pictures } = await opened(moved.page);
   const files = pictures.map(({ file }) => file).join(" ");
-  const three = ["reference", "actual", "difference"].map(
-    (name) => `pictures/1.1-arm-${name}.png`,
-  );
+  const three = ["reference", "actual", "difference"].map((name) => `pictures/1.1-arm-${name}.png`);
   expect(files === three.join(" "), `other pictures: ${files}`);
   expect(
     pictures.every(({ drawn, top }) => drawn && top === pictures[0].top),
@@ -195,10 +147,7 @@ try {
 
   rmSync(join(here, "course", "content", "course.yaml"));
   const none = report(join(here, "course"));
-  expect(
-    none.exit === 1 && none.json.lessons.length === 0,
-    "no course, and a report all the same",
-  );
+  expect(none.exit === 1 && none.json.lessons.length === 0, "no course, and a report all the same");
   problems.push(...misfits(none.text, "Report"));
 } finally {
   rmSync(here, { recursive: true });
