@@ -40,7 +40,6 @@ std::string tally_text(const Tally& tally) {
   add_count(parts, tally.plots, "plot drawn", "plots drawn");
   add_count(parts, tally.formulas, "formula set", "formulas set");
   add_count(parts, tally.unchecked, "listing unchecked", "listings unchecked");
-  add_count(parts, tally.images, "image unchecked", "images unchecked");
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
   return text;

@@ -41,8 +41,9 @@ std::optional<ImageResult> evaluate_image(const Image& image, const Lesson& less
   };
   const DiskFiles files(root);
   if (!files.exists(path)) {
+    const std::vector<std::string> near = images_near(folder, image.file.text, root);
     return error("E-image-missing", "there is no file " + path,
-                 suggest(image.file.text, images_near(folder, image.file.text, root)));
+                 near.empty() ? "put it there" : suggest(image.file.text, near));
   }
   const auto bytes = files.read(path);
   if (!bytes) return error("E-image-missing", "cannot read " + bytes.error(), "");

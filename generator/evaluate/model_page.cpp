@@ -1,6 +1,7 @@
 #include "evaluate/model_page.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <map>
 
@@ -14,10 +15,11 @@ namespace fs = std::filesystem;
 
 constexpr int kWidth = 712, kHeight = 400;  // CSS pixels of the picture
 
+// With a true minus sign.
 std::string number(double x) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", x);
-  return text;
+  std::snprintf(text, sizeof text, "%.6g", std::abs(x));
+  return (x < 0 ? "−" : "") + std::string(text);
 }
 
 std::string interval(const mjtNum* range, const std::string& unit) {

@@ -19,7 +19,7 @@ struct ModelPage {
   struct Joint {
     std::string name, type, body;  // unnamed: "joint 3"
     Range qpos, dof;
-    std::string limits;  // "-0.35 … 0.35 m"; empty for none
+    std::string limits;  // "−0.35 … 0.35 m"; empty for none
   };
   struct Actuator {
     std::string name, on;  // "joint slide"

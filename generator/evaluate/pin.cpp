@@ -13,7 +13,9 @@ namespace {
 
 constexpr int kWidth = 160;  // pixels, of a new reference
 constexpr const char* kAccept =
-    "look at the picture; if it is as you mean it, `mjcourse accept` keeps it as the reference";
+    "look at it (`check --report DIR` shows it); if it is as you mean it, `mjcourse accept` keeps "
+    "it "
+    "as the reference";
 
 // Of `picture` made `width` wide.
 int height_at(int width, const Picture& picture) {

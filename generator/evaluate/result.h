@@ -159,8 +159,7 @@ struct Tally {
   int outputs = 0;
   int values = 0;
   int listed_models = 0;
-  int unchecked = 0;  // listings
-  int images = 0;     // which nobody checks either
+  int unchecked = 0;
   int answers_proved = 0;
   int answers_asserted = 0;
   int labs = 0;

@@ -84,7 +84,7 @@ void LessonClaims::add(std::size_t i, const Image& image) {
   Claim claim =
       begin(Kind::image, i, as_title(image.file.text + ": " + image.alt), image.file.span());
   const auto* result = results_.get<ImageResult>(i);
-  claim.status = Status::unchecked;
+  claim.status = image.title.empty() ? Status::asserted : Status::cited;
   claim.reason = image.title;
   finish(std::move(claim), result != nullptr, {result == nullptr ? "" : result->hash});
 }

@@ -9,6 +9,10 @@ Diagnostic asserted(const Claim& claim) {
                     "nothing says where this established fact is from",
                     "end the callout with a paragraph `Source: …`");
   }
+  if (claim.kind == Claim::Kind::image) {
+    return error_at(claim.place, "E-strict-asserted", "nothing says where this picture is from",
+                    "say it behind the file: `![…](picture.png \"drawn by …\")`");
+  }
   return error_at(claim.place, "E-strict-asserted",
                   "the answer of " + claim.what.substr(0, claim.what.find(':')) +
                       " is only asserted, and nothing says why",
@@ -17,10 +21,6 @@ Diagnostic asserted(const Claim& claim) {
 }
 
 Diagnostic unchecked(const Claim& claim) {
-  if (claim.kind == Claim::Kind::image) {
-    return error_at(claim.place, "E-strict-unchecked", "nothing says where this picture is from",
-                    "say it in its title: `![what it shows](file.png \"where it comes from\")`");
-  }
   return error_at(claim.place, "E-strict-unchecked", "nobody runs this code, and nothing says why",
                   "let the build run it; or say why it cannot: `unchecked because=\"…\"`");
 }

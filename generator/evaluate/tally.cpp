@@ -40,9 +40,7 @@ int Tally::*counter_of(Claim::Kind kind) {
 Tally tally_of(const Claims& claims) {
   Tally tally;
   for (const Claim& claim : claims) {
-    if (claim.status == Claim::Status::unchecked) {
-      ++(claim.kind == Claim::Kind::image ? tally.images : tally.unchecked);
-    }
+    if (claim.status == Claim::Status::unchecked) ++tally.unchecked;
     if (claim.status == Claim::Status::asserted && claim.kind == Claim::Kind::answer) {
       ++tally.answers_asserted;
     }
@@ -60,7 +58,6 @@ Tally& Tally::operator+=(const Tally& other) {
   values += other.values;
   listed_models += other.listed_models;
   unchecked += other.unchecked;
-  images += other.images;
   answers_proved += other.answers_proved;
   answers_asserted += other.answers_asserted;
   labs += other.labs;

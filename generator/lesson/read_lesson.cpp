@@ -9,10 +9,6 @@
 #include "lesson/lesson_reader.h"
 
 namespace mjcourse {
-namespace {
-
-}  // namespace
-
 std::shared_ptr<const SourceText> read_source(const std::string& path, std::string bytes,
                                               Diagnostics& diagnostics) {
   if (!is_utf8(path, bytes, diagnostics)) return nullptr;

@@ -36,7 +36,6 @@ json verified_data(const Tally& tally, const std::string& mujoco, const std::str
           {"values", tally.values},
           {"listed_models", tally.listed_models},
           {"unchecked", tally.unchecked},
-          {"images", tally.images},
           {"answers_proved", tally.answers_proved},
           {"answers_asserted", tally.answers_asserted},
           {"labs", tally.labs},

@@ -2,8 +2,6 @@
 //
 //   a lesson's page before a lab is played   100 KB: HTML, styles, script and posters
 //   of that, script                           20 KB
-//   each picture of a figure                  50 KB, beside all that: it is loaded when the reader
-//                                             comes near, but that of a film with the page
 //   a lab's own code, without the engine     240 KB; its editor is loaded only where one is opened
 //   the engine                               450 KB
 
@@ -20,17 +18,14 @@ function transferred(path) {
   return picture.test(path) ? bytes.length : brotliCompressSync(bytes).length;
 }
 
-const total = (paths) =>
-  [...new Set(paths)].map(transferred).reduce((sum, size) => sum + size, 0);
+const total = (paths) => [...new Set(paths)].map(transferred).reduce((sum, size) => sum + size, 0);
 
 // Complains where `paths` are more than `most` kilobytes together.
 function weigh(what, paths, most) {
   const size = total(paths) / 1000;
   const good = paths.length > 0 && size <= most;
   if (!good) ++problems;
-  console.log(
-    `${size.toFixed(1).padStart(7)} KB of ${most}  ${what}${good ? "" : "  TOO MUCH"}`,
-  );
+  console.log(`${size.toFixed(1).padStart(7)} KB of ${most}  ${what}${good ? "" : "  TOO MUCH"}`);
 }
 
 // The values of an attribute in `html`, as paths below the site's root.
@@ -54,30 +49,14 @@ const engine = new Set();
 for (const page of globSync("**/*.html", { cwd: folder }).sort()) {
   const html = readFileSync(join(folder, page), "utf8");
   const scripts = addresses(page, html, /<script src="([^"]+)"/g);
-  const styles = addresses(
-    page,
-    html,
-    /<link rel="stylesheet" href="([^"]+)"/g,
-  );
-  const figures = html.match(/<figure class="figure"[^]*?<\/figure>/g) ?? [];
-  const stills = addresses(page, figures.join(""), /srcset="([^"]+)"/g);
-  const pictures = addresses(page, html, /srcset="([^"]+)"/g).filter(
-    (path) => !stills.includes(path),
-  );
-  weigh(
-    `${page} before a lab is played`,
-    [page, ...scripts, ...styles, ...pictures],
-    100,
-  );
+  const styles = addresses(page, html, /<link rel="stylesheet" href="([^"]+)"/g);
+  const pictures = addresses(page, html, /srcset="([^"]+)"/g);
+  weigh(`${page} before a lab is played`, [page, ...scripts, ...styles, ...pictures], 100);
   weigh(`its script`, scripts, 20);
-  for (const still of stills) weigh(still, [still], 50);
-  for (const path of addresses(page, html, /data-code="([^"]+)"/g))
-    labCode.add(path);
-  for (const path of addresses(page, html, /data-(?:engine|wasm)="([^"]+)"/g))
-    engine.add(path);
+  for (const path of addresses(page, html, /data-code="([^"]+)"/g)) labCode.add(path);
+  for (const path of addresses(page, html, /data-(?:engine|wasm)="([^"]+)"/g)) engine.add(path);
 }
-for (const path of labCode)
-  weigh(`${path} with all it imports`, [...closure(path)], 240);
+for (const path of labCode) weigh(`${path} with all it imports`, [...closure(path)], 240);
 if (engine.size > 0) weigh("the engine", [...engine], 450);
 console.log(`${problems} problems`);
 process.exitCode = problems > 0 ? 1 : 0;

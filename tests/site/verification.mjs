@@ -1,6 +1,6 @@
 // What was verified, as tools and readers get it: the JSON of a site and of reports has the shape
 // that site/report/verification.ts gives it, to the last key; a report of a failed run is written
-// too, and its page opens by itself.
+// too, and its page opens by itself, with a picture that differs beside its reference.
 //
 //   node tests/site/verification.mjs MJCOURSE SITE    SITE: what a course was built into
 
@@ -48,7 +48,12 @@ function report(folder, ...more) {
   const out = join(here, "report");
   const run = spawnSync(mjcourse, ["check", "--course", folder, "--report", out, ...more]);
   const text = readFileSync(join(out, "verification.json"), "utf8");
-  return { exit: run.status, text, json: JSON.parse(text), page: join(out, "index.html") };
+  return {
+    exit: run.status,
+    text,
+    json: JSON.parse(text),
+    page: join(out, "index.html"),
+  };
 }
 
 // A course of one lesson with this body.
@@ -63,18 +68,38 @@ function course(body) {
   return folder;
 }
 
+const model = `<mujoco><worldbody><light pos="0 -1 3"/><body pos="0 0 1">
+<joint name="swing" axis="0 1 0"/><geom type="capsule" fromto="0 0 0 0 0 -0.5" size="0.05"/>
+</body></worldbody></mujoco>`;
+
+// A lesson's figure of the arm, turned by `angle`.
+const pinned = (angle) => `\`\`\`figure
+{"model": "arm", "alt": "An arm.", "size": [160, 100], "pin": "arm", "run": "data.qpos[0] = ${angle}"}
+\`\`\`
+`;
+
 // What a reader sees of a page that was opened from the disk.
 async function opened(page) {
   const quiet = ["--no-sandbox", "--disable-quic", "--no-first-run"];
-  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: quiet });
+  const browser = await chromium.launch({
+    executablePath: "/usr/bin/chromium",
+    args: quiet,
+  });
   const tab = await browser.newPage();
   tab.on("console", (message) => problems.push(`${page}: console: ${message.text()}`));
   await tab.goto(pathToFileURL(page).href);
   const first = await tab.locator("h2").first().textContent();
   const messages = await tab.locator(".claim .message").allTextContents();
   const others = await tab.locator("section > .message").allTextContents();
+  const pictures = await tab.locator(".compared img").evaluateAll((images) =>
+    images.map((image) => ({
+      file: image.getAttribute("src"),
+      drawn: image.naturalWidth > 0,
+      top: image.getBoundingClientRect().top,
+    })),
+  );
   await browser.close();
-  return { first, messages, others };
+  return { first, messages, others, pictures };
 }
 
 try {
@@ -102,6 +127,23 @@ try {
   expect(shown.messages.length === 2, "messages of what failed and of what has no reason");
   expect(shown.messages[0]?.includes("\\alpha"), "first the message of what failed");
   expect(shown.others.length === 1, "the message that is about no claim");
+
+  const arm = course(pinned(0));
+  mkdirSync(join(arm, "models"));
+  writeFileSync(join(arm, "models", "arm.xml"), model);
+  const accepted = spawnSync(mjcourse, ["accept", "--course", arm]);
+  expect(accepted.status === 0, "a picture to be pinned");
+  const moved = report(course(pinned(1)));
+  expect(moved.exit === 1, "a picture that is not as it was pinned");
+  problems.push(...misfits(moved.text, "Report"));
+  const { pictures } = await opened(moved.page);
+  const files = pictures.map(({ file }) => file).join(" ");
+  const three = ["reference", "actual", "difference"].map((name) => `pictures/1.1-arm-${name}.png`);
+  expect(files === three.join(" "), `other pictures: ${files}`);
+  expect(
+    pictures.every(({ drawn, top }) => drawn && top === pictures[0].top),
+    "three pictures, drawn side by side",
+  );
 
   rmSync(join(here, "course", "content", "course.yaml"));
   const none = report(join(here, "course"));

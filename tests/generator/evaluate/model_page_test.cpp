@@ -49,7 +49,7 @@ TEST(ModelPage, TellsWhatTheModelIsMadeOf) {
 
   EXPECT_EQ(
       page.actuators.at(0).name + ", " + page.actuators[0].on + ", " + page.actuators[0].limits,
-      "push, joint rail, -2 … 2");
+      "push, joint rail, −2 … 2");
   EXPECT_EQ(page.sensors.at(0).name + ", " + page.sensors[0].of, "place, joint rail");
   EXPECT_EQ(page.sensors.at(1).name + ", " + page.sensors[1].of, "sensor 1, site tip");
   EXPECT_EQ(page.sensors[1].data.first + 10 * page.sensors[1].data.count, 31);
