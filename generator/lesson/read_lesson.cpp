@@ -9,11 +9,13 @@
 #include "lesson/lesson_reader.h"
 
 namespace mjcourse {
+
 std::shared_ptr<const SourceText> read_source(const std::string& path, std::string bytes,
                                               Diagnostics& diagnostics) {
   if (!is_utf8(path, bytes, diagnostics)) return nullptr;
   return std::make_shared<SourceText>(path, std::move(bytes));
 }
+
 std::string without_front_matter(const SourceText& source, Span front) {
   const int closing = source.position(front.end).line;
   return std::string(static_cast<std::size_t>(closing), '\n') +
