@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/stopwatch.h"
 #include "cli/progress_bar.h"
 #include "evaluate/strict.h"
@@ -22,7 +23,7 @@ namespace {
 
 // "3 programs run", "1 lab rehearsed"; "" for none.
 void add_count(std::vector<std::string>& parts, int count, const char* one, const char* many) {
-  if (count > 0) parts.push_back(std::to_string(count) + " " + (count == 1 ? one : many));
+  if (count > 0) parts.push_back(counted(count, one, many));
 }
 
 constexpr const char* kNothing = "nothing to verify";
@@ -46,10 +47,6 @@ std::string tally_text(const Tally& tally) {
   return text.empty() ? kNothing : text;
 }
 
-std::string counted(std::ptrdiff_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 // In the order of the files and of their lines, whichever thread came first.
 void sort_diagnostics(Diagnostics& diagnostics) {
   std::stable_sort(diagnostics.begin(), diagnostics.end(),
@@ -70,6 +67,7 @@ void apply_strictly(Evaluation& evaluation) {
   add(evaluation.glossary);
   for (Diagnostic& diagnostic : all) diagnostic.severity = Severity::error;
 }
+
 // Errors in `file`, and those elsewhere that a note says it has a part in: a model that it uses.
 bool concerns(const Diagnostic& diagnostic, const std::string& file) {
   return diagnostic.place.file == file ||
@@ -100,7 +98,7 @@ void print_lessons(const Course& course, const Evaluation& evaluation) {
 void print_glossary(const Glossary& glossary, const Evaluation& evaluation) {
   const std::ptrdiff_t errors = errors_in(evaluation.diagnostics, kGlossaryPath);
   std::cout << (errors == 0 ? "ok    " : "FAIL  ")
-            << "glossary: " << counted(static_cast<std::ptrdiff_t>(glossary.terms.size()), "term");
+            << "glossary: " << counted(glossary.terms.size(), "term");
   const std::string verified = tally_text(evaluation.glossary.tally);
   if (verified != kNothing) std::cout << ", " << verified;
   if (errors > 0) std::cout << "; " << counted(errors, "error");
@@ -161,11 +159,9 @@ Verified verify_course(const Options& options) {
   const double seconds = stopwatch.seconds();
   char time[32];
   std::snprintf(time, sizeof time, "%.1f s", seconds);
-  std::cout << (verified.course
-                    ? counted(static_cast<std::ptrdiff_t>(verified.course->lessons.size()),
-                              "lesson") +
-                          ": " + tally_text(total) + "; "
-                    : "")
+  std::cout << (verified.course ? counted(verified.course->lessons.size(), "lesson") + ": " +
+                                      tally_text(total) + "; "
+                                : "")
             << counted(errors, "error") << ", " << time << '\n';
   if (!options.report.empty()) {
     write_report({verified.course ? &*verified.course : nullptr, verified.evaluation, seconds},
