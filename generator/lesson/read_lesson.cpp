@@ -9,9 +9,7 @@
 #include "lesson/lesson_reader.h"
 
 namespace mjcourse {
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 std::shared_ptr<const SourceText> read_source(const std::string& path, std::string bytes,
                                               Diagnostics& diagnostics) {
