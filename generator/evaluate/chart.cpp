@@ -74,7 +74,7 @@ std::optional<ChartResult> evaluate_chart(const Chart& chart, std::size_t index,
     table = nullptr;
   }
   auto drawn = workshop.chart_press().draw(chart.json, table ? columns_of(*table) : json(),
-                                           "plot-" + std::to_string(chart_number(lesson, index)));
+                                           block_name(lesson, index));
   if (!drawn) {
     for (const ChartFault& fault : drawn.error()) {
       const Place place = place_of(*lesson.source, place_of_fault(chart, fault));

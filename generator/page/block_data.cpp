@@ -96,9 +96,8 @@ json PageWriter::data_of(const InlineModel& model, std::size_t index) {
 json PageWriter::listing(const std::string& code, const std::string& language) {
   const json highlighted =
       code.empty() ? json() : json(press_.highlighter.highlight(code, language));
-  return {{"id", nullptr},       {"file", nullptr},    {"download", nullptr},
-          {"code", highlighted}, {"unchecked", false}, {"because", ""},
-          {"output", nullptr}};
+  return {{"id", nullptr},      {"file", nullptr}, {"download", nullptr}, {"code", highlighted},
+          {"unchecked", false}, {"because", ""},   {"output", nullptr}};
 }
 
 std::vector<std::size_t> PageWriter::outputs_below(const std::vector<std::size_t>& outputs) const {
