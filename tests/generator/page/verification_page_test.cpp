@@ -97,7 +97,8 @@ TEST_F(VerificationTest, ShowsMistakesAndPicturesInAReport) {
   page["assets"] = {{"css", "c"}, {"favicon", "f"}};
   const std::string html = render_template(*templates_, "report", page);
   EXPECT_NE(html.find("wrong &lt;here&gt;"), std::string::npos) << html;
-  EXPECT_NE(html.find("<pre class=\"message\" tabindex=\"0\">elsewhere</pre>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<pre class=\"message\" tabindex=\"0\">elsewhere</pre>"), std::string::npos)
+      << html;
   EXPECT_NE(html.find("<img src=\"pictures/p-difference.png\""), std::string::npos) << html;
 }
 
