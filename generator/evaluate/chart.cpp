@@ -82,6 +82,7 @@ std::optional<ChartResult> evaluate_chart(const Chart& chart, std::size_t index,
     }
     return std::nullopt;
   }
+  if (table == nullptr) return std::nullopt;
   return ChartResult{*std::move(drawn), *table, file_of(chart.example.text, workshop.course())};
 }
 
