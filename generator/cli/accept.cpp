@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/replace_file.h"
 #include "cli/commands.h"
 #include "cli/edit_text.h"
@@ -19,10 +20,6 @@
 
 namespace mjcourse {
 namespace {
-
-std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
 
 class Acceptance {
  public:

@@ -1,10 +1,11 @@
 #include "cli/edit_text.h"
 
-#include <algorithm>
 #include <cstdio>
 #include <string_view>
 #include <vector>
 
+#include "base/counted.h"
+#include "base/text_lines.h"
 #include "base/utf8.h"
 #include "report/colours.h"
 #include "report/diff_text.h"
@@ -17,21 +18,10 @@ bool is_text(std::string_view bytes) {
 }
 
 std::string size_text(std::size_t bytes) {
-  if (bytes < 1000) return std::to_string(bytes) + (bytes == 1 ? " byte" : " bytes");
+  if (bytes < 1000) return counted(bytes, "byte");
   char text[32];
   std::snprintf(text, sizeof text, "%.1f KB", static_cast<double>(bytes) / 1000);
   return text;
-}
-
-std::vector<std::string_view> lines_of(std::string_view text) {
-  std::vector<std::string_view> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    lines.push_back(text.substr(0, end));
-    if (lines.back().ends_with('\r')) lines.back().remove_suffix(1);
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return lines;
 }
 
 std::string indented(const std::string& lines) {
@@ -49,7 +39,8 @@ std::string edit_text(const FileEdit& edit, bool colours) {
     what += (what.empty() ? "" : ", ") + cure->edit->what;
   }
   const std::string title = edit.file + ": " + what;
-  std::string text = (colours ? std::string(kBold) + title + std::string(kPlain) : title) + "\n";
+  const std::string text =
+      (colours ? std::string(kBold) + title + std::string(kPlain) : title) + "\n";
   if (!is_text(edit.after) || !is_text(edit.before.value_or(""))) {
     return text + "  writes " + edit.file + " (" + size_text(edit.after.size()) + ")\n";
   }

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/stopwatch.h"
 #include "cli/progress_bar.h"
 #include "evaluate/strict.h"
@@ -22,7 +23,7 @@ namespace {
 
 // "3 programs run", "1 lab rehearsed"; "" for none.
 void add_count(std::vector<std::string>& parts, int count, const char* one, const char* many) {
-  if (count > 0) parts.push_back(std::to_string(count) + " " + (count == 1 ? one : many));
+  if (count > 0) parts.push_back(counted(count, one, many));
 }
 
 // "" where nothing was verified.
@@ -50,10 +51,6 @@ std::string outcome_text(const Tally& tally, std::ptrdiff_t errors) {
   const std::string text = tally_text(tally);
   if (!text.empty()) return text;
   return errors > 0 ? "nothing verified" : "nothing to verify";
-}
-
-std::string counted(std::ptrdiff_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 // In the order of the files and of their lines, whichever thread came first.
@@ -107,7 +104,7 @@ void print_lessons(const Course& course, const Evaluation& evaluation) {
 void print_glossary(const Glossary& glossary, const Evaluation& evaluation) {
   const std::ptrdiff_t errors = errors_in(evaluation.diagnostics, kGlossaryPath);
   std::cout << (errors == 0 ? "ok    " : "FAIL  ")
-            << "glossary: " << counted(static_cast<std::ptrdiff_t>(glossary.terms.size()), "term");
+            << "glossary: " << counted(glossary.terms.size(), "term");
   const std::string verified = tally_text(evaluation.glossary.tally);
   if (!verified.empty()) std::cout << ", " << verified;
   if (errors > 0) std::cout << "; " << counted(errors, "error");
@@ -168,11 +165,9 @@ Verified verify_course(const Options& options) {
   const double seconds = stopwatch.seconds();
   char time[32];
   std::snprintf(time, sizeof time, "%.1f s", seconds);
-  std::cout << (verified.course
-                    ? counted(static_cast<std::ptrdiff_t>(verified.course->lessons.size()),
-                              "lesson") +
-                          ": " + outcome_text(total, errors) + "; "
-                    : "")
+  std::cout << (verified.course ? counted(verified.course->lessons.size(), "lesson") + ": " +
+                                      outcome_text(total, errors) + "; "
+                                : "")
             << counted(errors, "error") << ", " << time << '\n';
   if (!options.report.empty()) {
     write_report({verified.course ? &*verified.course : nullptr, verified.evaluation, seconds},

@@ -74,7 +74,7 @@ std::optional<ChartResult> evaluate_chart(const Chart& chart, std::size_t index,
     table = nullptr;
   }
   auto drawn = workshop.chart_press().draw(chart.json, table ? columns_of(*table) : json(),
-                                           "plot-" + std::to_string(chart_number(lesson, index)));
+                                           block_name(lesson, index));
   if (!drawn) {
     for (const ChartFault& fault : drawn.error()) {
       const Place place = place_of(*lesson.source, place_of_fault(chart, fault));
@@ -82,6 +82,7 @@ std::optional<ChartResult> evaluate_chart(const Chart& chart, std::size_t index,
     }
     return std::nullopt;
   }
+  if (table == nullptr) return std::nullopt;
   return ChartResult{*std::move(drawn), *table, file_of(chart.example.text, workshop.course())};
 }
 

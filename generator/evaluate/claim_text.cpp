@@ -4,16 +4,13 @@
 #include <cctype>
 #include <vector>
 
+#include "base/counted.h"
 #include "evaluate/proof_text.h"
 
 namespace mjcourse {
 namespace {
 
 constexpr std::size_t kLongest = 100;  // bytes of a title
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
 
 // What came of trying each option or item.
 std::string held(const Question& question, const ProofResult& proof) {
@@ -63,23 +60,22 @@ std::string limits_of_run(double seconds) {
 
 std::string how_compared(const Output& output, const OutputResult& result,
                          const std::string& printed_by) {
-  const auto lines = static_cast<std::size_t>(result.lines);
-  return "compared with what " + printed_by + " printed: " + counted(lines, "line", "lines") +
+  return "compared with what " + printed_by + " printed: " + counted(result.lines, "line") +
          ", numbers to " +
          (output.tolerance ? "within " + number_text(*output.tolerance)
                            : "one unit in their last place");
 }
 
 std::string how_rehearsed(const Lab& lab, const LabResult& result) {
-  std::vector<std::string> parts{counted(result.runs.size(), "run", "runs") + " of 2 s"};
-  const auto add = [&](std::size_t count, const char* one, const char* many) {
-    if (count > 0) parts.push_back(counted(count, one, many));
+  std::vector<std::string> parts{counted(result.runs.size(), "run") + " of 2 s"};
+  const auto add = [&](std::size_t count, const char* noun) {
+    if (count > 0) parts.push_back(counted(count, noun));
   };
-  add(lab.readouts.size(), "readout", "readouts");
+  add(lab.readouts.size(), "readout");
   std::size_t traces = 0;
   for (const Lab::Plot& plot : lab.plots) traces += plot.traces.size();
-  add(traces, "trace", "traces");
-  add(lab.tasks.size(), "task", "tasks");
+  add(traces, "trace");
+  add(lab.tasks.size(), "task");
   std::string text = "rehearsed: ";
   for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : ", ") + parts[i];
   if (result.predicted)
@@ -102,7 +98,7 @@ std::string how_drawn(const Figure& figure, const Versions& versions) {
 
 std::string how_plotted(const Chart& chart, const ChartResult& result) {
   const std::size_t rows = result.table.front().values.size();
-  return "drawn by Vega from " + counted(rows, "row", "rows") + " that " + chart.example.text +
+  return "drawn by Vega from " + counted(rows, "row") + " that " + chart.example.text +
          ".cpp reported as \u201c" + chart.table.text + "\u201d";
 }
 

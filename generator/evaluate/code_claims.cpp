@@ -16,7 +16,8 @@ using Status = Claim::Status;
 std::string text_of(const Records& records) {
   nlohmann::json all = nlohmann::json::object();
   for (const auto& [name, value] : records.results) {
-    std::visit([&](const auto& known) { all["results"][name] = known; }, value);
+    nlohmann::json& result = all["results"][name];
+    std::visit([&](const auto& known) { result = known; }, value);
   }
   for (const auto& [name, columns] : records.tables) {
     for (const Column& column : columns) all["tables"][name][column.name] = column.values;

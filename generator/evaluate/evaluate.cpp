@@ -4,18 +4,10 @@
 #include <optional>
 #include <utility>
 
-#include "base/stopwatch.h"
-#include "evaluate/chart.h"
 #include "evaluate/claims.h"
 #include "evaluate/example_crew.h"
-#include "evaluate/figure.h"
-#include "evaluate/formula.h"
-#include "evaluate/image.h"
-#include "evaluate/inline_value.h"
-#include "evaluate/lab.h"
-#include "evaluate/model_listing.h"
+#include "evaluate/lesson_evaluator.h"
 #include "evaluate/output.h"
-#include "evaluate/question.h"
 #include "evaluate/region.h"
 #include "evaluate/shown_program.h"
 #include "evaluate/workshop.h"
@@ -23,113 +15,6 @@
 
 namespace mjcourse {
 namespace {
-
-bool may_quote(const Block& block) {
-  const auto* figure = std::get_if<Figure>(&block);
-  return std::holds_alternative<InlineValue>(block) || std::holds_alternative<Chart>(block) ||
-         std::holds_alternative<Quiz>(block) || (figure != nullptr && figure->from);
-}
-
-// What one lesson's formulas, labs, figures, questions and inline values come to.
-class LessonEvaluator {
- public:
-  LessonEvaluator(const Lesson& lesson, Workshop& workshop, Progress& progress,
-                  LessonResults& results, Diagnostics& diagnostics)
-      : lesson_(lesson),
-        workshop_(workshop),
-        progress_(progress),
-        results_(results),
-        diagnostics_(diagnostics) {}
-
-  // First what needs no example, then what may quote one.
-  void run_beside_examples() { run(false); }
-  void run_after_examples() { run(true); }
-
- private:
-  void run(bool quoting) {
-    for (std::size_t i = 0; i < lesson_.blocks.size(); ++i) {
-      const Block& block = lesson_.blocks[i];
-      if (may_quote(block) != quoting) continue;
-      const Stopwatch stopwatch;
-      std::visit([&](const auto& known) { evaluate_block(i, known); }, block);
-      if (results_.of_block.contains(i)) results_.seconds[i] = stopwatch.seconds();
-    }
-  }
-
-  void evaluate_block(std::size_t index, const InlineValue& value) {
-    auto result = evaluate_value(value, lesson_, workshop_, diagnostics_);
-    if (!result) return;
-    results_.of_block[index] = *std::move(result);
-  }
-  void evaluate_block(std::size_t index, const Math& math) {
-    auto result = evaluate_formula(math, lesson_, workshop_, diagnostics_);
-    if (!result) return;
-    results_.of_block[index] = *std::move(result);
-  }
-  void evaluate_block(std::size_t index, const Lab& lab) {
-    progress_.begin("rehearse the lab \"" + lab.title + "\"");
-    if (auto result = evaluate_lab(lab, lesson_, workshop_, diagnostics_)) {
-      if (result->pin) results_.pins.push_back(*result->pin);
-      results_.of_block[index] = *std::move(result);
-    }
-    progress_.done();
-  }
-  void evaluate_block(std::size_t index, const Figure& figure) {
-    progress_.begin("draw a figure of " + lesson_.number);
-    if (auto result = evaluate_figure(figure, lesson_, workshop_, diagnostics_)) {
-      if (result->pin) results_.pins.push_back(*result->pin);
-      results_.of_block[index] = *std::move(result);
-    }
-    progress_.done();
-  }
-  void evaluate_block(std::size_t index, const Chart& chart) {
-    progress_.begin("draw the plot of " + chart.table.text);
-    if (auto result = evaluate_chart(chart, index, lesson_, workshop_, diagnostics_)) {
-      ++results_.tally.plots;
-      results_.of_block[index] = *std::move(result);
-    }
-    progress_.done();
-  }
-  void evaluate_block(std::size_t index, const Quiz& quiz) {
-    progress_.begin("prove the answers of " + quiz.id);
-    QuizResult result;
-    for (const Question& question : quiz.questions) {
-      const Stopwatch stopwatch;
-      auto answer = evaluate_question(question, lesson_, workshop_, diagnostics_);
-      QuestionResult& kept = result.questions.emplace_back(answer.value_or(QuestionResult{}));
-      kept.failed = !answer;
-      kept.seconds = stopwatch.seconds();
-    }
-    results_.of_block[index] = std::move(result);
-    progress_.done();
-  }
-  void evaluate_block(std::size_t, const Snippet& snippet) {
-    workshop_.simulate_named(snippet.model, *lesson_.source, diagnostics_);
-  }
-  void evaluate_block(std::size_t index, const ModelExcerpt& excerpt) {
-    add_model(index, evaluate_excerpt(excerpt, lesson_, workshop_, diagnostics_));
-  }
-  void evaluate_block(std::size_t index, const InlineModel& model) {
-    add_model(index, evaluate_inline_model(model, lesson_, workshop_, diagnostics_));
-  }
-  void evaluate_block(std::size_t index, const Image& image) {
-    auto result = evaluate_image(image, lesson_, workshop_.root(), diagnostics_);
-    if (result) results_.of_block[index] = *std::move(result);
-  }
-  void add_model(std::size_t index, std::optional<ModelResult> result) {
-    if (!result) return;
-    results_.of_block[index] = *std::move(result);
-  }
-  // Nothing to find out here: examples and their outputs have a crew of their own.
-  template <typename Other>
-  void evaluate_block(std::size_t, const Other&) {}
-
-  const Lesson& lesson_;
-  Workshop& workshop_;
-  Progress& progress_;
-  LessonResults& results_;
-  Diagnostics& diagnostics_;
-};
 
 // Hold the outputs that the lesson states against what its example printed.
 void compare_outputs(const Lesson& lesson, LessonResults& results, Diagnostics& diagnostics) {

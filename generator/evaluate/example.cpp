@@ -1,6 +1,5 @@
 #include "evaluate/example.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -8,6 +7,7 @@
 #include "base/stopwatch.h"
 #include "base/temporary_folder.h"
 #include "evaluate/compile_errors.h"
+#include "evaluate/example_code.h"
 #include "evaluate/judge_run.h"
 #include "evaluate/records.h"
 #include "evaluate/region.h"
@@ -18,81 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t kMostRecords = 16 << 20;  // bytes
-
-// What is compiled, and the diagnostic that says that its file is another text.
-struct Code {
-  LocatedText text;
-  std::optional<std::size_t> differs;
-};
-
-std::string with_line_ends(const std::string& text, std::string_view line_end) {
-  std::string written;
-  for (const char c : text) {
-    if (c == '\n') {
-      written += line_end;
-    } else if (c != '\r') {
-      written += c;
-    }
-  }
-  return written;
-}
-
-// The fence and the file differ: the first line of each that does.
-Diagnostic difference(const Example& example, const std::string& file, const Lesson& lesson) {
-  const std::string& path = example.file.text;
-  const auto [ours, theirs] =
-      std::mismatch(example.code.text.begin(), example.code.text.end(), file.begin(), file.end());
-  const auto line = 1 + std::count(example.code.text.begin(), ours, '\n');
-  const auto at = static_cast<std::size_t>(ours - example.code.text.begin());
-  Diagnostic found = error_at(
-      place_of(*lesson.source, example.file.span()), "E-example-file",
-      "the fence and " + path + " differ, first in line " + std::to_string(line),
-      "make them the same text: the fence is what a reader sees, the file what a learner builds");
-  found.notes.push_back(
-      {"the lesson has", place_of(*lesson.source, example.code.span(at, at + 1))});
-  const SourceText source(path, file);
-  const auto there = static_cast<std::size_t>(theirs - file.begin());
-  found.notes.push_back({"the file has", place_of(source, {there, there + 1})});
-  return found;
-}
-
-// The code of an example: its fence's, or the file's where the fence is empty. Both must agree, but
-// for how their lines end.
-std::optional<Code> code_of(const Example& example, const ShownProgram& shown, const Lesson& lesson,
-                            const tl::expected<std::string, std::string>& file,
-                            Diagnostics& diagnostics) {
-  const bool empty = example.code.text.empty();
-  if (empty && file) return Code{{with_shown_regions(*file, shown), {}}, std::nullopt};
-  const std::string text = with_line_ends(file.value_or(""), "\n");
-  if (file && text == example.code.text) return Code{example.code, std::nullopt};
-  if (file) {
-    diagnostics.push_back(difference(example, text, lesson));
-  } else {
-    diagnostics.push_back(error_at(place_of(*lesson.source, example.file.span()), "E-example-file",
-                                   "cannot read " + file.error(),
-                                   empty ? "write it: the fence is empty, so its text is the file's"
-                                         : "save the fence's text as " + example.file.text));
-  }
-  // What the lesson shows is still worth compiling.
-  return empty ? std::nullopt : std::optional(Code{example.code, diagnostics.size() - 1});
-}
-
-// The program is as it should be, so its file can be written from the fence.
-void offer_file(const Example& example, const ShownProgram& shown, const Lesson& lesson,
-                const tl::expected<std::string, std::string>& file, Diagnostic& differs) {
-  const std::string& path = example.file.text;
-  if (shown.contradicts_itself()) {
-    differs.cure = "other fences show this file with other words: make them the same first";
-    return;
-  }
-  const bool crlf = file && file->find("\r\n") != file->npos;
-  differs.cure = file ? "the fence is what a reader sees, the file what a learner builds: "
-                        "`mjcourse accept` writes the fence's text into the file"
-                      : "`mjcourse accept` saves the fence's text as " + path;
-  differs.edit = Edit{path, std::nullopt, with_line_ends(example.code.text, crlf ? "\r\n" : "\n"),
-                      "the program that lesson " + lesson.number + " shows"};
-  if (file) differs.edit->before = *file;
-}
 
 // What the program wrote into `file` for its lesson; a fault is shown where the code names the
 // record.
@@ -194,7 +119,7 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Show
                                               const Lesson& lesson, const fs::path& root,
                                               const Compiler& compiler, Diagnostics& diagnostics) {
   const auto file = DiskFiles(root).read(example.file.text);
-  const std::optional<Code> found = code_of(example, shown_by, lesson, file, diagnostics);
+  const std::optional<ExampleCode> found = code_of(example, shown_by, lesson, file, diagnostics);
   if (!found) return std::nullopt;
   auto result = compile_and_run(example, found->text, lesson, root, compiler, diagnostics);
   if (result && found->differs) {

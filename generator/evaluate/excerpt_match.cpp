@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/nearest.h"
+#include "base/text_lines.h"
 
 namespace mjcourse {
 namespace {
@@ -20,20 +21,13 @@ struct Line {
 };
 using Lines = std::vector<Line>;
 
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
-
 // All lines that are not blank.
-Lines lines_of(std::string_view text) {
+Lines written_lines(std::string_view text) {
   Lines lines;
-  for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    const std::string_view line = trimmed(text.substr(0, end));
-    if (!line.empty()) lines.push_back({number, std::string(line)});
-    text.remove_prefix(std::min(end + 1, text.size()));
+  int number = 0;
+  for (const std::string_view line : lines_of(text)) {
+    ++number;
+    if (!trimmed(line).empty()) lines.push_back({number, std::string(trimmed(line))});
   }
   return lines;
 }
@@ -95,9 +89,9 @@ bool skips_lines(std::string_view line) {
 
 std::optional<ExcerptMismatch> find_excerpt_mismatch(std::string_view excerpt,
                                                      std::string_view whole) {
-  const Lines lines = lines_of(whole);
+  const Lines lines = written_lines(whole);
   auto from = lines.begin();
-  for (const Lines& piece : pieces_of(lines_of(excerpt))) {
+  for (const Lines& piece : pieces_of(written_lines(excerpt))) {
     const auto found = std::search(from, lines.end(), piece.begin(), piece.end());
     if (found == lines.end()) {
       return nearest_place(piece, lines, static_cast<std::size_t>(from - lines.begin()));

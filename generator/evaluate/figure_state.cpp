@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "evaluate/keyframe.h"
 #include "evaluate/step_count.h"
 #include "script/world.h"
@@ -52,8 +53,7 @@ bool restore(const Figure::Snapshot& from, const Figure& figure, Simulation& sim
       const bool inlined = figure.model.text.starts_with('<');
       return bench.error("E-figure-from", from.name.span(),
                          "the snapshot `" + from.name.text + "` is of another model: its " +
-                             part.name + " has " + std::to_string(numbers.size()) +
-                             (numbers.size() == 1 ? " number" : " numbers") + ", and " +
+                             part.name + " has " + counted(numbers.size(), "number") + ", and " +
                              (inlined ? "this model" : "`" + figure.model.text + "`") + " takes " +
                              std::to_string(part.size),
                          "give the figure the model that the example simulates");

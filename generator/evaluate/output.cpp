@@ -4,16 +4,13 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.h"
 #include "evaluate/output_diff.h"
 #include "evaluate/output_edit.h"
 #include "report/diff_text.h"
 
 namespace mjcourse {
 namespace {
-
-std::string count(std::ptrdiff_t lines) {
-  return std::to_string(lines) + (lines == 1 ? " line" : " lines");
-}
 
 // What differs, in one line, at the first line of the lesson that does.
 Diagnostic differs(const Output& output, const std::vector<DiffLine>& changes,
@@ -23,14 +20,15 @@ Diagnostic differs(const Output& output, const std::vector<DiffLine>& changes,
   });
   const std::ptrdiff_t come = static_cast<std::ptrdiff_t>(changes.size()) - gone;
   if (output.text.text.find_first_not_of(" \t\n") == std::string::npos) {
-    return error_at(place_of(*lesson.source, output.span), "E-output-differs",
-                    "this output is empty, and the program prints " + count(come) + " (+)",
-                    "`mjcourse accept` writes them here");
+    return error_at(
+        place_of(*lesson.source, output.span), "E-output-differs",
+        "this output is empty, and the program prints " + counted(come, "line") + " (+)",
+        "`mjcourse accept` writes them here");
   }
   const Span line = output.text.span_at(changes.front().line, 1, 1000);
   return error_at(place_of(*lesson.source, line), "E-output-differs",
-                  "the program prints something else: " + count(gone) + " of the lesson (-), " +
-                      count(come) + " of the program (+)",
+                  "the program prints something else: " + counted(gone, "line") +
+                      " of the lesson (-), " + counted(come, "line") + " of the program (+)",
                   "if the program is right, `mjcourse accept` writes its lines here");
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "base/text_lines.h"
+
 namespace mjcourse {
 namespace {
 
@@ -19,13 +21,8 @@ std::string_view without_spaces(std::string_view text) {
 }
 
 std::vector<std::string_view> split_lines(std::string_view text) {
-  text = trimmed_right(text);
-  std::vector<std::string_view> lines;
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    lines.push_back(trimmed_right(text.substr(0, end)));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
+  std::vector<std::string_view> lines = lines_of(trimmed_right(text));
+  for (std::string_view& line : lines) line = trimmed_right(line);
   return lines;
 }
 

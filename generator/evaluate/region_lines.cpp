@@ -2,16 +2,12 @@
 
 #include <algorithm>
 
+#include "base/text_lines.h"
+
 namespace mjcourse {
 namespace {
 
 constexpr std::string_view kBegin = "// #region ", kEnd = "// #endregion";
-
-std::string_view trimmed(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(" \t\r");
-  if (first == text.npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
-}
 
 bool begins(const ProgramLine& line) {
   return trimmed(line.text).starts_with(kBegin);
@@ -33,12 +29,8 @@ bool same_text(const ProgramLine& a, const ProgramLine& b) {
 
 std::vector<ProgramLine> program_lines(std::string_view text) {
   std::vector<ProgramLine> lines;
-  for (int number = 1; !text.empty(); ++number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    lines.push_back({number, line});
-    text.remove_prefix(std::min(end + 1, text.size()));
+  for (const std::string_view line : lines_of(text)) {
+    lines.push_back({static_cast<int>(lines.size()) + 1, line});
   }
   return lines;
 }

@@ -12,6 +12,23 @@ std::vector<std::string> names_of(const std::map<std::string, T>& things) {
   return names;
 }
 
+// The record `name` of `example`; null (reported) where it has none of that name. `kind` is what a
+// message calls it, and `arguments` what the function of the helper header takes that would make
+// it.
+template <typename Value>
+const Value* find_record(const std::map<std::string, Value>& records, const LocatedText& example,
+                         const LocatedText& name, const std::string& kind,
+                         const std::string& arguments, const SourceText& lesson,
+                         Diagnostics& diagnostics) {
+  if (const auto found = records.find(name.text); found != records.end()) return &found->second;
+  const std::string call = kind + "(\"" + name.text + "\", " + arguments + ")";
+  diagnostics.push_back(error_at(
+      place_of(lesson, name.span()), "E-example-" + kind,
+      "the example `" + example.text + "` reports no " + kind + " `" + name.text + "`",
+      records.empty() ? "report it there: `" + call + "`" : suggest(name.text, names_of(records))));
+  return nullptr;
+}
+
 }  // namespace
 
 void Reports::add(const std::string& example, const ExampleResult* result) {
@@ -34,27 +51,6 @@ const Records* Reports::records_of(const LocatedText& example, const SourceText&
                                  suggest(example.text, examples())));
   return nullptr;
 }
-
-namespace {
-
-// The record `name` of `example`; null (reported) where it has none of that name. `kind` is what a
-// message calls it, and `arguments` what the function of the helper header takes that would make
-// it.
-template <typename Value>
-const Value* find_record(const std::map<std::string, Value>& records, const LocatedText& example,
-                         const LocatedText& name, const std::string& kind,
-                         const std::string& arguments, const SourceText& lesson,
-                         Diagnostics& diagnostics) {
-  if (const auto found = records.find(name.text); found != records.end()) return &found->second;
-  const std::string call = kind + "(\"" + name.text + "\", " + arguments + ")";
-  diagnostics.push_back(error_at(
-      place_of(lesson, name.span()), "E-example-" + kind,
-      "the example `" + example.text + "` reports no " + kind + " `" + name.text + "`",
-      records.empty() ? "report it there: `" + call + "`" : suggest(name.text, names_of(records))));
-  return nullptr;
-}
-
-}  // namespace
 
 const Reported* Reports::find(const LocatedText& example, const LocatedText& result,
                               const SourceText& lesson, Diagnostics& diagnostics) const {

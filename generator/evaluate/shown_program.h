@@ -5,9 +5,7 @@
 // Where the fences contradict each other, nobody can say what the file should hold.
 #pragma once
 
-#include <filesystem>
 #include <map>
-#include <optional>
 #include <string>
 #include <vector>
 

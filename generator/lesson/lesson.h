@@ -59,7 +59,10 @@ struct Lesson {
   }
 };
 
-// Which of the lesson's charts the block `index` is, from 1: so its page and its files call it.
-int chart_number(const Lesson& lesson, std::size_t index);
+// Which of its kind in the lesson the block `index` is, from 1.
+int block_number(const Lesson& lesson, std::size_t index);
+
+// What its page and its files call a lab, a figure or a plot: "lab-2"; "" for any other block.
+std::string block_name(const Lesson& lesson, std::size_t index);
 
 }  // namespace mjcourse

@@ -120,7 +120,8 @@ std::optional<Glossary> read_glossary(std::string bytes, Diagnostics& diagnostic
   Glossary glossary;
   Lesson& page = glossary.page;
   page.slug = "glossary";
-  if (!(page.source = read_source(kGlossaryPath, std::move(bytes), diagnostics))) return {};
+  page.source = read_source(kGlossaryPath, std::move(bytes), diagnostics);
+  if (!page.source) return {};
   Reading reading(*page.source, diagnostics);
   const std::optional<Span> front = find_front_matter(reading);
   if (!front) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/counted.h"
 #include "lesson/json_object.h"
 
 namespace mjcourse {
@@ -85,8 +86,7 @@ std::pair<std::string, std::string> fault_of(const Proof& proof, const Question&
     return {"a proof needs a \"value\"" + or_list, ""};
   }
   if (!expressions.empty() && expressions.size() != question.options.size()) {
-    return {"the proof has " + std::to_string(expressions.size()) +
-                (expressions.size() == 1 ? " expression for " : " expressions for ") +
+    return {"the proof has " + counted(expressions.size(), "expression") + " for " +
                 std::to_string(question.options.size()) + " " + form.each + "s",
             std::string("write one expression for each ") + form.each + ", in their order"};
   }

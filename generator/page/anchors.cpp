@@ -1,20 +1,9 @@
 #include "page/anchors.h"
 
-#include <algorithm>
 #include <cctype>
 
 namespace mjcourse {
 namespace {
-
-// The number of the lesson's blocks of this kind up to blocks[index]: "lab-2" is the second.
-template <typename Kind>
-std::string numbered(const std::string& name, const Lesson& lesson, std::size_t index) {
-  const auto end = lesson.blocks.begin() + static_cast<std::ptrdiff_t>(index) + 1;
-  const auto number = std::count_if(lesson.blocks.begin(), end, [](const Block& block) {
-    return std::holds_alternative<Kind>(block);
-  });
-  return name + "-" + std::to_string(number);
-}
 
 std::string heading_above(const Lesson& lesson, int line) {
   std::string id;
@@ -54,11 +43,8 @@ std::string place_anchor(const Lesson& lesson, const Claim& claim) {
   if (const auto* output = std::get_if<Output>(block)) block = &lesson.blocks[output->example];
   if (const auto* example = std::get_if<Example>(block)) return example_anchor(*example);
   if (const auto* quiz = std::get_if<Quiz>(block)) return question_anchor(*quiz, claim.part);
-  const std::size_t index = claim.block;
-  if (std::holds_alternative<Lab>(*block)) return numbered<Lab>("lab", lesson, index);
-  if (std::holds_alternative<Figure>(*block)) return numbered<Figure>("figure", lesson, index);
-  if (std::holds_alternative<Chart>(*block)) return numbered<Chart>("plot", lesson, index);
-  return heading_above(lesson, claim.place.line);
+  const std::string name = block_name(lesson, claim.block);
+  return name.empty() ? heading_above(lesson, claim.place.line) : name;
 }
 
 }  // namespace mjcourse

@@ -38,8 +38,7 @@ json rows_of(const Table& table) {
 }  // namespace
 
 json PageWriter::data_of(const Chart& chart, std::size_t index) {
-  const int number = chart_number(lesson_, index);
-  json data{{"id", "plot-" + std::to_string(number)},
+  json data{{"id", block_name(lesson_, index)},
             {"alt", chart.alt},
             {"caption", inline_html(chart.caption)},
             {"wide", nullptr},
@@ -55,7 +54,7 @@ json PageWriter::data_of(const Chart& chart, std::size_t index) {
   data["table"] = {{"columns", std::move(columns)},
                    {"rows", rows_of(result->table)},
                    {"count", result->table.front().values.size()},
-                   {"href", "../" + table_path(lesson_, number)}};
+                   {"href", "../" + block_path(lesson_, index) + ".csv"}};
   return data;
 }
 

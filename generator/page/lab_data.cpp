@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "page/fixed_number.h"
-#include "page/lesson_pictures.h"
 #include "page/page_writer.h"
 
 namespace mjcourse {
@@ -20,8 +19,7 @@ std::string label_of(const Lab::Control& control) {
 
 json PageWriter::data_of(const Lab& lab, std::size_t index) {
   const auto* result = results_.get<LabResult>(index);
-  ++labs_;
-  json data{{"id", "lab-" + std::to_string(labs_)},
+  json data{{"id", block_name(lesson_, index)},
             {"title", lab.title},
             {"dock", lab.dock},
             {"live", nullptr},
@@ -31,9 +29,9 @@ json PageWriter::data_of(const Lab& lab, std::size_t index) {
             {"plots", json::array()},
             {"toggles", json::array()},
             {"note", inline_html(lab.note)}};
-  if (result != nullptr) data["live"] = live_data(lab, *result);
+  if (result != nullptr) data["live"] = live_data(lab, *result, index);
   if (result != nullptr && result->poster) {
-    const std::string path = "../" + poster_path(lesson_, labs_);
+    const std::string path = "../" + block_path(lesson_, index);
     data["poster"] = {{"webp", path + ".webp"},
                       {"png", path + ".png"},
                       {"width", result->poster->width},
@@ -68,9 +66,9 @@ json PageWriter::data_of(const Lab& lab, std::size_t index) {
 }
 
 // Where the page's script finds what makes a lab live; null where the site has no engine for it.
-json PageWriter::live_data(const Lab& lab, const LabResult& result) {
-  LabFiles files =
-      write_lab_module(lab, result, lesson_.number + "-" + std::to_string(labs_), *this);
+json PageWriter::live_data(const Lab& lab, const LabResult& result, std::size_t index) {
+  const std::string number = lesson_.number + "-" + std::to_string(block_number(lesson_, index));
+  LabFiles files = write_lab_module(lab, result, number, *this);
   json data = nullptr;
   if (press_.manifest.contains("engine.wasm")) {
     data = {{"module", "../" + files.module}};

@@ -9,11 +9,6 @@
 
 namespace mjcourse {
 
-// Where the pictures of a lesson's n-th lab or figure lie, below the site's root and without the
-// extension.
-std::string poster_path(const Lesson& lesson, int lab);
-std::string figure_path(const Lesson& lesson, int figure);
-
 struct LessonPicture {
   std::string path;  // without the extension
   const Poster* poster;

@@ -71,8 +71,8 @@ std::string image_path(const Lesson& lesson, const Image& image, const ImageResu
          file.extension().string();
 }
 
-std::string table_path(const Lesson& lesson, int chart) {
-  return lesson.folder + "/" + lesson.slug + "/plot-" + std::to_string(chart) + ".csv";
+std::string block_path(const Lesson& lesson, std::size_t index) {
+  return lesson.folder + "/" + lesson.slug + "/" + block_name(lesson, index);
 }
 
 PageWriter::PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results,

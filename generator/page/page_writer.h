@@ -75,7 +75,7 @@ class PageWriter {
   // `wanted`, with a number behind it where the page has it already.
   std::string unique_id(const std::string& wanted);
   nlohmann::json data_of(const Lab& lab, std::size_t index);
-  nlohmann::json live_data(const Lab& lab, const LabResult& result);
+  nlohmann::json live_data(const Lab& lab, const LabResult& result, std::size_t index);
   nlohmann::json data_of(const Figure& figure, std::size_t index);
   nlohmann::json data_of(const Chart& chart, std::size_t index);
   nlohmann::json data_of(const Quiz& quiz, std::size_t index);
@@ -98,7 +98,6 @@ class PageWriter {
   nlohmann::json contents_ = nlohmann::json::array();
   std::vector<LabFiles> lab_files_;
   std::set<std::string> ids_;  // of listings
-  int labs_ = 0, figures_ = 0;
 };
 
 // The templates that the site's build left in `assets`, with their engine.
@@ -111,8 +110,8 @@ std::string render_template(Templates& templates, const std::string& name,
 
 // Where a copy of a lesson's picture lies, below the site's root.
 std::string image_path(const Lesson& lesson, const Image& image, const ImageResult& result);
-// Where the table of its n-th chart lies, to download.
-std::string table_path(const Lesson& lesson, int chart);
+// Where the files of its block `index` lie, a lab, a figure or a plot, without the extension.
+std::string block_path(const Lesson& lesson, std::size_t index);
 // The page of a lesson, below the site's root.
 std::string page_path(const Lesson& lesson);
 

@@ -65,7 +65,7 @@ std::vector<ShownPicture> write_pictures(const Run& run, SiteDirectory& director
       const std::string name = page->number + "-" + pin.name;
       const auto write = [&](const std::string& which, const std::string& bytes) -> std::string {
         if (bytes.empty()) return "";
-        const std::string path = "pictures/" + name + "-" + which + ".png";
+        std::string path = "pictures/" + name + "-" + which + ".png";
         directory.write(path, bytes);
         return path;
       };

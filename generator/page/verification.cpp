@@ -81,6 +81,20 @@ double rounded(double seconds) {
   return std::round(1000 * seconds) / 1000;
 }
 
+// Every lesson, drafts too, with the times that were measured.
+void add_lessons(const Course& course, const Evaluation& evaluation, json& all) {
+  for (const Lesson* page : course.pages()) {
+    const Claims& claims = evaluation.results_of(course, *page).claims;
+    json& lesson = all["lessons"].emplace_back(lesson_json(*page, claims));
+    for (std::size_t c = 0; c < claims.size(); ++c) {
+      lesson["claims"][c]["seconds"] = rounded(claims[c].seconds);
+      lesson["claims"][c]["run_seconds"] = rounded(claims[c].run_seconds);
+    }
+    lesson["draft"] = page->front.draft;
+    count(all["counts"], claims);
+  }
+}
+
 }  // namespace
 
 json published_verification(const Course& course, const Evaluation& evaluation) {
@@ -96,16 +110,7 @@ json published_verification(const Course& course, const Evaluation& evaluation) 
 
 json full_verification(const Course* course, const Evaluation& evaluation, double seconds) {
   json all = verification(course != nullptr ? course->title : "", evaluation.versions);
-  for (const Lesson* page : course != nullptr ? course->pages() : std::vector<const Lesson*>()) {
-    const Claims& claims = evaluation.results_of(*course, *page).claims;
-    json& lesson = all["lessons"].emplace_back(lesson_json(*page, claims));
-    for (std::size_t c = 0; c < claims.size(); ++c) {
-      lesson["claims"][c]["seconds"] = rounded(claims[c].seconds);
-      lesson["claims"][c]["run_seconds"] = rounded(claims[c].run_seconds);
-    }
-    lesson["draft"] = page->front.draft;
-    count(all["counts"], claims);
-  }
+  if (course != nullptr) add_lessons(*course, evaluation, all);
   const Diagnostics& found = evaluation.diagnostics;
   all["succeeded"] = std::none_of(found.begin(), found.end(), [](const Diagnostic& diagnostic) {
     return diagnostic.severity == Severity::error;

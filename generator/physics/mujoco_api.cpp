@@ -5,14 +5,10 @@
 #include <sstream>
 #include <vector>
 
+#include "base/text_lines.h"
+
 namespace mjcourse {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t\r");
-  if (begin == text.npos) return "";
-  return text.substr(begin, text.find_last_not_of(" \t\r") + 1 - begin);
-}
 
 // A line's code, and what its `//` comment says.
 struct Line {
@@ -20,10 +16,11 @@ struct Line {
   bool has_comment = false;
 };
 
-Line split(const std::string& line) {
+Line split(std::string_view line) {
   const std::size_t slashes = line.find("//");
-  if (slashes == line.npos) return {trimmed(line), "", false};
-  return {trimmed(line.substr(0, slashes)), trimmed(line.substr(slashes + 2)), true};
+  if (slashes == line.npos) return {std::string(trimmed(line)), "", false};
+  return {std::string(trimmed(line.substr(0, slashes))),
+          std::string(trimmed(line.substr(slashes + 2))), true};
 }
 
 // "------- Main simulation -------" → "Main simulation"; "" for other comments.
@@ -119,7 +116,8 @@ class HeaderReader {
     static const std::regex function(R"([^(]*?(mj\w+)\([\s\S]*)");
     static const std::regex pointer(R"([^(]*\(\*\s*(mj\w+)\)[\s\S]*)");
     const bool exported = statement_.starts_with("MJAPI ");
-    std::string declaration = trimmed(std::regex_replace(statement_, api, "$1"));
+    const std::string plain = std::regex_replace(statement_, api, "$1");
+    const std::string declaration(trimmed(plain));
     ApiName found{ApiName::Kind::type,
                   declaration,
                   behind_.empty() ? above_ : behind_,

@@ -13,9 +13,9 @@ constexpr const char* kHello =
     "#include <cstdio>\nint main() { std::puts(\"ball.xml 1.50\"); }  // #region r\n";
 
 // Each claim on a few lines, without its key.
-std::string told(const EvaluationOf& found) {
+std::string told(const Claims& claims) {
   std::string text;
-  for (const Claim& claim : found.claims()) {
+  for (const Claim& claim : claims) {
     text += std::to_string(claim.place.line) + " " + name_of(claim.kind) + " " +
             name_of(claim.status) + ": " + claim.what + "\n";
     for (const std::string* part : {&claim.how, &claim.limits, &claim.reason}) {
@@ -23,6 +23,10 @@ std::string told(const EvaluationOf& found) {
     }
   }
   return text;
+}
+
+std::string told(const EvaluationOf& found) {
+  return told(found.claims());
 }
 
 std::string told(const std::string& body, const std::map<std::string, std::string>& files = {}) {
@@ -91,6 +95,7 @@ TEST(Claims, OfARegionThatStandsForItsProgram) {
   EXPECT_EQ(told(found), "4 program proved: examples/a.cpp\n" + ran +
                              "4 region proved: examples/a.cpp#r\n" + compared +
                              "8 region proved: examples/a.cpp#r\n" + compared);
+  // What runs is what the fence shows, and yet the file has other lines.
   EXPECT_EQ(
       told("```cpp file=examples/a.cpp#r\nstd::puts(\"2\");\n```\n", {{"examples/a.cpp", code}}),
       "4 program proved: examples/a.cpp\n" + ran + "4 region failed: examples/a.cpp#r\n");
@@ -162,6 +167,62 @@ TEST(Claims, OfLabsAndTheirPictures) {
   EXPECT_EQ(told("```lab simlab\n{\"title\": \"T\", \"model\": \"ball\", \"readouts\": ["
                  "{\"label\": \"r\", \"expr\": \"data.tmie\"}]}\n```\n"),
             "4 lab failed: the lab “T”\n");
+}
+
+TEST(Claims, OfFigures) {
+  EXPECT_EQ(told("```figure\n{\"model\": \"ball\", \"alt\": \"A ball.\", \"size\": [64, 40], "
+                 "\"seconds\": 0.1}\n```\n"),
+            "4 picture proved: a figure: A ball.\n"
+            "    drawn by MuJoCo 2.2.2 after 0.1 s\n");
+  EXPECT_EQ(told("```figure\n{\"model\": \"ball\", \"alt\": \"A ball.\", \"keyframe\": "
+                 "\"home\"}\n```\n"),
+            "4 picture failed: a figure: A ball.\n");
+}
+
+TEST(Claims, OfPlots) {
+  // Writes by itself what the helper header would, which takes long to compile.
+  const std::string code =
+      "#include <cstdlib>\n#include <fstream>\nint main() {\n"
+      "  std::ofstream(std::getenv(\"MJCOURSE_RECORDS\"))\n"
+      "      << R\"({\"table\": \"e\", \"value\": [[\"t\", [0, 1]], [\"y\", [2, 3]]]})\" "
+      "<< '\\n';\n}\n";
+  const auto plot = [](const std::string& field) {
+    return "```plot\n{\"data\": {\"name\": \"a/e\"}, \"caption\": \"c\", \"alt\": \"A line.\", "
+           "\"mark\": \"line\", \"encoding\": {\"x\": {\"field\": \"t\", \"type\": "
+           "\"quantitative\"}, \"y\": {\"field\": \"" +
+           field + "\", \"type\": \"quantitative\"}}}\n```\n";
+  };
+  const std::string found =
+      told(plot("y") + "\n" + plot("z") + "\n```cpp file=examples/a.cpp\n```\n",
+           {{"examples/a.cpp", code}});
+  EXPECT_EQ(found.substr(0, found.find("12 program")),
+            "4 plot proved: a plot: A line.\n"
+            "    drawn by Vega from 2 rows that a.cpp reported as “e”\n"
+            "8 plot failed: a plot: A line.\n");
+}
+
+TEST(Claims, OfImages) {
+  EXPECT_EQ(told("![A cart](a.svg \"drawn by hand\") ![Gone](b.svg)\n",
+                 {{"content/1-a/a.svg", "<svg width='3' height='2'/>"}}),
+            "4 image unchecked: a.svg: A cart\n"
+            "    drawn by hand\n"
+            "4 image failed: b.svg: Gone\n");
+}
+
+TEST(Claims, OfTheGlossary) {
+  const EvaluationOf found(
+      "A [[cart]].\n",
+      {{"content/glossary.md",
+        "---\ntitle: Words\n---\n## Cart\n\nIt has `{ball} model.nv` of $n_v$.\n"}});
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_TRUE(found.claims().empty());
+  EXPECT_EQ(told(found.evaluation().glossary.claims),
+            "6 value proved: model.nv of ball\n"
+            "    computed from ball.xml in its initial state: 7\n"
+            "6 formula proved: n_v\n"
+            "    typeset by KaTeX " +
+                found.versions().katex + "\n    that it is TeX, and not that it is true\n");
+  EXPECT_EQ(found.evaluation().glossary.tally.values, 1);
 }
 
 TEST(Claims, OfAnswers) {

@@ -1,0 +1,79 @@
+#include "page/course_data.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "course/link_target.h"
+#include "page/api_page.h"
+#include "page/page_writer.h"
+
+namespace mjcourse {
+
+using nlohmann::json;
+
+const Level& level_of(const Course& course, const Lesson& lesson) {
+  return *std::find_if(course.levels.begin(), course.levels.end(),
+                       [&](const Level& level) { return level.folder == lesson.folder; });
+}
+
+std::vector<std::size_t> published(const Course& course, const Level& level) {
+  std::vector<std::size_t> lessons;
+  std::copy_if(level.lessons.begin(), level.lessons.end(), std::back_inserter(lessons),
+               [&](std::size_t index) { return !course.lessons[index].front.draft; });
+  return lessons;
+}
+
+json reference_to(const Lesson& lesson) {
+  return {
+      {"number", lesson.number}, {"title", lesson.front.title.text}, {"href", page_path(lesson)}};
+}
+
+json levels_data(const Course& course, const Lesson* current) {
+  json levels = json::array();
+  for (const Level& level : course.levels) {
+    json lessons = json::array();
+    for (const std::size_t index : published(course, level)) {
+      json lesson = reference_to(course.lessons[index]);
+      lesson["current"] = &course.lessons[index] == current;
+      lessons.push_back(std::move(lesson));
+    }
+    levels.push_back({{"title", level.title},
+                      {"beside", level.number.empty()},
+                      {"lessons", std::move(lessons)}});
+  }
+  return levels;
+}
+
+json pages_data(const Course& course, const Evaluation& evaluation, const std::string& kind) {
+  json pages = json::array();
+  if (course.glossary) {
+    const Lesson& glossary = course.glossary->page;
+    pages.push_back({{"title", glossary.front.title.text},
+                     {"href", page_path(glossary)},
+                     {"current", kind == "glossary"}});
+  }
+  if (!evaluation.api.empty()) {
+    pages.push_back({{"title", kApiTitle}, {"href", kApiPage}, {"current", kind == "api"}});
+  }
+  return pages;
+}
+
+json verified_data(const Tally& tally, const std::string& mujoco, const std::string& href) {
+  return {{"programs", tally.programs},
+          {"snippets", tally.snippets},
+          {"outputs", tally.outputs},
+          {"values", tally.values},
+          {"listed_models", tally.listed_models},
+          {"unchecked", tally.unchecked},
+          {"answers_proved", tally.answers_proved},
+          {"answers_asserted", tally.answers_asserted},
+          {"labs", tally.labs},
+          {"pictures", tally.pictures},
+          {"plots", tally.plots},
+          {"formulas", tally.formulas},
+          {"mujoco", mujoco},
+          {"href", href}};
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,28 @@
+// What several templates are told of the course: its lessons, its other pages, what was verified.
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "evaluate/evaluate.h"
+
+namespace mjcourse {
+
+const Level& level_of(const Course& course, const Lesson& lesson);
+// The lessons of a level that the site has: all but the drafts.
+std::vector<std::size_t> published(const Course& course, const Level& level);
+
+// A lesson to link to.
+nlohmann::json reference_to(const Lesson& lesson);
+// All lessons; `current` is the one whose page this is, or null.
+nlohmann::json levels_data(const Course& course, const Lesson* current);
+// What the list of lessons offers beside them, on a page of this kind.
+nlohmann::json pages_data(const Course& course, const Evaluation& evaluation,
+                          const std::string& kind);
+// `href` leads to the same on the verification page.
+nlohmann::json verified_data(const Tally& tally, const std::string& mujoco,
+                             const std::string& href);
+
+}  // namespace mjcourse

@@ -1,0 +1,58 @@
+#include "page/lesson_page.h"
+
+#include "page/anchors.h"
+#include "page/course_data.h"
+#include "page/verification.h"
+
+namespace mjcourse {
+
+using nlohmann::json;
+
+std::string lesson_page(const Course& course, const Evaluation& evaluation, std::size_t index,
+                        PageWriter& writer, Templates& templates) {
+  const Lesson& lesson = course.lessons[index];
+  const LessonResults& results = evaluation.lessons[index];
+  const std::string mark =
+      "\x02"
+      "prose\x03";
+  const std::string prose = writer.body();
+  json objectives = json::array(), prerequisites = json::array();
+  for (const Document& objective : lesson.front.objectives) {
+    objectives.push_back(writer.inline_html(objective));
+  }
+  for (const LocatedText& number : lesson.front.prerequisites) {
+    prerequisites.push_back(reference_to(*course.find_lesson(number.text)));
+  }
+  const Level& level = level_of(course, lesson);
+  // The nearest lesson in one direction that the site has; past an end the index wraps to a huge
+  // one. From the course no way leads into what stands beside it, nor back.
+  const auto neighbour = [&](std::size_t step) {
+    std::size_t at = index + step;
+    while (at < course.lessons.size() && course.lessons[at].front.draft) at += step;
+    const bool there = at < course.lessons.size() &&
+                       level_of(course, course.lessons[at]).number.empty() == level.number.empty();
+    return there ? reference_to(course.lessons[at]) : json(nullptr);
+  };
+  std::string body = render_template(
+      templates, "lesson",
+      {{"number", lesson.number},
+       {"title", lesson.front.title.text},
+       {"summary", writer.inline_html(lesson.front.summary)},
+       {"minutes", lesson.front.minutes ? json(*lesson.front.minutes) : json(nullptr)},
+       {"objectives", objectives},
+       {"prerequisites", prerequisites},
+       {"tags", lesson.front.tags},
+       {"contents", writer.contents()},
+       {"body", mark},
+       {"verified",
+        verified_data(results.tally, evaluation.versions.mujoco,
+                      "../" + std::string(kVerificationPage) + "#" + lesson_anchor(lesson))},
+       {"previous", neighbour(std::size_t(0) - 1)},
+       {"next", neighbour(1)},
+       {"level", {{"title", level.title}}},
+       {"root", "../"}});
+  body.replace(body.find(mark), mark.size(), prose);
+  return body;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,56 @@
+#include "evaluate/shown_program.h"
+
+#include <gtest/gtest.h>
+
+#include "course/course_of.h"
+#include "evaluate/region.h"
+
+namespace mjcourse {
+namespace {
+
+std::string fence(const std::string& file, const std::string& code = "") {
+  return "```cpp file=examples/" + file + "\n" + code + "```\n\n";
+}
+
+// What is shown of examples/a.cpp by a course of these two lessons.
+class Shown {
+ public:
+  Shown(const std::string& x, const std::string& y) : course_(course_of(x, y)) {
+    EXPECT_EQ(course_.mistakes(), "");
+    shown_ = shown_programs(course_.course.value());
+  }
+  const ShownProgram* operator->() const { return &shown_.at("examples/a.cpp"); }
+  const ShownProgram& operator*() const { return shown_.at("examples/a.cpp"); }
+
+ private:
+  CourseOf course_;
+  ShownPrograms shown_;
+};
+
+TEST(ShownProgram, IsGatheredFromAllLessons) {
+  const Shown shown(fence("a.cpp") + fence("b.cpp") + fence("a.cpp#r"), fence("a.cpp", "x;\n"));
+  EXPECT_EQ(shown->whole.size(), 2u);
+  EXPECT_EQ(shown->regions.size(), 1u);
+  ASSERT_NE(shown->text(), nullptr);
+  EXPECT_EQ(shown->text()->code.text, "x;\n");
+  EXPECT_EQ(Shown(fence("a.cpp"), fence("a.cpp#r", "x;\n"))->text(), nullptr);
+}
+
+TEST(ShownProgram, ContradictsItselfWhereTwoFencesDiffer) {
+  const std::string x = fence("a.cpp", "x;\n"), y = fence("a.cpp", "y;\n");
+  EXPECT_TRUE(Shown(x, y)->contradicts_itself());
+  EXPECT_FALSE(Shown(x, x + fence("a.cpp"))->contradicts_itself());
+  EXPECT_TRUE(Shown(fence("a.cpp#r", "x;\n"), fence("a.cpp#r", "y;\n"))->contradicts_itself());
+  EXPECT_FALSE(Shown(fence("a.cpp#r", "x;\n"), fence("a.cpp#s", "y;\n"))->contradicts_itself());
+}
+
+TEST(ShownProgram, HasTheLinesOfItsRegionsFences) {
+  const Shown shown(fence("a.cpp#r", "x;\n"), fence("a.cpp#missing", "y;\n"));
+  EXPECT_EQ(with_shown_regions("  // #region r\n  old;\n  // #endregion\n", *shown),
+            "  // #region r\n  x;\n  // #endregion\n");
+  EXPECT_EQ(with_shown_regions("// #region r\nnever closed;\n", *shown),
+            "// #region r\nnever closed;\n");
+}
+
+}  // namespace
+}  // namespace mjcourse
