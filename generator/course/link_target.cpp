@@ -32,13 +32,19 @@ tl::expected<LinkTarget, DeadLink> model_of(const Course& course, const std::str
 
 }  // namespace
 
-DeadLink no_lesson(const Course& course, const Lesson& from, const std::string& number) {
+std::optional<DeadLink> dead_lesson(const Course& course, const Lesson& from,
+                                    const std::string& number) {
+  if (const Lesson* lesson = course.find_lesson(number)) {
+    if (!lesson->front.draft || from.front.draft) return std::nullopt;
+    return DeadLink{"E-link-dead", "lesson " + number + " is a draft, and not in the site",
+                    "link to it when its `draft` is gone"};
+  }
   std::vector<std::string> others;
   for (const Lesson& lesson : course.lessons) {
     if (&lesson != &from) others.push_back(lesson.number);
   }
-  return {"E-link-dead", "there is no lesson `" + number + "` in this course",
-          others.empty() ? "add it to content/course.yaml" : suggest(number, others)};
+  return DeadLink{"E-link-dead", "there is no lesson `" + number + "` in this course",
+                  others.empty() ? "add it to content/course.yaml" : suggest(number, others)};
 }
 
 tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Lesson& from,
@@ -52,17 +58,12 @@ tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Less
     return LinkTarget{nullptr, api_id(target.substr(4)), "", kApiPage};
   const std::size_t hash = std::min(target.find('#'), target.size());
   const std::string number = target.substr(0, hash);
-  if (const Lesson* lesson = course.find_lesson(number)) {
-    if (lesson->front.draft && !from.front.draft) {
-      return tl::unexpected(DeadLink{"E-link-dead",
-                                     "lesson " + number + " is a draft, and not in the site",
-                                     "link to it when its `draft` is gone"});
-    }
-    return heading_of(*lesson, hash < target.size() ? target.substr(hash + 1) : "");
-  }
   static const std::regex lesson_number(R"((\d+|[A-Z])\.\d+)");
-  if (std::regex_match(number, lesson_number))
-    return tl::unexpected(no_lesson(course, from, number));
+  if (std::regex_match(number, lesson_number)) {
+    if (const auto dead = dead_lesson(course, from, number)) return tl::unexpected(*dead);
+    return heading_of(*course.find_lesson(number),
+                      hash < target.size() ? target.substr(hash + 1) : "");
+  }
   return tl::unexpected(
       DeadLink{"E-link-dead", "`" + target + "` leads nowhere",
                "a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of "

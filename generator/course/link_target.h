@@ -26,8 +26,10 @@ struct DeadLink {
 tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Lesson& from,
                                                 const std::string& target);
 
-// That there is no lesson `number`, which `from` speaks of.
-DeadLink no_lesson(const Course& course, const Lesson& from, const std::string& number);
+// That there is no lesson `number`, which `from` speaks of, or none in the site; nothing where
+// there is.
+std::optional<DeadLink> dead_lesson(const Course& course, const Lesson& from,
+                                    const std::string& number);
 
 // That the glossary has no such term, or that there is no glossary; nothing where all is well.
 std::optional<DeadLink> unknown_term(const Course& course, const TermUse& term);

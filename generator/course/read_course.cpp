@@ -119,9 +119,8 @@ void check_references(const Course& course, Diagnostics& diagnostics) {
                     target.error().cure);
     }
     for (const LocatedText& number : lesson.front.prerequisites) {
-      if (course.find_lesson(number.text) != nullptr) continue;
-      const DeadLink dead = no_lesson(course, lesson, number.text);
-      reading.error(dead.id, number.span(), dead.message, dead.cure);
+      const auto dead = dead_lesson(course, lesson, number.text);
+      if (dead) reading.error(dead->id, number.span(), dead->message, dead->cure);
     }
   }
 }
