@@ -48,7 +48,7 @@ std::string tally_text(const Tally& tally) {
 
 // The same for a reader who must not take a failure for a lesson of prose.
 std::string outcome_text(const Tally& tally, std::ptrdiff_t errors) {
-  const std::string text = tally_text(tally);
+  std::string text = tally_text(tally);
   if (!text.empty()) return text;
   return errors > 0 ? "nothing verified" : "nothing to verify";
 }
