@@ -2,7 +2,9 @@
 //
 //   OUTDIR/public/         files of the site, their names bearing a hash of their content
 //   OUTDIR/manifest.json   {"site.css": "assets/site-1A2B3C4D.css", …}, the way from plain names
+//   OUTDIR/versions.json   {"katex": "0.19.1"}, of what runs in the generator
 //   OUTDIR/templates/      the Handlebars templates, as they are
+//   OUTDIR/preview/        what `mjcourse preview` adds to pages
 //   OUTDIR/script/         what runs in the generator's script engine: no DOM, no Node
 //
 // ENGINE is the folder with MuJoCo for the browser; where that was not built, labs stay pictures.
@@ -10,11 +12,13 @@
 // The same sources give the same bytes, wherever they lie and wherever OUTDIR is.
 
 import { cp, mkdir, rm, writeFile } from "node:fs/promises";
+import { createRequire } from "node:module";
 import path from "node:path";
 
 import { buildScripts } from "./bundle/scripts.mjs";
 import { buildLab } from "./bundle/lab.mjs";
 import { copyLicenses } from "./bundle/licenses.mjs";
+import { buildPreview } from "./bundle/preview.mjs";
 import { buildPublic } from "./bundle/public.mjs";
 
 const site = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
@@ -25,7 +29,7 @@ if (!out || !engine) {
 }
 
 // What an earlier run left is removed, since its hashed names may be others.
-const produced = ["public", "templates", "script", "manifest.json"];
+const produced = ["preview", "public", "templates", "script", "manifest.json", "versions.json"];
 await Promise.all(
   produced.map((name) => rm(path.join(out, name), { recursive: true, force: true })),
 );
@@ -34,6 +38,7 @@ await mkdir(path.join(out, "script"), { recursive: true });
 const [page, lab] = await Promise.all([
   buildPublic(site, path.join(out, "public")),
   buildLab(site, path.join(out, "public"), engine),
+  buildPreview(site, path.join(out, "preview")),
   buildScripts(site, path.join(out, "script")),
   copyLicenses(site, path.join(out, "public", "licenses")),
   cp(path.join(site, "templates"), path.join(out, "templates"), { recursive: true }),
@@ -42,3 +47,5 @@ await writeFile(
   path.join(out, "manifest.json"),
   JSON.stringify({ ...page, ...lab }, null, 2) + "\n",
 );
+const { version: katex } = createRequire(import.meta.url)("katex/package.json");
+await writeFile(path.join(out, "versions.json"), JSON.stringify({ katex }) + "\n");

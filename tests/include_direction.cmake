@@ -13,9 +13,10 @@ set(script physics report base)
 set(evaluate course lesson physics script report base)
 set(page evaluate course lesson script report base) # what physics found comes in evaluate's results
 set(preview page evaluate course lesson physics script report base)
-set(cli preview page evaluate course lesson physics script report base)
+set(lsp preview evaluate course lesson physics script report base)
+set(cli lsp preview page evaluate course lesson physics script report base)
 set(main cli)
-set(folders base report lesson course physics script evaluate page preview cli)
+set(folders base report lesson course physics script evaluate page preview lsp cli)
 
 set(wrong 0)
 set(checked 0)

@@ -14,6 +14,10 @@ tl::expected<std::string, std::string> DiskFiles::read(const std::string& path) 
   const fs::path full = root_ / path;
   std::error_code error;
   if (fs::is_directory(full, error)) return tl::unexpected(path + ": is a folder, not a file");
+  // To open a pipe is to wait for whoever writes into it.
+  if (fs::exists(full, error) && !fs::is_regular_file(full, error)) {
+    return tl::unexpected(path + ": is not a file");
+  }
   errno = 0;
   std::ifstream in(full, std::ios::binary);
   std::ostringstream bytes;
@@ -60,7 +64,7 @@ std::vector<std::string> MemoryFiles::list(const std::string& folder) const {
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {
-  fs::create_directories(path.parent_path());
+  fs::create_directories(fs::absolute(path).parent_path());
   errno = 0;
   std::ofstream out(path, std::ios::binary | std::ios::trunc);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));

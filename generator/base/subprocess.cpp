@@ -1,8 +1,6 @@
 #include "base/subprocess.h"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -10,85 +8,25 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <csignal>
-#include <string_view>
-#include <system_error>
+
+#include "base/cancellation.h"
+#include "base/child_process.h"
+#include "base/folder_size.h"
+#include "base/watcher.h"
 
 namespace mjcourse {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+using std::chrono::milliseconds;
+using End = Outcome::End;
 
-struct Pipe {
-  int read_end = -1;
-  int write_end = -1;
-  Pipe() {
-    int ends[2];
-    // Close-on-exec: a child started by another thread must not hold this pipe open.
-    if (pipe2(ends, O_CLOEXEC) != 0)
-      throw std::system_error(errno, std::generic_category(), "pipe");
-    read_end = ends[0];
-    write_end = ends[1];
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  ~Pipe() {
-    close(read_end);
-    close_write();
-  }
-  void close_write() {
-    if (write_end >= 0) close(write_end);
-    write_end = -1;
-  }
-};
-
-// Whether the command sets the variable of "NAME=value" itself. Of two with one name, getenv finds
-// the first and a shell keeps the last.
-bool sets(const Command& command, std::string_view variable) {
-  const std::string_view name = variable.substr(0, variable.find('='));
-  return std::any_of(command.environment.begin(), command.environment.end(),
-                     [&](std::string_view own) { return own.substr(0, own.find('=')) == name; });
-}
-
-// What execvpe needs, made before fork: after it only async-signal-safe calls are allowed.
-struct Vectors {
-  std::vector<char*> arguments, environment;
-  explicit Vectors(const Command& command) {
-    for (const std::string& a : command.arguments)
-      arguments.push_back(const_cast<char*>(a.c_str()));
-    for (const std::string& e : command.environment) {
-      environment.push_back(const_cast<char*>(e.c_str()));
-    }
-    for (char** e = environ; *e != nullptr; ++e) {
-      if (!sets(command, *e)) environment.push_back(*e);
-    }
-    arguments.push_back(nullptr);
-    environment.push_back(nullptr);
-  }
-};
-
-[[noreturn]] void become(const Command& command, const Vectors& vectors, int out, int err,
-                         int failure) {
-  setpgid(0, 0);
-  // A generator that is killed takes its programs along; one that never ends would go on for ever.
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  const int nothing = open("/dev/null", O_RDONLY);
-  dup2(nothing, STDIN_FILENO);
-  dup2(out, STDOUT_FILENO);
-  dup2(err, STDERR_FILENO);
-  // The script engine installs handlers and the launcher may ignore signals: start clean.
-  for (const int signal_number : {SIGPIPE, SIGINT, SIGTERM, SIGUSR1})
-    signal(signal_number, SIG_DFL);
-  sigset_t none;
-  sigemptyset(&none);
-  sigprocmask(SIG_SETMASK, &none, nullptr);
-  if (command.folder.empty() || chdir(command.folder.c_str()) == 0) {
-    execvpe(vectors.arguments[0], vectors.arguments.data(), vectors.environment.data());
-  }
-  const int reason = errno;
-  [[maybe_unused]] const ssize_t written = write(failure, &reason, sizeof reason);
-  _exit(127);
-}
+// How often the files are counted that a program writes.
+constexpr milliseconds kCountFiles{20};
+// How often a kernel that cannot tell of a child's end is asked for it.
+constexpr milliseconds kAskForEnd{1};
+// How often somebody is asked whether the program is still wanted.
+constexpr milliseconds kAskForWish{20};
 
 // Read what is there; false at the end of the stream.
 bool drain(int descriptor, std::string& into) {
@@ -98,79 +36,124 @@ bool drain(int descriptor, std::string& into) {
   return count > 0 || (count < 0 && errno == EINTR);
 }
 
-// Collect both streams until they end or a limit is passed.
-void collect(const Command& command, int out, int err, Outcome& outcome) {
-  const auto deadline = Clock::now() + std::chrono::duration<double>(command.seconds);
-  std::array<pollfd, 2> streams{{{out, POLLIN, 0}, {err, POLLIN, 0}}};
-  std::array<std::string*, 2> texts{&outcome.out, &outcome.err};
-  while (streams[0].fd >= 0 || streams[1].fd >= 0) {
-    const auto left = std::chrono::ceil<std::chrono::milliseconds>(deadline - Clock::now()).count();
-    if (left <= 0) {
-      outcome.end = Outcome::End::timed_out;
-      return;
-    }
-    if (poll(streams.data(), streams.size(), static_cast<int>(left)) <= 0) continue;
-    for (std::size_t i = 0; i < streams.size(); ++i) {
-      if (streams[i].fd < 0 || streams[i].revents == 0) continue;
-      if (!drain(streams[i].fd, *texts[i])) streams[i].fd = -1;
-      if (texts[i]->size() > command.output_bytes) {
-        texts[i]->resize(command.output_bytes);
-        outcome.end = Outcome::End::flooded;
-        return;
-      }
-    }
-  }
-}
+// Looks after one program from its start to its end.
+class Keeper {
+ public:
+  explicit Keeper(const Command& command)
+      : command_(command),
+        deadline_(Clock::now() + std::chrono::duration_cast<Clock::duration>(
+                                     std::chrono::duration<double>(command.seconds))),
+        child_(command),
+        watcher_(child_.id(), command.sandbox ? &*command.sandbox : nullptr) {}
 
-// Wait for the program itself, which may outlive its streams, until the deadline.
-int reap(pid_t child, Clock::time_point deadline, Outcome& outcome) {
-  int status = 0;
-  const bool stop_now = outcome.end != Outcome::End::exited;
-  while (!stop_now && waitpid(child, &status, WNOHANG) == 0) {
-    if (Clock::now() > deadline) {
-      outcome.end = Outcome::End::timed_out;
-      break;
+  Outcome run() {
+    outcome_.end = End::exited;
+    while (!over_ && (!ended_ || child_.out.is_open() || child_.err.is_open())) wait_and_serve();
+    if (!ended_) status_ = child_.end();
+    if (outcome_.end == End::exited && WIFSIGNALED(status_)) {
+      outcome_.end = End::killed_by_signal;
+      outcome_.code = WTERMSIG(status_);
+    } else if (outcome_.end == End::exited) {
+      outcome_.code = WEXITSTATUS(status_);
     }
-    usleep(500);
+    if (watched_) outcome_.opened = watcher_.opened();
+    return std::move(outcome_);
   }
-  kill(-child, SIGKILL);  // whatever the program left behind goes with it
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+
+ private:
+  void stop(End end) {
+    outcome_.end = end;
+    over_ = true;
   }
-  return status;
-}
+
+  int patience() const {
+    Clock::time_point until = deadline_;
+    if (command_.sandbox) until = std::min(until, next_count_);
+    if (cancellation().stop_possible()) until = std::min(until, Clock::now() + kAskForWish);
+    if (!child_.ended.is_open() && !ended_) until = std::min(until, Clock::now() + kAskForEnd);
+    return static_cast<int>(
+        std::max<std::int64_t>(0, std::chrono::ceil<milliseconds>(until - Clock::now()).count()));
+  }
+
+  void wait_and_serve() {
+    // A closed one is -1, which poll passes over.
+    std::array<pollfd, 5> open{{{child_.news.get(), POLLIN, 0},
+                                {listener_.get(), POLLIN, 0},
+                                {child_.out.get(), POLLIN, 0},
+                                {child_.err.get(), POLLIN, 0},
+                                {ended_ ? -1 : child_.ended.get(), POLLIN, 0}}};
+    const bool ready = poll(open.data(), open.size(), patience()) > 0;
+    end_if_cancelled();  // which kills the child
+    if (Clock::now() >= deadline_) return stop(End::timed_out);
+    if (ready && open[0].revents != 0) hear_news();
+    if (ready && open[1].revents != 0) answer(open[1].revents);
+    if (ready && open[2].revents != 0) collect(child_.out, outcome_.out);
+    if (ready && open[3].revents != 0) collect(child_.err, outcome_.err);
+    if (command_.sandbox && Clock::now() >= next_count_) count_files();
+    const bool may_have_ended = open[4].revents != 0 || !child_.ended.is_open();
+    if (!over_ && !ended_ && may_have_ended && child_.has_ended()) {
+      // Its streams end with the last of what it left behind.
+      status_ = child_.end();
+      ended_ = true;
+      listener_.reset();
+    }
+  }
+
+  void hear_news() {
+    ChildProcess::News news = child_.read_news();
+    if (news.failure != 0) {
+      outcome_.code = news.failure;
+      stop(End::not_started);
+    }
+    if (news.listener.is_open()) {
+      listener_ = std::move(news.listener);
+      watched_ = true;
+    }
+    if (news.begun) child_.news.reset();
+  }
+
+  void answer(short events) {
+    if ((events & POLLIN) != 0) watcher_.answer(listener_.get());
+    if ((events & POLLIN) == 0) listener_.reset();  // nobody is left to ask
+    if (watcher_.refused().empty()) return;
+    outcome_.refused = watcher_.refused();
+    stop(End::refused);
+  }
+
+  void collect(Descriptor& stream, std::string& text) {
+    if (!drain(stream.get(), text)) stream.reset();
+    if (text.size() <= command_.output_bytes) return;
+    text.resize(command_.output_bytes);
+    stop(End::flooded);
+  }
+
+  void count_files() {
+    FolderSize size;
+    for (const std::string& path : command_.sandbox->write) {
+      add_size(path, command_.sandbox->folder_entries, size);
+    }
+    if (size.bytes > command_.sandbox->folder_bytes ||
+        size.entries > command_.sandbox->folder_entries) {
+      stop(End::overfilled);
+    }
+    next_count_ = Clock::now() + kCountFiles;
+  }
+
+  const Command& command_;
+  const Clock::time_point deadline_;
+  ChildProcess child_;
+  Watcher watcher_;
+  Descriptor listener_;
+  Clock::time_point next_count_ = Clock::now() + kCountFiles;
+  Outcome outcome_;
+  int status_ = 0;
+  bool watched_ = false, ended_ = false, over_ = false;
+};
 
 }  // namespace
 
 Outcome run(const Command& command) {
-  const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                           std::chrono::duration<double>(command.seconds));
-  const Vectors vectors(command);
-  Pipe out, err, failure;
-  const pid_t child = fork();
-  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (child == 0) become(command, vectors, out.write_end, err.write_end, failure.write_end);
-  setpgid(child, child);  // in both: whoever comes first
-  out.close_write();
-  err.close_write();
-  failure.close_write();
-
-  Outcome outcome;
-  int reason = 0;
-  if (read(failure.read_end, &reason, sizeof reason) == sizeof reason) {
-    waitpid(child, nullptr, 0);
-    return {Outcome::End::not_started, reason, "", ""};
-  }
-  outcome.end = Outcome::End::exited;
-  collect(command, out.read_end, err.read_end, outcome);
-  const int status = reap(child, deadline, outcome);
-  if (outcome.end != Outcome::End::exited) return outcome;
-  if (WIFSIGNALED(status)) {
-    outcome.end = Outcome::End::killed_by_signal;
-    outcome.code = WTERMSIG(status);
-  } else {
-    outcome.code = WEXITSTATUS(status);
-  }
-  return outcome;
+  return Keeper(command).run();
 }
 
 }  // namespace mjcourse

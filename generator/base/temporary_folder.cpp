@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -49,6 +50,8 @@ TemporaryFolder::TemporaryFolder() {
       throw std::system_error(errno, std::generic_category(), name);
     }
     path_ = name;
+    // Its files can be used by whoever was told of them, such as a program that is no longer root.
+    chmod(name.c_str(), 0711);
     lock_ = try_lock(path_);
   }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <clocale>
 #include <cstdint>
+#include <cstdio>
+#include <cwchar>
 #include <cwctype>
 
 namespace mjcourse {
@@ -10,6 +12,21 @@ namespace {
 
 bool is_continuation(char c) {
   return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
+}
+
+bool is_control(char c) {
+  const auto byte = static_cast<std::uint8_t>(c);
+  return byte < 0x20 || byte == 0x7F;
+}
+
+// "\\n", "\\x1b".
+std::string escape_of(char control) {
+  if (control == '\n') return "\\n";
+  if (control == '\r') return "\\r";
+  if (control == '\t') return "\\t";
+  char text[8];
+  std::snprintf(text, sizeof text, "\\x%02x", static_cast<unsigned>(control));
+  return text;
 }
 
 // The length of the well-formed sequence at the start of `text`, or 0.
@@ -38,6 +55,13 @@ std::uint32_t code_point(std::string_view sequence) {
   return point;
 }
 
+// The C library's own locale, which needs no file and knows the letters of every language; null
+// where there is none.
+locale_t unicode_locale() {
+  static const locale_t unicode = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
+  return unicode;
+}
+
 void append_utf8(std::string& text, std::uint32_t point) {
   const auto add = [&](std::uint32_t byte) { text += static_cast<char>(byte); };
   if (point < 0x80) return add(point);
@@ -62,6 +86,23 @@ int count_characters(std::string_view text) {
       std::count_if(text.begin(), text.end(), [](char c) { return !is_continuation(c); }));
 }
 
+int count_columns(std::string_view text) {
+  const auto plain = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  if (std::all_of(text.begin(), text.end(), plain) || unicode_locale() == nullptr) {
+    return count_characters(text);
+  }
+  const locale_t before = uselocale(unicode_locale());  // of this thread
+  int columns = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = std::max<std::size_t>(1, sequence_length(text.substr(at)));
+    const int width = wcwidth(static_cast<wchar_t>(code_point(text.substr(at, length))));
+    columns += width < 0 ? 1 : width;
+    at += length;
+  }
+  uselocale(before);
+  return columns;
+}
+
 std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = sequence_length(text.substr(at));
@@ -71,9 +112,33 @@ std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
   return std::nullopt;
 }
 
+std::optional<std::size_t> find_control_character(std::string_view text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool ends_line = text[at] == '\r' && (at + 1 == text.size() || text[at + 1] == '\n');
+    if (is_control(text[at]) && text[at] != '\n' && text[at] != '\t' && !ends_line) return at;
+  }
+  return std::nullopt;
+}
+
+std::string readable(std::string text) {
+  if (std::none_of(text.begin(), text.end(), is_control) && !find_invalid_utf8(text)) return text;
+  std::string line;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = sequence_length(std::string_view(text).substr(at));
+    if (length == 0) {
+      line += "\uFFFD";
+    } else if (is_control(text[at])) {
+      line += escape_of(text[at]);
+    } else {
+      line.append(text, at, length);
+    }
+    at += std::max<std::size_t>(1, length);
+  }
+  return line;
+}
+
 std::string lower_case_utf8(std::string_view text) {
-  // The C library's own locale, which needs no file and knows the letters of every language.
-  static const locale_t unicode = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
+  const locale_t unicode = unicode_locale();
   std::string lower;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = std::max<std::size_t>(1, sequence_length(text.substr(at)));

@@ -11,9 +11,21 @@ namespace mjcourse {
 // Unicode code points in `text`, which is valid UTF-8.
 int count_characters(std::string_view text);
 
+// How many columns of a terminal `text` takes, which is valid UTF-8: two for an ideograph, none for
+// an accent that goes onto the letter before it.
+int count_columns(std::string_view text);
+
 // The offset of the first byte that is not well-formed UTF-8 (RFC 3629: no overlong forms, no
 // surrogates, nothing past U+10FFFF), or nothing when all of `text` is.
 std::optional<std::size_t> find_invalid_utf8(std::string_view text);
+
+// The offset of the first control character that no text holds: all but tabs, line feeds, and a
+// carriage return before one or at the very end; or nothing.
+std::optional<std::size_t> find_control_character(std::string_view text);
+
+// `text` as one line that any terminal shows: control characters as C has them (`\n`, `\x1b`), and
+// U+FFFD for each byte that is not UTF-8.
+std::string readable(std::string text);
 
 // `text`, which is valid UTF-8, in small letters: what matches whatever its case.
 std::string lower_case_utf8(std::string_view text);

@@ -16,6 +16,7 @@
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "cli/where.h"
+#include "report/colours.h"
 #include "report/file_edits.h"
 
 namespace mjcourse {
@@ -67,8 +68,7 @@ class Acceptance {
   }
 
   void take(const FileEdit& edit) {
-    const bool colours = isatty(STDOUT_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-    std::cout << edit_text(edit, colours) << '\n' << std::flush;
+    std::cout << edit_text(edit, wants_colours(STDOUT_FILENO)) << '\n' << std::flush;
     if (!options_.dry_run && !replace_file(options_.course / edit.file, edit.before, edit.after)) {
       for (const Diagnostic* cure : edit.cures) {
         refused_.push_back({cure, changed_meanwhile(edit.file)});
@@ -89,7 +89,7 @@ class Acceptance {
       if (refused != refused_.end()) {
         left.push_back(one);
         left.back().cure = refused->cure;
-      } else if (!one.edit && concerns(one)) {
+      } else if (!one.edit && concerns_what_is_meant(one)) {
         left.push_back(one);
       }
     }
@@ -97,14 +97,10 @@ class Acceptance {
   }
 
   // An error in a lesson that is meant, or in a file that it uses.
-  bool concerns(const Diagnostic& diagnostic) const {
-    const auto of_lesson = [&](const Where& where) {
-      const std::string& file = where.lesson->source->path();
-      return diagnostic.place.file == file ||
-             std::any_of(diagnostic.notes.begin(), diagnostic.notes.end(),
-                         [&](const Note& note) { return note.place.file == file; });
-    };
-    return where_.empty() || std::any_of(where_.begin(), where_.end(), of_lesson);
+  bool concerns_what_is_meant(const Diagnostic& diagnostic) const {
+    return where_.empty() || std::any_of(where_.begin(), where_.end(), [&](const Where& where) {
+             return concerns(diagnostic, where.lesson->source->path());
+           });
   }
 
   int tell() const {
@@ -143,7 +139,7 @@ int accept(const Options& options) {
     }
     where.push_back(*place);
   }
-  evaluate_course(options, verified);
+  evaluate_course(options, verified, false);
   return Acceptance(options, verified, std::move(where)).run();
 }
 

@@ -13,7 +13,9 @@ int build(const Options& options) {
     std::cout << "no site was written: mend the errors first\n";
     return kCourseErrors;
   }
-  write_site(*verified.course, verified.evaluation, {options.course, assets_folder(), options.out});
+  write_site(
+      *verified.course, verified.evaluation,
+      {options.course, assets_folder(), std::filesystem::absolute(options.out), options.jobs});
   std::cout << "site: " << options.out.lexically_normal().string() << "/index.html\n";
   return kClean;
 }

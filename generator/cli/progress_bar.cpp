@@ -14,7 +14,7 @@ using namespace std::chrono_literals;
 
 constexpr auto kPatience = 500ms;  // work that ends before shows no bar
 constexpr auto kFrame = 100ms;
-constexpr int kBar = 24;  // characters
+constexpr std::size_t kBar = 24;  // characters
 
 int terminal_width() {
   winsize size{};
@@ -39,26 +39,29 @@ ProgressBar::ProgressBar() {
 ProgressBar::~ProgressBar() = default;
 
 void ProgressBar::draw() {
-  const int filled = tasks_ > 0 ? kBar * finished_ / tasks_ : 0;
+  const std::size_t filled = tasks_ > 0 ? kBar * finished_ / tasks_ : 0;
   std::string line = "[";
-  for (int i = 0; i < kBar; ++i) line += i < filled ? '=' : ' ';
-  line += "] " + std::to_string(finished_) + "/" + std::to_string(tasks_) + "  " + current_;
+  for (std::size_t i = 0; i < kBar; ++i) line += i < filled ? '=' : ' ';
+  line += "] " + std::to_string(finished_) + "/" + std::to_string(tasks_) + " ";
+  for (const std::string& what : running_) line += (&what == &running_.front() ? " " : ", ") + what;
   line.resize(std::min(line.size(), static_cast<std::size_t>(terminal_width() - 1)));
   std::cerr << '\r' << line << "\033[K" << std::flush;
 }
 
-void ProgressBar::plan(int tasks) {
+void ProgressBar::plan(std::size_t tasks) {
   const std::lock_guard lock(mutex_);
   tasks_ = tasks;
 }
 
 void ProgressBar::begin(const std::string& what) {
   const std::lock_guard lock(mutex_);
-  current_ = what;
+  running_.push_back(what);
 }
 
-void ProgressBar::done() {
+void ProgressBar::end(const std::string& what) {
   const std::lock_guard lock(mutex_);
+  const auto begun = std::find(running_.begin(), running_.end(), what);
+  if (begun != running_.end()) running_.erase(begun);
   ++finished_;
 }
 

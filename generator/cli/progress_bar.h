@@ -5,8 +5,9 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <vector>
 
-#include "evaluate/evaluate.h"
+#include "evaluate/progress.h"
 
 namespace mjcourse {
 
@@ -16,18 +17,18 @@ class ProgressBar : public Progress {
   // Wipes the bar.
   ~ProgressBar() override;
 
-  void plan(int tasks) override;
+  void plan(std::size_t tasks) override;
   void begin(const std::string& what) override;
-  void done() override;
+  void end(const std::string& what) override;
 
  private:
   void draw();
 
   std::mutex mutex_;
   std::condition_variable_any changed_;
-  int tasks_ = 0, finished_ = 0;
-  std::string current_;
-  std::jthread painter_;  // last: it uses the rest, and must end first
+  std::size_t tasks_ = 0, finished_ = 0;
+  std::vector<std::string> running_;  // the longest first
+  std::jthread painter_;              // last: it uses the rest, and must end first
 };
 
 }  // namespace mjcourse

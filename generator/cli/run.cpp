@@ -1,48 +1,133 @@
 #include "cli/run.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <exception>
 #include <iostream>
 #include <string_view>
+#include <utility>
 
+#include "base/cache_folder.h"
 #include "base/nearest.h"
 #include "cli/commands.h"
+#include "cli/size.h"
+#include "physics/shader_cache.h"
 
 namespace mjcourse {
 namespace {
 
+constexpr std::size_t kMostJobs = 1024;
+
 struct Option {
   std::string_view name;
   std::string_view value;  // what must follow it: "a folder"; empty where nothing may
-  void (*take)(Options&, const std::string& value);
+  bool (*take)(Options&, const std::string& value);  // false where the value is no such thing
 };
 
 constexpr Option kCourse{"--course", "a folder", [](Options& options, const std::string& value) {
                            options.course = value;
+                           options.course_named = true;
+                           return true;
                          }};
-constexpr Option kOut{"--out", "a folder",
-                      [](Options& options, const std::string& value) { options.out = value; }};
+constexpr Option kOut{"--out", "a folder", [](Options& options, const std::string& value) {
+                        options.out = value;
+                        return true;
+                      }};
 
-constexpr Option kDryRun{"--dry-run", "",
-                         [](Options& options, const std::string&) { options.dry_run = true; }};
+constexpr Option kDryRun{"--dry-run", "", [](Options& options, const std::string&) {
+                           options.dry_run = true;
+                           return true;
+                         }};
 
 constexpr Option kReport{"--report", "a folder", [](Options& options, const std::string& value) {
                            options.report = value;
+                           return true;
                          }};
-constexpr Option kStrict{"--strict", "",
-                         [](Options& options, const std::string&) { options.strict = true; }};
+constexpr Option kStrict{"--strict", "", [](Options& options, const std::string&) {
+                           options.strict = true;
+                           return true;
+                         }};
+
+constexpr Option kFormat{"--format", "text, json, github, sarif or junit",
+                         [](Options& options, const std::string& value) {
+                           constexpr std::array<std::pair<std::string_view, Format>, 5> known{
+                               {{"text", Format::text},
+                                {"json", Format::json},
+                                {"github", Format::github},
+                                {"sarif", Format::sarif},
+                                {"junit", Format::junit}}};
+                           const auto named =
+                               std::find_if(known.begin(), known.end(),
+                                            [&](const auto& one) { return one.first == value; });
+                           if (named == known.end()) return false;
+                           options.format = named->second;
+                           return true;
+                         }};
+
+constexpr Option kStore{"--store", "a folder", [](Options& options, const std::string& value) {
+                          options.store = value;
+                          return true;
+                        }};
+constexpr Option kJobs{"--jobs", "a number of threads",
+                       [](Options& options, const std::string& value) {
+                         const char* end = value.data() + value.size();
+                         const auto read = std::from_chars(value.data(), end, options.jobs);
+                         return read.ptr == end && options.jobs > 0 && options.jobs <= kMostJobs;
+                       }};
+constexpr Option kTimings{"--timings", "", [](Options& options, const std::string&) {
+                            options.timings = true;
+                            return true;
+                          }};
+constexpr Option kTrace{"--trace", "a file", [](Options& options, const std::string& value) {
+                          options.trace = value;
+                          return true;
+                        }};
+constexpr Option kKeep{"--keep", "a size, as 2GB", [](Options& options, const std::string& value) {
+                         const auto bytes = read_size(value);
+                         options.keep = bytes.value_or(0);
+                         return bytes.has_value();
+                       }};
+
+constexpr int kLastPort = 65535;
+constexpr Option kPort{"--port", "a port from 1 to 65535",
+                       [](Options& options, const std::string& value) {
+                         int port = 0;
+                         const char* end = value.data() + value.size();
+                         const auto read = std::from_chars(value.data(), end, port);
+                         options.port = port;
+                         return read.ptr == end && port > 0 && port <= kLastPort;
+                       }};
+constexpr Option kOpen{"--open", "", [](Options& options, const std::string&) {
+                         options.open = true;
+                         return true;
+                       }};
+constexpr Option kLink{"--link", "an address with {file} in it",
+                       [](Options& options, const std::string& value) {
+                         options.link = value;
+                         return value.find("{file}") != value.npos;
+                       }};
 
 struct Named {
   std::string_view name;
   int (*command)(const Options&);
   std::vector<Option> options;
-  bool takes_places = false;  // words that are no options
+  bool takes_words = false;  // that are no options
 };
 
 const std::vector<Named>& commands() {
-  static const std::vector<Named> all{{"accept", accept, {kCourse, kDryRun}, true},
-                                      {"build", build, {kCourse, kOut, kReport}},
-                                      {"check", check, {kCourse, kReport, kStrict}}};
+  static const std::vector<Named> all{
+      {"accept", accept, {kCourse, kDryRun, kStore, kJobs}, true},
+      {"build", build, {kCourse, kOut, kReport, kStore, kJobs, kTimings, kTrace}},
+      {"check", check, {kCourse, kReport, kStrict, kFormat, kStore, kJobs, kTimings, kTrace}},
+      {"doctor", doctor, {kStore}},
+      {"explain", explain, {kCourse, kStore}, true},
+      {"init", init, {}, true},
+      {"list", list, {kCourse, kStore, kJobs}},
+      {"lsp", lsp, {kCourse, kStore, kJobs}},
+      {"new", make_new, {kCourse}, true},
+      {"preview", preview, {kCourse, kPort, kOpen, kLink, kStore, kJobs}},
+      {"store", store, {kStore, kKeep}, true}};
   return all;
 }
 
@@ -50,19 +135,44 @@ constexpr std::string_view kHelp =
     "usage: mjcourse COMMAND [OPTIONS]\n"
     "\n"
     "  build              evaluate the course and write its site\n"
+    "  preview            show the course in a browser while it is being written\n"
+    "  lsp                answer an editor: mistakes, completion and more while you write\n"
     "  check              evaluate the course and write nothing\n"
     "  accept [WHERE...]  evaluate the course, show where it differs from what is committed, and\n"
     "                     write what was computed: outputs, programs, regions, pictures\n"
+    "  explain [WHERE...] what each block depends on, and whether its result would be used again\n"
+    "  explain ID         what a message means and how it is cured, by its name: E-output-differs\n"
+    "  list               the lessons, and how each of them stands\n"
+    "  new KIND NAME      begin a level, a lesson, a model or an example of the course\n"
+    "  init DIR [TITLE]   begin a course in a new folder\n"
+    "  doctor             try out what this machine has of all that courses need\n"
+    "  store prune        forget the results that were not used for longest\n"
     "\n"
     "  WHERE          a lesson (1.2, its slug or its path), or the block at one of its lines\n"
     "                 (1.2:210); none means all\n"
-    "  --course DIR   the course: a folder with content/, models/ and examples/ (default: .)\n"
+    "  NAME           of a level or a lesson, then its title: new level 2-dynamics \"Dynamics\",\n"
+    "                 new lesson 2-dynamics \"Forces\"; of a model: new model pendulum; of an\n"
+    "                 example, then its model: new example l2_1_forces pendulum\n"
+    "  --course DIR   the course: a folder with content/, models/ and examples/ (default: .; of\n"
+    "                 lsp, the folder that is open in the editor)\n"
     "  --out DIR      where build puts the site (default: build/site in the course)\n"
     "  --report DIR   write what was verified, and how, to DIR/index.html and verification.json\n"
     "  --strict       check: no warnings, and a reason for all that was not proved\n"
+    "  --format NAME  check: say it to another tool on stdout, and to you on stderr: json, "
+    "github,\n"
+    "                 sarif or junit (default: text)\n"
     "  --dry-run      accept shows the differences and writes nothing; the exit code is 1 if "
     "there\n"
     "                 are any\n"
+    "  --store DIR    where results are kept (default: the user's cache)\n"
+    "  --jobs N       how many threads work (default: one for each core)\n"
+    "  --timings      print what took longest\n"
+    "  --trace FILE   write when everything was worked on, for a browser's trace viewer\n"
+    "  --port N       where preview answers (default: the first that is free from 8000 on)\n"
+    "  --open         preview opens a browser\n"
+    "  --link FORM    how a previewed page opens your editor, with {file}, {line}, {column}\n"
+    "                 (default: vscode://file{file}:{line}:{column})\n"
+    "  --keep SIZE    how much store prune leaves, as 500MB (default: 2GB)\n"
     "\n"
     "Exit code: 0 clean, 1 the course has errors (after accept: those that it cannot mend),\n"
     "2 wrong usage, 3 our fault.\n";
@@ -81,26 +191,36 @@ std::string no_option(const Named& named, const std::string& argument) {
 int run_named(const Named& named, const std::vector<std::string>& arguments) {
   Options options;
   for (std::size_t i = 1; i < arguments.size(); ++i) {
-    const std::string& argument = arguments[i];
+    // `--format=json` is `--format json`.
+    const std::size_t equals = arguments[i].find('=');
+    const bool joined = arguments[i].starts_with("--") && equals != std::string::npos;
+    const std::string argument = joined ? arguments[i].substr(0, equals) : arguments[i];
     if (argument == "--help") {
       std::cout << kHelp;
       return kClean;
     }
     const auto option = std::find_if(named.options.begin(), named.options.end(),
                                      [&](const Option& known) { return known.name == argument; });
-    if (option == named.options.end() && named.takes_places && !argument.starts_with('-')) {
+    if (option == named.options.end() && named.takes_words && !argument.starts_with('-')) {
       options.where.push_back(argument);
       continue;
     }
     if (option == named.options.end()) return wrong_usage(no_option(named, argument));
     const bool needs_value = !option->value.empty();
-    if (needs_value && i + 1 == arguments.size()) {
+    if (joined && !needs_value) return wrong_usage(argument + " takes no value");
+    if (needs_value && !joined && i + 1 == arguments.size()) {
       return wrong_usage(argument + " needs " + std::string(option->value));
     }
-    option->take(options, needs_value ? arguments[++i] : "");
+    const std::string value = joined        ? arguments[i].substr(equals + 1)
+                              : needs_value ? arguments[++i]
+                                            : "";
+    if (!option->take(options, value)) {
+      return wrong_usage(argument + " takes " + std::string(option->value) + ", and not " + value);
+    }
   }
   if (options.out.empty()) options.out = options.course / "build" / "site";
   options.course = std::filesystem::absolute(options.course);  // tools run in folders of their own
+  if (const auto cache = user_cache_folder()) keep_shaders_in(*cache);
   return named.command(options);
 }
 

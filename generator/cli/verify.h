@@ -2,30 +2,41 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 
 #include "cli/commands.h"
+#include "cli/kept_results.h"
 #include "evaluate/evaluate.h"
 
 namespace mjcourse {
 
 struct Verified {
-  std::optional<Course> course;  // nothing when there is no readable course.yaml
+  std::optional<Course> course;       // nothing when there is no readable course.yaml
+  std::unique_ptr<KeptResults> kept;  // which has the pictures of the evaluation
   Evaluation evaluation;
   bool failed = false;
+  double seconds = 0;  // measured
 };
 
 // The steps one by one, none of which prints: read the course, then evaluate it, if there is one.
 Verified read_course_of(const Options& options);
-void evaluate_course(const Options& options, Verified& verified);
+// `all_claims`: also those of lessons that state nothing but what nobody runs.
+void evaluate_course(const Options& options, Verified& verified, bool all_claims);
+std::ptrdiff_t count_errors(const Diagnostics& diagnostics);
 // To stderr.
 void print_diagnostics(const Diagnostics& diagnostics);
 
-// All of it. Prints every diagnostic to stderr; a line for each lesson and a summary to stdout.
+// All of it. Prints every diagnostic to stderr; a line for each lesson and a summary to stdout, or
+// to stderr too where stdout is for another format.
 Verified verify_course(const Options& options);
 
-// What the site's build made: the environment's MJCOURSE_ASSETS, else the folder that the build of
-// this program filled.
+// What the generator needs beside itself, made by the build: scripts and templates of the site,
+// skeletons, the helper header. The environment's MJCOURSE_ASSETS, else as seen from this program's
+// own place: in a build tree `../assets`, where it is installed `../share/mjcourse`.
 std::filesystem::path assets_folder();
+
+// Of a course, for evaluating it; `store` may be null.
+Workplace workplace_of(const Options& options, const Files& assets, Store* store);
 
 }  // namespace mjcourse

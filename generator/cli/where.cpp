@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "base/nearest.h"
+#include "base/text_lines.h"
+#include "lesson/resting_lesson.h"
 
 namespace mjcourse {
 namespace {
@@ -29,10 +31,10 @@ std::string no_lesson_named(const Course& course, const std::string& name) {
   return "there is no lesson " + name + "; " + suggest(name, known);
 }
 
-// The fence of `lesson` that has a part in line `where.line`.
-void find_fence(Where& where) {
+// The fence of `lesson`, the whole of what is at rest, that has a part in line `where.line`.
+void find_fence(const Lesson& lesson, Where& where) {
   const std::unique_ptr<cmark_iter, decltype(&cmark_iter_free)> walk(
-      cmark_iter_new(where.lesson->document.get()), cmark_iter_free);
+      cmark_iter_new(lesson.document.get()), cmark_iter_free);
   where.first = where.last = where.line;
   while (cmark_iter_next(walk.get()) != CMARK_EVENT_DONE) {
     cmark_node* node = cmark_iter_get_node(walk.get());
@@ -65,11 +67,12 @@ tl::expected<Where, std::string> find_place(const Course& course, const fs::path
   if (failure != std::errc() || stop != end || where.line < 1) {
     return tl::unexpected(text + " names no line; write it as " + name + ":210");
   }
-  const int lines = lesson->source->line_count();
-  if (where.line > lines) {
+  const Lesson awake = wake(*lesson, DiskFiles(root));
+  const std::size_t lines = lines_of(awake.source->text()).size();
+  if (static_cast<std::size_t>(where.line) > lines) {
     return tl::unexpected(lesson->source->path() + " has only " + std::to_string(lines) + " lines");
   }
-  find_fence(where);
+  find_fence(awake, where);
   return where;
 }
 

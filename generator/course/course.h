@@ -7,14 +7,19 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "base/files.h"
+#include "base/parallel.h"
 #include "lesson/glossary.h"
 #include "lesson/lesson.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {
+
+// Where a course begins.
+inline constexpr const char* kCoursePath = "content/course.yaml";
 
 struct Level {
   std::string folder, title;
@@ -26,17 +31,28 @@ struct Course {
   std::string title, description, language = "en";
   std::map<std::string, std::string> macros;  // TeX, shared by all lessons: "\\R" → "\\mathbb{R}"
   std::vector<Level> levels;
-  std::vector<Lesson> lessons;      // in the course's order
+  std::vector<Lesson> lessons;      // in the course's order; most of many are at rest
   std::vector<std::string> models;  // names: "joint_zoo" for models/joint_zoo.xml
   std::optional<Glossary> glossary;
 
+  // Null where there is none. Of lessons with the same number, the first.
   const Lesson* find_lesson(const std::string& number) const;
+  void add(Lesson lesson);
   // All that is read like a lesson: the lessons, and the glossary's page where there is one.
   std::vector<const Lesson*> pages() const;
+
+ private:
+  std::unordered_map<std::string, std::size_t> by_number_;  // of the lessons
 };
 
-// Read content/course.yaml and every lesson in it, and check the links between them. Mistakes go
-// to `diagnostics`; nothing is returned only when there is no readable course.yaml.
-std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics);
+// A lesson awake takes some 180 KB for 12 KB of text. To wake one is to read it again.
+inline constexpr std::size_t kMostAwake = 500;
+
+// Read content/course.yaml and every lesson in it, on so many threads, and check the links between
+// them; behind the first `awake` lessons, the others are put to rest (lesson/resting_lesson.h).
+// Mistakes go to `diagnostics`; nothing is returned only when there is no readable course.yaml.
+std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics,
+                                  std::size_t threads = core_count(),
+                                  std::size_t awake = kMostAwake);
 
 }  // namespace mjcourse

@@ -1,12 +1,26 @@
 #include "course/link_target.h"
 
 #include <algorithm>
-#include <regex>
+#include <cctype>
+#include <string_view>
 
 #include "base/nearest.h"
 
 namespace mjcourse {
 namespace {
+
+bool are_digits(std::string_view text) {
+  return !text.empty() && std::all_of(text.begin(), text.end(),
+                                      [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+// "1.12", "A.2"
+bool is_lesson_number(std::string_view text) {
+  const std::size_t dot = text.find('.');
+  if (dot == text.npos || !are_digits(text.substr(dot + 1))) return false;
+  const std::string_view level = text.substr(0, dot);
+  return are_digits(level) || (level.size() == 1 && level[0] >= 'A' && level[0] <= 'Z');
+}
 
 tl::expected<LinkTarget, DeadLink> heading_of(const Lesson& lesson, const std::string& anchor) {
   std::vector<std::string> ids;
@@ -58,8 +72,7 @@ tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Less
     return LinkTarget{nullptr, api_id(target.substr(4)), "", kApiPage};
   const std::size_t hash = std::min(target.find('#'), target.size());
   const std::string number = target.substr(0, hash);
-  static const std::regex lesson_number(R"((\d+|[A-Z])\.\d+)");
-  if (std::regex_match(number, lesson_number)) {
+  if (is_lesson_number(number)) {
     if (const auto dead = dead_lesson(course, from, number)) return tl::unexpected(*dead);
     return heading_of(*course.find_lesson(number),
                       hash < target.size() ? target.substr(hash + 1) : "");

@@ -6,65 +6,89 @@
 #include "course/course.h"
 #include "course/link_target.h"
 #include "course/reference_picture.h"
-#include "lesson/is_utf8.h"
+#include "lesson/is_text.h"
 #include "lesson/read_glossary.h"
 #include "lesson/read_lesson.h"
 #include "lesson/reading.h"
+#include "lesson/resting_lesson.h"
 #include "lesson/yaml_map.h"
 
 namespace mjcourse {
 namespace {
 
-constexpr const char* kPath = "content/course.yaml";
 constexpr const char* kId = "E-course-yaml";
 
 void report_missing(const std::string& message, const std::string& cure, Diagnostics& diagnostics) {
-  diagnostics.push_back(error_at({kPath, 0, 0, 1, ""}, kId, message, cure));
+  diagnostics.push_back(error_at({kCoursePath, 0, 0, 1, ""}, kId, message, cure));
 }
 
-// The lesson that course.yaml names as `entry` in `folder`, appended to the course.
-void read_listed_lesson(const Files& files, Level& level, const LocatedText& entry,
-                        Reading& reading, Course& course, Diagnostics& diagnostics) {
-  const std::string folder = "content/" + level.folder;
-  const std::string path = folder + "/" + entry.text + ".md";
-  if (!files.exists(path)) {
+// A lesson that course.yaml names, and what came of reading it.
+struct Listed {
+  std::size_t level;
+  LocatedText entry;
+  std::string path;
+  std::optional<Lesson> lesson = {};
+  std::string unreadable = {};  // why its bytes cannot be had
+  Diagnostics diagnostics = {};
+};
+
+std::vector<Listed> read_levels(const std::vector<YAML::Node>& nodes, const LocatedText& text,
+                                Reading& reading, Course& course) {
+  std::vector<Listed> listed;
+  for (const YAML::Node& node : nodes) {
+    YamlMap map(node, "level", kId, text, reading);
+    Level level;
+    level.folder = map.required_string("folder").text;
+    level.number = level.folder.substr(0, level.folder.find_first_not_of("0123456789"));
+    level.title = map.required_string("title").text;
+    for (LocatedText& entry : map.strings("lessons")) {
+      std::string path = "content/" + level.folder + "/" + entry.text + ".md";
+      listed.push_back({course.levels.size(), std::move(entry), std::move(path)});
+    }
+    map.finish();
+    course.levels.push_back(std::move(level));
+  }
+  return listed;
+}
+
+// On one of several threads.
+void read_listed(const Files& files, Listed& listed, bool stays_awake) {
+  if (!files.exists(listed.path)) return;
+  tl::expected<std::string, std::string> bytes = files.read(listed.path);
+  if (!bytes) {
+    listed.unreadable = bytes.error();
+    return;
+  }
+  listed.lesson = read_lesson(listed.path, *std::move(bytes), listed.diagnostics);
+  if (!listed.lesson || stays_awake) return;
+  // A mistake needs the text around it.
+  const bool is_card = listed.diagnostics.empty() && is_prose(*listed.lesson);
+  put_to_rest(*listed.lesson, is_card ? Lesson::Kept::card : Lesson::Kept::blocks);
+}
+
+// Append the lesson to the course, or say why not.
+void add_listed(const Files& files, Listed& listed, Reading& reading, Course& course,
+                Diagnostics& diagnostics) {
+  Level& level = course.levels[listed.level];
+  const Span span = listed.entry.span();
+  diagnostics.insert(diagnostics.end(), listed.diagnostics.begin(), listed.diagnostics.end());
+  if (!listed.unreadable.empty()) {
+    reading.error("E-lesson-missing", span, "cannot read " + listed.unreadable);
+  } else if (!listed.lesson && listed.diagnostics.empty()) {
     std::vector<std::string> there;
-    for (const std::string& name : files.list(folder)) {
+    for (const std::string& name : files.list("content/" + level.folder)) {
       if (name.ends_with(".md")) there.push_back(name.substr(0, name.size() - 3));
     }
-    reading.error("E-lesson-missing", entry.span(), "there is no file " + path,
-                  suggest(entry.text, there));
-    return;
-  }
-  const tl::expected<std::string, std::string> bytes = files.read(path);
-  if (!bytes) {
-    reading.error("E-lesson-missing", entry.span(), "cannot read " + bytes.error());
-    return;
-  }
-  std::optional<Lesson> lesson = read_lesson(path, *bytes, diagnostics);
-  if (!lesson) return;
-  if (course.find_lesson(lesson->number) != nullptr) {
-    reading.error("E-lesson-number", entry.span(),
-                  "the number " + lesson->number + " is taken by a lesson above",
+    reading.error("E-lesson-missing", span, "there is no file " + listed.path,
+                  suggest(listed.entry.text, there));
+  } else if (listed.lesson && course.find_lesson(listed.lesson->number) != nullptr) {
+    reading.error("E-lesson-number", span,
+                  "the number " + listed.lesson->number + " is taken by a lesson above",
                   "number each lesson once");
-    return;
+  } else if (listed.lesson) {
+    level.lessons.push_back(course.lessons.size());
+    course.add(*std::move(listed.lesson));
   }
-  level.lessons.push_back(course.lessons.size());
-  course.lessons.push_back(std::move(*lesson));
-}
-
-void read_level(const Files& files, const YAML::Node& node, const LocatedText& text,
-                Reading& reading, Course& course, Diagnostics& diagnostics) {
-  YamlMap map(node, "level", kId, text, reading);
-  Level level;
-  level.folder = map.required_string("folder").text;
-  level.number = level.folder.substr(0, level.folder.find_first_not_of("0123456789"));
-  level.title = map.required_string("title").text;
-  for (const LocatedText& entry : map.strings("lessons")) {
-    read_listed_lesson(files, level, entry, reading, course, diagnostics);
-  }
-  map.finish();
-  course.levels.push_back(std::move(level));
 }
 
 // A lesson that nothing lists is checked by nobody, and looks as if it were. Where course.yaml has
@@ -73,7 +97,7 @@ void warn_of_unlisted(const Files& files, const Course& course, Diagnostics& dia
   std::set<std::string> spoken_of;
   for (const Diagnostic& diagnostic : diagnostics) spoken_of.insert(diagnostic.place.file);
   for (const Lesson& lesson : course.lessons) spoken_of.insert(lesson.source->path());
-  if (spoken_of.contains(kPath)) return;
+  if (spoken_of.contains(kCoursePath)) return;
   for (const Level& level : course.levels) {
     for (const std::string& name : files.list("content/" + level.folder)) {
       const std::string path = "content/" + level.folder + "/" + name;
@@ -108,29 +132,49 @@ void check_terms(const Files& files, const Course& course, Diagnostics& diagnost
   }
 }
 
-void check_references(const Course& course, Diagnostics& diagnostics) {
-  for (const Lesson* page : course.pages()) {
-    const Lesson& lesson = *page;
-    Reading reading(*lesson.source, diagnostics);
-    for (const Link& link : lesson.links) {
-      const auto target = resolve_link(course, lesson, link.target.text);
-      if (target) continue;
-      reading.error(target.error().id, link.target.span(), target.error().message,
-                    target.error().cure);
-    }
-    for (const LocatedText& number : lesson.front.prerequisites) {
-      const auto dead = dead_lesson(course, lesson, number.text);
-      if (dead) reading.error(dead->id, number.span(), dead->message, dead->cure);
-    }
+struct DeadReference {
+  DeadLink dead;
+  Span span;
+};
+
+std::vector<DeadReference> dead_references(const Course& course, const Lesson& lesson) {
+  std::vector<DeadReference> found;
+  for (const Link& link : lesson.links) {
+    const auto target = resolve_link(course, lesson, link.target.text);
+    if (!target) found.push_back({target.error(), link.target.span()});
   }
+  for (const LocatedText& number : lesson.front.prerequisites) {
+    const auto dead = dead_lesson(course, lesson, number.text);
+    if (dead) found.push_back({*dead, number.span()});
+  }
+  return found;
+}
+
+void check_references(const Files& files, Course& course, Diagnostics& diagnostics) {
+  const auto check = [&](Lesson& lesson) {
+    const std::vector<DeadReference> found = dead_references(course, lesson);
+    if (found.empty()) return;
+    if (lesson.kept == Lesson::Kept::card) {
+      lesson = wake(lesson, files);
+      put_to_rest(lesson, Lesson::Kept::blocks);
+    }
+    Reading reading(*lesson.source, diagnostics);
+    for (const auto& [dead, span] : found) reading.error(dead.id, span, dead.message, dead.cure);
+  };
+  for (Lesson& lesson : course.lessons) check(lesson);
+  if (course.glossary) check(course.glossary->page);
 }
 
 }  // namespace
 
 const Lesson* Course::find_lesson(const std::string& number) const {
-  const auto found = std::find_if(lessons.begin(), lessons.end(),
-                                  [&](const Lesson& lesson) { return lesson.number == number; });
-  return found == lessons.end() ? nullptr : &*found;
+  const auto found = by_number_.find(number);
+  return found == by_number_.end() ? nullptr : &lessons[found->second];
+}
+
+void Course::add(Lesson lesson) {
+  by_number_.try_emplace(lesson.number, lessons.size());
+  lessons.push_back(std::move(lesson));
 }
 
 std::vector<const Lesson*> Course::pages() const {
@@ -140,16 +184,17 @@ std::vector<const Lesson*> Course::pages() const {
   return pages;
 }
 
-std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics) {
-  const tl::expected<std::string, std::string> bytes = files.read(kPath);
+std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, std::size_t threads,
+                                  std::size_t awake) {
+  const tl::expected<std::string, std::string> bytes = files.read(kCoursePath);
   if (!bytes) {
     report_missing("cannot read " + bytes.error(),
                    "a course is a folder with content/course.yaml; name it with --course DIR",
                    diagnostics);
     return std::nullopt;
   }
-  if (!is_utf8(kPath, *bytes, diagnostics)) return std::nullopt;
-  const SourceText source(kPath, *bytes);
+  if (!is_text(kCoursePath, *bytes, diagnostics)) return std::nullopt;
+  const SourceText source(kCoursePath, *bytes);
   Reading reading(source, diagnostics);
   const LocatedText text = located(source, {0, source.text().size()});
   const std::optional<YAML::Node> yaml = parse_yaml(text, "course file", kId, reading);
@@ -163,17 +208,21 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics) 
     course.language = language.text;
   }
   course.macros = map.texts("macros");
-  for (const YAML::Node& level : map.required_items("levels")) {
-    read_level(files, level, text, reading, course, diagnostics);
-  }
+  std::vector<Listed> listed = read_levels(map.required_items("levels"), text, reading, course);
   map.finish();
+  for_each_index(listed.size(), threads, [&](std::size_t index, std::size_t) {
+    read_listed(files, listed[index], index < awake);
+  });
+  course.lessons.reserve(listed.size());
+  for (Listed& one : listed) add_listed(files, one, reading, course, diagnostics);
   for (const std::string& name : files.list("models")) {
     if (name.ends_with(".xml")) course.models.push_back(name.substr(0, name.size() - 4));
   }
   warn_of_unlisted(files, course, diagnostics);
   read_glossary_file(files, course, diagnostics);
-  check_references(course, diagnostics);
+  check_references(files, course, diagnostics);
   check_terms(files, course, diagnostics);
+  for (Lesson& lesson : course.lessons) forget_links(lesson);
   warn_of_unused_references(files, course, diagnostics);
   return course;
 }

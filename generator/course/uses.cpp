@@ -10,7 +10,7 @@ const Heading* section_at(const Lesson& page, Span span) {
   const int line = page.source->position(span.begin).line;
   const Heading* section = nullptr;
   for (const Heading& heading : page.headings) {
-    if (cmark_node_get_start_line(heading.node) <= line) section = &heading;
+    if (heading.line <= line) section = &heading;
   }
   return section;
 }

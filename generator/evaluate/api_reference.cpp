@@ -66,7 +66,7 @@ std::string cure_for(const std::string& name, const MujocoApi& api) {
 
 class Reference {
  public:
-  Reference(const Course& course, const Files& headers, Diagnostics& diagnostics)
+  Reference(const Course& course, const MujocoHeaders& headers, Diagnostics& diagnostics)
       : course_(course), headers_(headers), diagnostics_(diagnostics) {}
 
   std::vector<ApiEntry> run() {
@@ -82,20 +82,19 @@ class Reference {
 
  private:
   void look_up(const Lesson& page, const LocatedText& target) {
-    if (!api_) api_ = read_mujoco_api(headers_);
+    const tl::expected<MujocoApi, std::string>& api = headers_();
     const LocatedText name = target.part(kScheme.size(), target.text.size());
     const auto error = [&](const std::string& id, const std::string& message,
                            const std::string& cure) {
       diagnostics_.push_back(error_at(place_of(*page.source, name.span()), id, message, cure));
     };
-    if (!*api_) {
-      return error("E-api-headers", "MuJoCo's headers cannot be read: " + api_->error(),
+    if (!api) {
+      return error("E-api-headers", "MuJoCo's headers cannot be read: " + api.error(),
                    "name their folder in the environment's MJCOURSE_HEADERS");
     }
-    const auto found = (*api_)->find(name.text);
-    if (found == (*api_)->end()) {
-      return error("E-api-unknown", "MuJoCo has no `" + name.text + "`",
-                   cure_for(name.text, **api_));
+    const auto found = api->find(name.text);
+    if (found == api->end()) {
+      return error("E-api-unknown", "MuJoCo has no `" + name.text + "`", cure_for(name.text, *api));
     }
     if (page.front.draft) return;
     const ApiName& entry = found->second;
@@ -109,15 +108,14 @@ class Reference {
   }
 
   const Course& course_;
-  const Files& headers_;
+  const MujocoHeaders& headers_;
   Diagnostics& diagnostics_;
-  std::optional<tl::expected<MujocoApi, std::string>> api_;
   std::map<std::string, ApiEntry> entries_;
 };
 
 }  // namespace
 
-std::vector<ApiEntry> evaluate_api(const Course& course, const Files& headers,
+std::vector<ApiEntry> evaluate_api(const Course& course, const MujocoHeaders& headers,
                                    Diagnostics& diagnostics) {
   return Reference(course, headers, diagnostics).run();
 }

@@ -1,11 +1,12 @@
 // The names of MuJoCo's that the course links to, `[text](api:mj_step)`, held against its headers.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
-#include "base/files.h"
 #include "course/course.h"
+#include "physics/mujoco_api.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {
@@ -21,8 +22,9 @@ struct ApiEntry {
 };
 
 // Each name once, in the order of its letters; those that only drafts link to are checked and left
-// out. `headers` has mujoco/mujoco.h, and is read only when there is such a link.
-std::vector<ApiEntry> evaluate_api(const Course& course, const Files& headers,
+// out. `headers` is asked for MuJoCo's names only when there is such a link.
+using MujocoHeaders = std::function<const tl::expected<MujocoApi, std::string>&()>;
+std::vector<ApiEntry> evaluate_api(const Course& course, const MujocoHeaders& headers,
                                    Diagnostics& diagnostics);
 
 }  // namespace mjcourse

@@ -65,7 +65,8 @@ std::optional<ChartResult> evaluate_chart(const Chart& chart, std::size_t index,
                                           Diagnostics& diagnostics) {
   const Table* table = nullptr;
   if (!chart.example.text.empty()) {
-    table = workshop.reports().find_table(chart.example, chart.table, *lesson.source, diagnostics);
+    table = workshop.reports_of(chart.example.text)
+                .find_table(chart.example, chart.table, *lesson.source, diagnostics);
   }
   if (table != nullptr && (table->empty() || table->front().values.empty())) {
     diagnostics.push_back(error_at(place_of(*lesson.source, chart.table.span()), "E-plot-empty",

@@ -52,18 +52,18 @@ std::string ClaimSources::models_named_in(const std::string& text) {
 
 std::string ClaimSources::helper() {
   if (helper_) return *helper_;
-  const fs::path folder = root_ / "examples" / "include";
-  std::vector<fs::path> files;
-  if (fs::exists(folder)) {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+  std::vector<std::string> parts;
+  for (const fs::path& folder : include_) {
+    std::vector<fs::path> files;
+    std::error_code none;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, none)) {
       if (entry.is_regular_file()) files.push_back(entry.path());
     }
-  }
-  std::sort(files.begin(), files.end());
-  std::vector<std::string> parts;
-  for (const fs::path& file : files) {
-    parts.push_back(fs::relative(file, folder).string());
-    parts.push_back(bytes_of(file));
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files) {
+      parts.push_back(fs::relative(file, folder).string());
+      parts.push_back(bytes_of(file));
+    }
   }
   helper_ = hash_of(parts);
   return *helper_;

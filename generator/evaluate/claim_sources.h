@@ -7,24 +7,28 @@
 #include <string>
 #include <vector>
 
+#include "evaluate/include_folders.h"
+
 namespace mjcourse {
 
 class ClaimSources {
  public:
-  // `root` is the course's folder, `models` the names of its models.
-  ClaimSources(std::filesystem::path root, std::vector<std::string> models)
-      : root_(std::move(root)), models_(std::move(models)) {}
+  // `root` is the course's folder, `models` the names of its models, `include` where its programs
+  // find headers.
+  ClaimSources(std::filesystem::path root, std::vector<std::string> models, IncludeFolders include)
+      : root_(std::move(root)), models_(std::move(models)), include_(std::move(include)) {}
 
   // Of a model of the course: its file, and all files that this names. Empty when there is none.
   std::string model(const std::string& name);
   // Of all models that a program's or a question's text names: "joint_zoo" or joint_zoo.xml.
   std::string models_named_in(const std::string& text);
-  // Of examples/include, the helper header.
+  // Of the course's own headers and the helper header.
   std::string helper();
 
  private:
   std::filesystem::path root_;
   std::vector<std::string> models_;
+  IncludeFolders include_;
   std::map<std::string, std::string> known_;  // of models, by name
   std::optional<std::string> helper_;
 };

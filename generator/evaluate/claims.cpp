@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "evaluate/lesson_claims.h"
+#include "lesson/resting_lesson.h"
 
 namespace mjcourse {
 namespace {
@@ -25,11 +26,15 @@ std::set<Stand> stands_of(const Course& course) {
 
 }  // namespace
 
-void make_claims(const Course& course, const std::filesystem::path& root, const Programs& programs,
-                 Evaluation& evaluation) {
+void make_claims(const Course& course, const std::filesystem::path& root,
+                 const IncludeFolders& include, const Programs& programs, Evaluation& evaluation) {
   const std::set<Stand> stands = stands_of(course);
-  ClaimSources sources(root, course.models);
+  ClaimSources sources(root, course.models, include);
   const auto fill = [&](const Lesson& page, std::size_t index, LessonResults& results) {
+    if (page.kept == Lesson::Kept::card) {
+      results.tally.unchecked = page.unchecked;
+      return;
+    }
     results.claims =
         LessonClaims(page, index, results, evaluation, programs, stands, sources).run();
     results.tally = tally_of(results.claims);
@@ -38,6 +43,24 @@ void make_claims(const Course& course, const std::filesystem::path& root, const 
     fill(course.lessons[i], i, evaluation.lessons[i]);
   }
   if (course.glossary) fill(course.glossary->page, course.lessons.size(), evaluation.glossary);
+}
+
+Claims claims_of_prose(const Lesson& lesson, const Evaluation& evaluation) {
+  const LessonResults none;
+  const Programs programs;
+  const std::set<Stand> stands;
+  ClaimSources sources({}, {}, {});
+  return LessonClaims(lesson, 0, none, evaluation, programs, stands, sources).run();
+}
+
+void claim_prose(Course& course, const Files& files, Evaluation& evaluation) {
+  for (std::size_t i = 0; i < course.lessons.size(); ++i) {
+    Lesson& lesson = course.lessons[i];
+    if (lesson.kept != Lesson::Kept::card) continue;
+    lesson = wake(lesson, files);
+    put_to_rest(lesson, Lesson::Kept::blocks);
+    evaluation.lessons[i].claims = claims_of_prose(lesson, evaluation);
+  }
 }
 
 }  // namespace mjcourse

@@ -10,12 +10,22 @@
 #include <string>
 
 #include "evaluate/evaluate.h"
+#include "evaluate/include_folders.h"
 
 namespace mjcourse {
 
 // Fills the claims and the tally of every lesson of `evaluation`, whose results, diagnostics and
-// versions are complete. `programs` are the results of the examples by their files.
+// versions are complete; of a lesson that rests as a card, the tally alone. `programs` are the
+// results of the examples by their files, which find headers in `include`.
 void make_claims(const Course& course, const std::filesystem::path& root,
+                 const IncludeFolders& include,
                  const std::map<std::string, ExampleResult>& programs, Evaluation& evaluation);
+
+// The claims of a lesson that rested as a card and was woken.
+Claims claims_of_prose(const Lesson& lesson, const Evaluation& evaluation);
+
+// Fills in what make_claims left out, and keeps those lessons' blocks, for whoever looks at all
+// lessons at once.
+void claim_prose(Course& course, const Files& files, Evaluation& evaluation);
 
 }  // namespace mjcourse

@@ -96,6 +96,12 @@ void report_compile_messages(const Compiled& compiled, const CompiledText& text,
     diagnostics.push_back(std::move(found));
   }
   if (compiled.succeeded || errors > 0) return;
+  if (!compiled.stopped.empty()) {
+    diagnostics.push_back(error_at(place_of(*lesson.source, text.fence), "E-example-compile",
+                                   "the compiler " + compiled.stopped,
+                                   "look for what the compiler has to compute or to include"));
+    return;
+  }
   Diagnostic link = error_at(place_of(*lesson.source, text.fence), "E-example-compile",
                              "the program does not link");
   link.detail = link_problems(compiled.raw);

@@ -1,40 +1,95 @@
 #include "evaluate/compiler.h"
 
 #include <algorithm>
-#include <regex>
-#include <sstream>
+#include <iterator>
+#include <utility>
+
+#include "base/cache_folder.h"
+#include "base/files.h"
+#include "evaluate/warm_header.h"
 
 namespace mjcourse {
 namespace {
 
-const std::vector<std::string> kFlags{
-    "-std=c++20", "-Wall", "-Wextra", "-fno-diagnostics-color", "-isystem", "/usr/include/eigen3"};
-constexpr double kSeconds = 120;
+namespace fs = std::filesystem;
 
-std::vector<CompilerMessage> parse(const std::string& text) {
-  static const std::regex form(R"(^(.+?):(\d+):(\d+): (error|fatal error|warning|note): (.*)$)");
-  std::vector<CompilerMessage> messages;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    std::smatch part;
-    // A line of kilobytes is code that a template printed, and std::regex recurses over it.
-    if (line.size() > 4000 || !std::regex_match(line, part, form)) continue;
-    messages.push_back({part[1], std::stoi(part[2]), std::stoi(part[3]), part[4], part[5]});
-  }
-  return messages;
+constexpr const char* kDependencies = "dependencies";
+
+template <typename... Words>
+void append(std::vector<std::string>& command, const Words&... words) {
+  (command.push_back(words), ...);
 }
 
-// "clang 16.0.6" of what `NAME --version` prints: "Debian clang version 16.0.6 (15~deb12u1)".
-std::string short_version(const std::string& name, const std::string& printed) {
-  static const std::regex form(R"(\d+\.\d+(\.\d+)?)");
-  std::smatch part;
-  const std::string first = printed.substr(0, printed.find('\n'));
-  const std::string number = std::regex_search(first, part, form) ? part[0].str() : "";
-  const std::string plain = name.starts_with("clang") ? "clang" : name;
-  return number.empty() ? plain : plain + " " + number;
+// What kept the compiler from an answer, in words; empty where it gave one.
+std::string why_stopped(const Outcome& outcome) {
+  switch (outcome.end) {
+    case Outcome::End::timed_out:
+      return "still ran after " + std::to_string(static_cast<int>(kToolSeconds)) +
+             " s, and was stopped";
+    case Outcome::End::flooded:
+      return "complained for more than 1 MiB, and was stopped";
+    case Outcome::End::overfilled:
+      return "wrote more than 1 GiB, and was stopped";
+    default:
+      break;
+  }
+  if (outcome.code == 0) return "";
+  for (const char* words : {"out of memory", "Cannot allocate memory", "bad_alloc"}) {
+    if (outcome.err.find(words) != outcome.err.npos)
+      return "needed more than 4 GiB of memory, and was stopped";
+  }
+  // After the stack of calls in which it did.
+  if (outcome.err.find("PLEASE submit a bug report") != outcome.err.npos) return "crashed";
+  return outcome.err.find("File too large") != outcome.err.npos
+             ? "wrote more than 1 GiB, and was stopped"
+             : "";
+}
+
+// Run one step of a compilation: what it said and read is added to `compiled`.
+void take(std::vector<std::string> command, const fs::path& folder,
+          const std::vector<fs::path>& reads, Compiled& compiled) {
+  append(command, "-MD", "-MF", kDependencies);
+  fs::remove(folder / kDependencies);
+  // Each tool runs as a user of its own, and may not write into another's file.
+  const auto out = std::ranges::find(command, "-o");
+  if (out != command.end()) fs::remove(*std::next(out));
+  const Outcome outcome = run_tool(std::move(command), folder, reads);
+  compiled.succeeded = succeeded(outcome);
+  compiled.raw += outcome.err;
+  compiled.stopped = why_stopped(outcome);
+  const auto rule = DiskFiles(folder).read(kDependencies);
+  if (!rule) {
+    compiled.dependencies.reset();
+    return;
+  }
+  std::vector<std::string> all;
+  std::ranges::set_union(*compiled.dependencies, parse_dependencies(*rule, folder),
+                         std::back_inserter(all));
+  compiled.dependencies = std::move(all);
+}
+
+void leave_out(const WarmObjects::Entry& entry, Compiled& compiled) {
+  if (!entry || !compiled.dependencies) return;
+  std::vector<std::string> rest;
+  std::ranges::set_difference(*compiled.dependencies, entry->inputs, std::back_inserter(rest));
+  // What the entry itself consists of is as good as its inputs.
+  const std::string own = entry->folder.parent_path().string() + "/";
+  std::erase_if(rest, [&](const std::string& file) { return file.starts_with(own); });
+  compiled.dependencies = std::move(rest);
 }
 
 }  // namespace
+
+struct Compiler::Program {
+  fs::path source;
+  IncludeFolders include;
+  fs::path binary, folder;
+  bool optimize = false;
+};
+
+Diagnostic no_compiler() {
+  return error_at({}, "E-example-compiler", "no C++ compiler was found", "install clang-16");
+}
 
 bool Compiled::refused() const {
   return !succeeded && std::any_of(messages.begin(), messages.end(), [](const auto& message) {
@@ -42,44 +97,85 @@ bool Compiled::refused() const {
   });
 }
 
-std::optional<Compiler> Compiler::find() {
-  for (const char* name : {"clang++-16", "clang++-14", "clang++", "g++"}) {
-    Command command;
-    command.arguments = {name, "--version"};
-    const Outcome outcome = run(command);
-    if (outcome.end == Outcome::End::exited) {
-      return Compiler(name, short_version(name, outcome.out));
-    }
-  }
-  return std::nullopt;
+std::optional<Compiler> Compiler::find(fs::path helper) {
+  std::optional<Toolchain> toolchain = Toolchain::find();
+  if (!toolchain) return std::nullopt;
+  std::optional<fs::path> cache = user_cache_folder();
+  if (cache) *cache /= "header";
+  return Compiler(*std::move(toolchain), std::move(cache), std::move(helper));
 }
 
-Compiled Compiler::compile(const std::filesystem::path& source,
-                           const std::filesystem::path& examples,
-                           const std::filesystem::path& binary, const std::filesystem::path& folder,
-                           bool optimize) const {
-  Command command;
-  // Optimising mostly costs more than it saves: MuJoCo itself is optimised, and gives the same bits
-  // however its caller was compiled.
-  command.arguments = {name_, optimize ? "-O2" : "-O0"};
-  command.arguments.insert(command.arguments.end(), kFlags.begin(), kFlags.end());
-  const std::filesystem::path include = examples / "include";
-  command.arguments.insert(command.arguments.end(),
-                           {"-I" + include.string(), source.string(), "-o", binary.string()});
-  // The handlers keep MuJoCo's errors from waiting on stdin; a course may do without the helper.
-  const std::filesystem::path handlers = include / "mjcourse" / "handlers.cpp";
-  if (std::filesystem::exists(handlers)) command.arguments.push_back(handlers.string());
-  command.arguments.push_back("-lmujoco");
-  command.folder = folder.string();
-  command.environment = {"TMPDIR=" + folder.string()};  // a compiler that is killed leaves files
-  command.seconds = kSeconds;
-  const Outcome outcome = run(command);
+Compiler::Compiler(Toolchain toolchain, std::optional<fs::path> cache, fs::path helper)
+    : toolchain_(toolchain),
+      helper_(std::move(helper)),
+      warm_(std::make_shared<WarmObjects>(std::move(toolchain), std::move(cache))) {}
+
+void Compiler::prepare(const std::vector<std::string>& roots, const fs::path& examples) const {
+  const IncludeFolders include = include_folders_of(examples, helper_);
+  warm_->header(roots, include);
+  warm_->handlers(include);
+}
+
+Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& header,
+                           const WarmObjects::Entry& handlers, bool fast_linker) const {
+  const std::vector<std::string> plain = toolchain_.command(program.optimize, program.include);
+  std::vector<std::string> command = plain;
+  if (header) append(command, "-include-pch", (header->folder / "header.pch").string());
+  append(command, program.source.string());
+  std::vector<std::string> link;
+  if (header) append(link, (header->folder / "header.o").string());
+  if (handlers) append(link, (handlers->folder / "handlers.o").string());
+  append(link, "-lmujoco", "-o", program.binary.string());
+  if (fast_linker) append(link, "-fuse-ld=mold");
+
+  std::vector<fs::path> reads = read_for(program.include);
+  for (const WarmObjects::Entry& entry : {header, handlers}) {
+    if (entry) reads.push_back(entry->folder.parent_path());
+  }
 
   Compiled compiled;
-  compiled.raw = outcome.err;
-  if (outcome.end == Outcome::End::timed_out) compiled.raw += "\nthe compiler ran out of time";
-  compiled.succeeded = outcome.end == Outcome::End::exited && outcome.code == 0;
-  compiled.messages = parse(outcome.err);
+  const fs::path source = handlers_source(program.include);
+  if (handlers || source.empty()) {  // a course may do without handlers
+    command.insert(command.end(), link.begin(), link.end());
+    take(command, program.folder, reads, compiled);
+  } else {
+    // In two steps, as a compiler lists the files of one source alone.
+    const std::string object = program.folder / "program.o";
+    append(command, "-c", "-o", object);
+    take(command, program.folder, reads, compiled);
+    command = plain;
+    append(command, object, source.string());
+    command.insert(command.end(), link.begin(), link.end());
+    if (compiled.succeeded) take(command, program.folder, reads, compiled);
+  }
+  compiled.messages = parse_messages(compiled.raw);
+  for (const WarmObjects::Entry& entry : {header, handlers}) {
+    leave_out(entry, compiled);
+  }
+  compiled.header = header;
+  compiled.handlers = handlers;
+  return compiled;
+}
+
+Compiled Compiler::compile(const fs::path& source, const fs::path& examples, const fs::path& binary,
+                           const fs::path& folder, bool optimize) const {
+  const Program program{source, include_folders_of(examples, helper_), binary, folder, optimize};
+  const WarmObjects::Entry handlers = warm_->handlers(program.include);
+  WarmObjects::Entry header;
+  if (!optimize) {
+    const auto text = DiskFiles(source.parent_path()).read(source.filename().string());
+    if (text) header = warm_->header(warm_roots(*text, program.include), program.include);
+  }
+  const auto silent = [](const Compiled& compiled) {
+    return compiled.succeeded && compiled.raw.empty();
+  };
+  if (header || toolchain_.has_mold) {
+    Compiled fast = attempt(program, header, handlers, toolchain_.has_mold);
+    if (silent(fast) || !fast.stopped.empty()) return fast;
+  }
+  Compiled compiled = attempt(program, nullptr, handlers, false);
+  // Then it was the header that was at fault.
+  if (header && silent(compiled)) WarmObjects::drop(header);
   return compiled;
 }
 

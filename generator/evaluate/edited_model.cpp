@@ -12,10 +12,10 @@ namespace {
 LocatedText insert(const std::string& base, std::size_t at, const LocatedText& inserted) {
   LocatedText whole;
   whole.text = base.substr(0, at) + inserted.text + "\n" + base.substr(at);
-  whole.offsets.assign(whole.text.size() + 1, inserted.span().begin);
-  for (std::size_t i = 0; i <= inserted.text.size(); ++i) {
-    whole.offsets[at + i] = inserted.span(i, i).begin;
-  }
+  const std::size_t first = inserted.span().begin;
+  whole.offsets.append_still(at, first);
+  whole.offsets.append(inserted.offsets, 0, inserted.text.size() + 1);
+  whole.offsets.append_still(whole.text.size() + 1 - whole.offsets.size(), first);
   return whole;
 }
 
@@ -26,8 +26,7 @@ std::optional<LocatedText> edited_model(const LabBench& bench, const Lab::Goal& 
   const LocatedText& model = bench.lab().model;
   const bool is_mjcf = model.text.starts_with('<');
   const std::string base =
-      is_mjcf ? model.text
-              : DiskFiles(bench.workshop().root()).read("models/" + model.text + ".xml").value();
+      is_mjcf ? model.text : bench.workshop().files().read("models/" + model.text + ".xml").value();
   const auto refuse = [&](const LocatedText& text, const std::string& message,
                           const std::string& cure) {
     bench.error("E-lab-goal", text.span(), message, cure);

@@ -1,16 +1,21 @@
 #include "evaluate/evaluate.h"
 
+#include <algorithm>
 #include <map>
 #include <optional>
 #include <utility>
 
+#include "evaluate/archive.h"
 #include "evaluate/claims.h"
-#include "evaluate/example_crew.h"
-#include "evaluate/lesson_evaluator.h"
+#include "evaluate/crew.h"
+#include "evaluate/fingerprints.h"
+#include "evaluate/gather_diagnostics.h"
 #include "evaluate/output.h"
+#include "evaluate/plan.h"
+#include "evaluate/program_task.h"
+#include "evaluate/publish.h"
 #include "evaluate/region.h"
-#include "evaluate/shown_program.h"
-#include "evaluate/workshop.h"
+#include "evaluate/snippets_task.h"
 #include "physics/mujoco_api.h"
 
 namespace mjcourse {
@@ -22,46 +27,22 @@ void compare_outputs(const Lesson& lesson, LessonResults& results, Diagnostics& 
     const auto* output = std::get_if<Output>(&lesson.blocks[i]);
     const auto* example = output != nullptr ? results.get<ExampleResult>(output->example) : nullptr;
     if (example == nullptr) continue;
+    if (results.open.contains(output->example)) {
+      results.open.insert(i);
+      results.of_block[i] = OutputResult{};
+      continue;
+    }
     if (auto result = evaluate_output(*output, *example, lesson, diagnostics)) {
       results.of_block[i] = *result;
     }
   }
 }
 
-// Labs, figures, charts and quizzes; the crew's programs come on top.
-int count_tasks(const Course& course) {
-  int tasks = 0;
-  for (const Lesson& lesson : course.lessons) {
-    for (const Block& block : lesson.blocks) {
-      const bool counts =
-          std::holds_alternative<Lab>(block) || std::holds_alternative<Figure>(block) ||
-          std::holds_alternative<Chart>(block) || std::holds_alternative<Quiz>(block);
-      if (counts) ++tasks;
-    }
-  }
-  return tasks;
-}
-
-// What the crew found, each under its block; gives the programs' results by their files, to which
-// `reports` points.
-std::map<std::string, ExampleResult> collect(std::vector<ExampleTask> tasks, Evaluation& evaluation,
-                                             Reports& reports) {
-  std::map<std::string, ExampleResult> programs;
-  for (ExampleTask& task : tasks) {
-    evaluation.diagnostics.insert(evaluation.diagnostics.end(), task.diagnostics.begin(),
-                                  task.diagnostics.end());
-    LessonResults& results = evaluation.lessons[task.lesson];
-    if (task.program) results.seconds[task.block] = task.seconds;
-    if (task.program && task.results.empty()) reports.add(task.program->name(), nullptr);
-    for (auto& [block, result] : task.results) {
-      if (task.program) {
-        const ExampleResult& kept = programs[task.program->file.text] = result;
-        reports.add(task.program->name(), &kept);
-      }
-      results.of_block[block] = std::move(result);
-    }
-  }
-  return programs;
+bool compiles(const Tasks& tasks) {
+  return std::any_of(tasks.begin(), tasks.end(), [](const auto& task) {
+    return dynamic_cast<const ProgramTask*>(task.get()) != nullptr ||
+           dynamic_cast<const SnippetsTask*>(task.get()) != nullptr;
+  });
 }
 
 // A region has what its program printed, but not its program's code.
@@ -85,42 +66,98 @@ void show_regions(const Lesson& lesson, const std::filesystem::path& root,
   }
 }
 
+class Evaluator {
+ public:
+  Evaluator(const Course& course, const Workplace& workplace, Progress& progress)
+      : course_(course),
+        workplace_(workplace),
+        progress_(progress),
+        setting_(course, workplace.root, workplace.assets, workplace.helper),
+        fingerprints_(workplace.root, workplace.known_files) {
+    if (workplace.store != nullptr)
+      archive_.emplace(*workplace.store, workplace.root, fingerprints_);
+  }
+
+  Evaluation run(Diagnostics found) {
+    evaluation_.lessons.resize(course_.lessons.size());
+    evaluation_.diagnostics = std::move(found);
+    evaluation_.versions = known_versions(workplace_.assets);
+    const Tasks tasks = plan_tasks(course_);
+    if (compiles(tasks) && setting_.compiler()) {
+      evaluation_.versions.compiler = setting_.compiler()->version();
+    }
+    Crew crew(setting_, archive_ ? &*archive_ : nullptr, progress_, workplace_.threads,
+              workplace_.stand_in ? Effort::looks : Effort::all);
+    gather(tasks, crew.run(tasks, [&](const TaskRecords& records) {
+      publish(tasks, records, setting_.reports(), fingerprints_);
+    }));
+    evaluation_.api = evaluate_api(course_, installed_mujoco_api, evaluation_.diagnostics);
+    for (std::size_t i = 0; i < course_.lessons.size(); ++i) finish(i);
+    make_claims(course_, workplace_.root, setting_.include_folders(), programs_, evaluation_);
+    return std::move(evaluation_);
+  }
+
+ private:
+  // Each finding goes under its blocks.
+  void gather(const Tasks& tasks, TaskRecords records) {
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      const Task& task = *tasks[i];
+      Finding& finding = records[i].finding;
+      if (records[i].open) stand_in(task, finding);
+      evaluation_.times.push_back({task.what(), records[i].thread, records[i].begin,
+                                   records[i].seconds, records[i].reused});
+      gather_diagnostics(std::move(finding.diagnostics), evaluation_.diagnostics);
+      if (finding.model_page) evaluation_.models.push_back(*std::move(finding.model_page));
+      LessonResults& results = task.page() < evaluation_.lessons.size()
+                                   ? evaluation_.lessons[task.page()]
+                                   : evaluation_.glossary;
+      if (records[i].open) {
+        for (const std::size_t block : task.blocks()) results.open.insert(block);
+      }
+      results.seconds.merge(finding.seconds);
+      const auto* program = dynamic_cast<const ProgramTask*>(&task);
+      if (program != nullptr && !finding.results.empty()) {
+        programs_[program->program().file.text] =
+            std::get<ExampleResult>(finding.results.at(task.block()));
+      }
+      results.of_block.merge(finding.results);
+    }
+    std::sort(evaluation_.models.begin(), evaluation_.models.end(),
+              [](const ModelPage& a, const ModelPage& b) { return a.name < b.name; });
+  }
+
+  void stand_in(const Task& task, Finding& finding) {
+    evaluation_.open = true;
+    for (const std::size_t block : task.blocks()) {
+      if (auto result = workplace_.stand_in(task.lesson(), block)) {
+        finding.results[block] = *std::move(result);
+      }
+    }
+  }
+
+  void finish(std::size_t index) {
+    const Lesson& lesson = course_.lessons[index];
+    LessonResults& results = evaluation_.lessons[index];
+    show_regions(lesson, workplace_.root, setting_.shown(), programs_, results,
+                 evaluation_.diagnostics);
+    compare_outputs(lesson, results, evaluation_.diagnostics);
+  }
+
+  const Course& course_;
+  const Workplace& workplace_;
+  Progress& progress_;
+  Setting setting_;
+  Fingerprints fingerprints_;
+  std::optional<Archive> archive_;
+  std::map<std::string, ExampleResult> programs_;  // by their files
+  Evaluation evaluation_;
+};
+
 }  // namespace
 
-Evaluation evaluate(const Course& course, const std::filesystem::path& root, const Files& assets,
-                    Progress& progress, Diagnostics found) {
-  Evaluation evaluation;
-  evaluation.lessons.resize(course.lessons.size());
-  evaluation.diagnostics = std::move(found);
-  evaluation.versions = known_versions(assets);
-  std::vector<ExampleTask> tasks = plan_examples(course);
-  progress.plan(count_tasks(course) + static_cast<int>(tasks.size()));
-  const ShownPrograms shown = shown_programs(course);
-  ExampleCrew crew(course, shown, root, progress, std::move(tasks));
-  evaluation.versions.compiler = crew.compiler();
-  Workshop workshop(course, root, assets);
-  evaluation.versions.katex = workshop.typesetter().version();
-  std::vector<LessonEvaluator> evaluators;
-  for (std::size_t i = 0; i < course.lessons.size(); ++i) {
-    evaluators.emplace_back(course.lessons[i], workshop, progress, evaluation.lessons[i],
-                            evaluation.diagnostics);
-  }
-  if (course.glossary) {
-    evaluators.emplace_back(course.glossary->page, workshop, progress, evaluation.glossary,
-                            evaluation.diagnostics);
-  }
-  for (LessonEvaluator& evaluator : evaluators) evaluator.run_beside_examples();
-  evaluation.models = evaluate_model_pages(workshop, evaluation.diagnostics);
-  evaluation.api = evaluate_api(course, DiskFiles(mujoco_headers_folder()), evaluation.diagnostics);
-  const auto programs = collect(crew.finish(), evaluation, workshop.reports());
-  for (LessonEvaluator& evaluator : evaluators) evaluator.run_after_examples();
-  for (std::size_t i = 0; i < course.lessons.size(); ++i) {
-    show_regions(course.lessons[i], root, shown, programs, evaluation.lessons[i],
-                 evaluation.diagnostics);
-    compare_outputs(course.lessons[i], evaluation.lessons[i], evaluation.diagnostics);
-  }
-  make_claims(course, root, programs, evaluation);
-  return evaluation;
+Evaluation evaluate(const Course& course, const Workplace& workplace, Progress& progress,
+                    Diagnostics found) {
+  return Evaluator(course, workplace, progress).run(std::move(found));
 }
 
 const LessonResults& Evaluation::results_of(const Course& course, const Lesson& page) const {

@@ -1,32 +1,39 @@
 // Enter evaluating here: from a course that was read to what is true of it.
 //
-// The examples, which cost most, run on threads of their own while formulas, labs and questions
-// are worked off on the calling thread. What always holds: the results and the diagnostics do not
-// depend on the number of threads.
+// Steps: the course is planned as tasks (plan.h); a crew works them off on all cores, and takes
+// from the store what was found out before (crew.h); what the tasks found is gathered under the
+// blocks; outputs are held against what the programs printed; and all of it becomes claims
+// (claims.h). What always holds: the results and the diagnostics depend neither on the number of
+// threads nor on the store.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/files.h"
+#include "base/parallel.h"
+#include "base/store.h"
 #include "course/course.h"
 #include "evaluate/api_reference.h"
+#include "evaluate/fingerprints.h"
 #include "evaluate/model_page.h"
+#include "evaluate/progress.h"
 #include "evaluate/result.h"
 #include "evaluate/versions.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {
 
-// Told of the work as it goes, from any thread, one call at a time.
-class Progress {
- public:
-  virtual ~Progress() = default;
-  virtual void plan(int tasks) = 0;
-  virtual void begin(const std::string& what) = 0;  // "compile and run l1_2_…"
-  virtual void done() = 0;
+// When a task was worked on, in seconds since the first began; measured.
+struct TaskTime {
+  std::string what;
+  std::size_t thread = 0;
+  double begin = 0, seconds = 0;
+  bool reused = false;
 };
 
 struct Evaluation {
@@ -36,14 +43,31 @@ struct Evaluation {
   std::vector<ApiEntry> api = {};      // names of MuJoCo's that it links to
   Diagnostics diagnostics;
   Versions versions;
+  std::vector<TaskTime> times = {};  // of all tasks, as they began
+  bool open = false;                 // something is still to be worked out
 
   // Those of a page of `course` (Course::pages).
   const LessonResults& results_of(const Course& course, const Lesson& page) const;
 };
 
-// `root` is the course's folder, `assets` what the site's build made. The diagnostics begin with
-// what reading the course `found` wrong.
-Evaluation evaluate(const Course& course, const std::filesystem::path& root, const Files& assets,
-                    Progress& progress, Diagnostics found = {});
+// What to show of a block that is not known yet; nothing where there is nothing.
+using StandIn = std::function<std::optional<Result>(const Lesson& lesson, std::size_t block)>;
+
+struct Workplace {
+  std::filesystem::path root;  // the course's folder
+  const Files& assets;         // what the site's build made
+  Store* store = nullptr;      // may be null: then all is worked out
+  std::size_t threads = core_count();
+  std::filesystem::path helper = {};  // has the helper header for a course without one
+  // Of files that were looked at before, by who evaluates again and again.
+  std::shared_ptr<KnownFiles> known_files = std::make_shared<KnownFiles>();
+  // Given, nothing is worked out: what the store does not have stays open, with a stand-in.
+  StandIn stand_in = {};
+};
+
+// Throws Cancelled when the caller's work is cancelled. The diagnostics begin with what reading the
+// course `found` wrong.
+Evaluation evaluate(const Course& course, const Workplace& workplace, Progress& progress,
+                    Diagnostics found = {});
 
 }  // namespace mjcourse

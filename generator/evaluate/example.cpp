@@ -7,7 +7,8 @@
 #include "base/stopwatch.h"
 #include "base/temporary_folder.h"
 #include "evaluate/compile_errors.h"
-#include "evaluate/example_code.h"
+#include "evaluate/compiled_recipe.h"
+#include "evaluate/containment.h"
 #include "evaluate/judge_run.h"
 #include "evaluate/records.h"
 #include "evaluate/region.h"
@@ -23,7 +24,6 @@ constexpr std::uintmax_t kMostRecords = 16 << 20;  // bytes
 // record.
 Records records_in(const fs::path& file, const LocatedText& code, const Example& example,
                    const Lesson& lesson, Diagnostics& diagnostics) {
-  if (!fs::exists(file)) return {};
   const auto report = [&](Span span, const std::string& message, const std::string& cure) {
     diagnostics.push_back(
         error_at(place_of(*lesson.source, span), "E-example-record", message, cure));
@@ -68,12 +68,25 @@ Command run_command(const Example& example, const fs::path& binary, const fs::pa
   command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string(),
                          "MJCOURSE_RECORDS=" + fs::absolute(records).string()};
   command.seconds = example.seconds;
+  write_file(records, "");
+  command.sandbox = program_sandbox(binary, command.folder, records, root);
+  command.record_opened = true;
   return command;
 }
 
-std::optional<ExampleResult> compile_and_run(const Example& example, const LocatedText& code,
-                                             const Lesson& lesson, const fs::path& root,
-                                             const Compiler& compiler, Diagnostics& diagnostics) {
+}  // namespace
+
+std::optional<ExampleResult> evaluate_example(const Example& example, const LocatedText& code,
+                                              const Lesson& lesson, Workshop& workshop,
+                                              Diagnostics& diagnostics) {
+  const auto report = [&](Diagnostic wrong) {
+    wrong.place = place_of(*lesson.source, example.span);
+    diagnostics.push_back(std::move(wrong));
+    return std::nullopt;
+  };
+  const std::optional<Compiler>& compiler = workshop.setting().compiler();
+  if (!compiler) return report(no_compiler());
+  const fs::path& root = workshop.root();
   const std::string shown = without_region_marks(code.text);
   const TemporaryFolder folder;
   // The refusal that a page shows is what a learner sees who builds the file.
@@ -85,7 +98,8 @@ std::optional<ExampleResult> compile_and_run(const Example& example, const Locat
   write_file(source, "#line " + std::to_string(first_line) + " \"" + shown_as + "\"\n" + code.text);
 
   const Compiled compiled =
-      compiler.compile(source, root / "examples", binary, folder.path(), example.optimize);
+      compiler->compile(source, root / "examples", binary, folder.path(), example.optimize);
+  trace_compilation(compiled, folder.path(), workshop);
   if (!example.compiles && compiled.refused()) {
     return ExampleResult{shown,
                          without_folders(compiled.raw, {fs::absolute(root), root, folder.path()})};
@@ -93,11 +107,6 @@ std::optional<ExampleResult> compile_and_run(const Example& example, const Locat
   report_compile_messages(compiled, {code, first_line, shown_as, example.span}, lesson,
                           diagnostics);
   if (!compiled.succeeded) return std::nullopt;
-  const auto report = [&](Diagnostic wrong) {
-    wrong.place = place_of(*lesson.source, example.span);
-    diagnostics.push_back(std::move(wrong));
-    return std::nullopt;
-  };
   if (!example.compiles) {
     return report(error_at({}, "E-example-compiles", "the program compiles, and is said not to",
                            "remove `expect=compile-error`, or mend the lesson's point"));
@@ -106,26 +115,12 @@ std::optional<ExampleResult> compile_and_run(const Example& example, const Locat
   const Stopwatch stopwatch;
   Outcome outcome = run(run_command(example, binary, folder.path(), root, records));
   const double seconds = stopwatch.seconds();
+  trace_run(outcome, folder.path(), workshop);
   if (auto wrong = judge_run(outcome, {"program", example.seconds, example.exit_code})) {
     return report(*std::move(wrong));
   }
   return ExampleResult{shown, std::move(outcome.out),
                        records_in(records, code, example, lesson, diagnostics), seconds};
-}
-
-}  // namespace
-
-std::optional<ExampleResult> evaluate_example(const Example& example, const ShownProgram& shown_by,
-                                              const Lesson& lesson, const fs::path& root,
-                                              const Compiler& compiler, Diagnostics& diagnostics) {
-  const auto file = DiskFiles(root).read(example.file.text);
-  const std::optional<ExampleCode> found = code_of(example, shown_by, lesson, file, diagnostics);
-  if (!found) return std::nullopt;
-  auto result = compile_and_run(example, found->text, lesson, root, compiler, diagnostics);
-  if (result && found->differs) {
-    offer_file(example, shown_by, lesson, file, diagnostics[*found->differs]);
-  }
-  return result;
 }
 
 }  // namespace mjcourse

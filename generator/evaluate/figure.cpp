@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "base/cancellation.h"
+#include "base/find_program.h"
 #include "evaluate/figure_state.h"
 #include "evaluate/pin.h"
 #include "evaluate/step_count.h"
@@ -12,18 +14,19 @@
 namespace mjcourse {
 namespace {
 
-// From where `simulation` stands, whose picture is `first`; empty (reported) where that fails.
-std::string shoot(const Figure::Animation& animation, const Picture& first, Simulation& simulation,
-                  const View& view, const Bench& bench) {
+// From where `simulation` stands; empty (reported) where that fails.
+std::string shoot(const Figure::Animation& animation, Simulation& simulation, View view,
+                  const Bench& bench) {
   const auto all = step_count(simulation.model(), animation.seconds);
   if (!all) {
     bench.error("E-figure-simulation", animation.span, all.error(), "a larger time step");
     return "";
   }
+  view.detail = Detail::film;
   Film film(animation.rate);
-  film.add(first);
   int taken = 0;
-  for (int frame = 1; frame < animation.frames(); ++frame) {
+  for (int frame = 0; frame < animation.frames(); ++frame) {
+    end_if_cancelled();
     const int steps =
         step_count(simulation.model(), static_cast<double>(frame) / animation.rate).value();
     if (!step_on(simulation, steps - taken, animation.span, bench)) return "";
@@ -32,6 +35,7 @@ std::string shoot(const Figure::Animation& animation, const Picture& first, Simu
     if (!picture) return "";
     film.add(*picture);
   }
+  bench.workshop().trace().file(find_program("ffmpeg"));
   auto bytes = film.encode();
   if (bytes) return *std::move(bytes);
   bench.error("E-figure-film", animation.span, bytes.error().message, bytes.error().cure);
@@ -51,8 +55,10 @@ std::optional<FigureResult> evaluate_figure(const Figure& figure, const Lesson& 
                   figure.height};
   const auto picture = draw(*simulation, view, "the figure", figure.span, bench);
   if (!picture) return std::nullopt;
-  FigureResult result{poster_of(*picture, view), ""};
-  if (figure.animation) result.film = shoot(*figure.animation, *picture, *simulation, view, bench);
+  FigureResult result{poster_of(*picture, view), {}};
+  if (figure.animation) {
+    result.film = Blob(shoot(*figure.animation, *simulation, view, bench));
+  }
   result.pin = compare_pin(figure.pin, *picture, bench);
   return result;
 }

@@ -42,8 +42,10 @@ bool sound(const Simulation& simulation, Span blamed, const Bench& bench) {
 
 bool restore(const Figure::Snapshot& from, const Figure& figure, Simulation& simulation,
              const Bench& bench) {
-  const auto state = bench.workshop().reports().find_snapshot(
-      from.example, from.name, *bench.lesson().source, bench.diagnostics());
+  const auto state =
+      bench.workshop()
+          .reports_of(from.example.text)
+          .find_snapshot(from.example, from.name, *bench.lesson().source, bench.diagnostics());
   if (!state) return false;
   for (const Part& part : parts_of(simulation)) {
     const auto found = state->find(part.name);

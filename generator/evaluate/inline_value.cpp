@@ -43,7 +43,7 @@ class Quotation {
     const std::string& name = value_.source.text;
     std::vector<std::string> known = workshop_.course().models;
     const bool model = std::find(known.begin(), known.end(), name) != known.end();
-    const std::vector<std::string> examples = workshop_.reports().examples();
+    const std::vector<std::string> examples = workshop_.reports_of(name).examples();
     const bool example = std::find(examples.begin(), examples.end(), name) != examples.end();
     if (model == example) {
       known.insert(known.end(), examples.begin(), examples.end());
@@ -76,8 +76,8 @@ class Quotation {
   }
 
   std::optional<ValueResult> of_example() {
-    const auto found =
-        workshop_.reports().find(value_.source, value_.expression, *lesson_.source, diagnostics_);
+    const auto found = workshop_.reports_of(value_.source.text)
+                           .find(value_.source, value_.expression, *lesson_.source, diagnostics_);
     if (!found) return std::nullopt;
     const std::string origin = value_.expression.text + " of " + value_.source.text + ".cpp";
     if (const auto* x = std::get_if<double>(&*found)) return number(*x, origin);

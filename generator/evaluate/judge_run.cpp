@@ -1,41 +1,58 @@
 #include "evaluate/judge_run.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstring>
-#include <regex>
 #include <sstream>
 #include <string_view>
+#include <vector>
 
+#include "base/text_lines.h"
 #include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
 
+// A line that may hold anything as one that a terminal shows; tabs are harmless.
+std::string shown(std::string_view line) {
+  const bool plain = !find_control_character(line) && !find_invalid_utf8(line);
+  return plain ? std::string(line) : readable(std::string(line));
+}
+
 // The last lines of what a program wrote, for a person to see why it ended.
 std::string tail(std::string_view text) {
-  constexpr int lines = 8;
+  constexpr std::size_t most = 8;
   const std::size_t last = text.find_last_not_of(" \n");
-  text = text.substr(0, last == text.npos ? 0 : last + 1);
-  std::size_t begin = text.size();
-  for (int n = 0; n < lines && begin != text.npos && begin > 0; ++n) {
-    begin = text.rfind('\n', begin - 1);
+  const std::vector<std::string_view> lines =
+      lines_of(text.substr(0, last == text.npos ? 0 : last + 1));
+  std::string shown_lines;
+  for (std::size_t i = lines.size() - std::min(most, lines.size()); i < lines.size(); ++i) {
+    if (shown_lines.empty() && lines[i].empty()) continue;
+    shown_lines += (shown_lines.empty() ? "" : "\n") + shown(lines[i]);
   }
-  text = begin == text.npos ? text : text.substr(begin);
-  return std::string(text.substr(std::min(text.find_first_not_of('\n'), text.size())));
+  return shown_lines;
 }
 
 // What an uncaught exception left on stderr: "std::runtime_error: no such model", and the lines of
 // its what() behind the first.
 struct UncaughtException {
-  std::string first_line, more;
+  std::string first_line;
+  std::string_view more;
 };
-std::optional<UncaughtException> find_uncaught_exception(const std::string& err) {
-  static const std::regex form(
-      R"(terminate called after throwing an instance of '([^']*)'(?:\s+what\(\):\s*([^\n]*)\n?)?)");
-  std::smatch part;
-  if (!std::regex_search(err, part, form)) return std::nullopt;
-  return UncaughtException{part[1].str() + (part[2].matched ? ": " + part[2].str() : ""),
-                           part.suffix()};
+std::optional<UncaughtException> find_uncaught_exception(std::string_view err) {
+  constexpr std::string_view start = "terminate called after throwing an instance of '";
+  constexpr std::string_view before_what = "'\n  what():  ";
+  const std::size_t at = err.find(start);
+  if (at == err.npos) return std::nullopt;
+  err.remove_prefix(at + start.size());
+  const std::size_t type_end = err.find('\'');
+  if (type_end == err.npos) return std::nullopt;
+  const std::string type = shown(err.substr(0, type_end));
+  err.remove_prefix(type_end);
+  if (!err.starts_with(before_what)) return UncaughtException{type, err.substr(1)};
+  err.remove_prefix(before_what.size());
+  const std::size_t end = std::min(err.find('\n'), err.size());
+  return UncaughtException{type + ": " + shown(err.substr(0, end)), err.substr(end)};
 }
 
 // What MuJoCo said when it ended the run, as examples/include/mjcourse/handlers.cpp and the program
@@ -71,17 +88,9 @@ Diagnostic wrong_exit(const Outcome& outcome, const ExpectedRun& expected) {
   return found;
 }
 
-// Is this a control character that no text holds? A carriage return may end a line.
-bool is_control(std::string_view text, std::size_t at) {
-  const auto byte = static_cast<unsigned char>(text[at]);
-  if (byte == '\r') return at + 1 < text.size() && text[at + 1] != '\n';
-  return (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7F;
-}
-
 // Neither a page nor a lesson can hold what is no text.
 std::optional<Diagnostic> judge_text(const std::string& out, const ExpectedRun& expected) {
-  std::size_t at = 0;
-  while (at < out.size() && !is_control(out, at)) ++at;
+  const std::size_t at = find_control_character(out).value_or(out.size());
   const std::size_t invalid = find_invalid_utf8(out).value_or(out.size());
   if (std::min(at, invalid) == out.size()) return std::nullopt;
   const auto first = static_cast<std::ptrdiff_t>(std::min(at, invalid));
@@ -109,6 +118,7 @@ Diagnostic killed(const Outcome& outcome, const ExpectedRun& expected) {
   found.id = "E-example-signal";
   found.message = "the " + expected.what + " was killed: " + strsignal(outcome.code);
   found.detail = tail(outcome.err);
+  if (outcome.code == SIGXFSZ) found.cure = "a file of a " + expected.what + " may be 32 MiB";
   return found;
 }
 
@@ -134,6 +144,20 @@ std::optional<Diagnostic> judge_run(const Outcome& outcome, const ExpectedRun& e
       found.id = "E-example-flood";
       found.message = "the " + expected.what + " printed more than 1 MiB, and was stopped";
       found.cure = "print what a reader wants to read";
+      break;
+    case Outcome::End::refused:
+      found.id = "E-example-refused";
+      found.message = "the " + expected.what + " tried to " + outcome.refused + ", and was stopped";
+      found.cure =
+          "a " + expected.what +
+          " can read the course's models, write into the folder that it runs in, and start "
+          "threads";
+      found.detail = tail(outcome.err);
+      break;
+    case Outcome::End::overfilled:
+      found.id = "E-example-disk";
+      found.message = "the " + expected.what + " wrote too many files, and was stopped";
+      found.cure = "all files of a " + expected.what + " may be 128 MiB and 10000 in number";
       break;
     case Outcome::End::not_started:
       found.id = "E-example-signal";

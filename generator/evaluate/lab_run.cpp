@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "base/cancellation.h"
 #include "evaluate/keyframe.h"
 #include "evaluate/step_count.h"
 
@@ -147,6 +148,7 @@ std::optional<int> LabRun::steps_in(double seconds) const {
 }
 
 bool LabRun::step_to(int steps) {
+  end_if_cancelled();
   main_->simulation.step(steps - steps_);
   steps_ = steps;
   return sound(*main_) && (!ghost_ || follow());

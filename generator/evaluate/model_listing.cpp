@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "evaluate/excerpt_match.h"
+#include "physics/vetted_model.h"
 
 namespace mjcourse {
 namespace {
@@ -23,7 +24,7 @@ std::optional<ModelResult> evaluate_excerpt(const ModelExcerpt& excerpt, const L
                                             Workshop& workshop, Diagnostics& diagnostics) {
   if (!workshop.simulate_named(excerpt.model, *lesson.source, diagnostics)) return std::nullopt;
   const std::string path = "models/" + excerpt.model.text + ".xml";
-  const SourceText file(path, DiskFiles(workshop.root()).read(path).value());
+  const SourceText file(path, workshop.files().read(path).value());
   const Place fence = place_of(*lesson.source, excerpt.span);
   if (excerpt.text.text.find_first_not_of(" \n") == std::string::npos) {
     diagnostics.push_back(error_at(fence, "E-excerpt-empty", "this excerpt shows nothing",
@@ -49,7 +50,7 @@ std::optional<ModelResult> evaluate_inline_model(const InlineModel& model, const
     const auto simulation = workshop.simulate_mjcf(model.text, *lesson.source, diagnostics);
     return simulation ? std::optional(ModelResult{}) : std::nullopt;
   }
-  const tl::expected<Model, ModelError> loaded = load_model_text(model.text.text);
+  const tl::expected<Model, ModelError> loaded = load_vetted_text(model.text.text);
   if (loaded) {
     diagnostics.push_back(error_at(place_of(*lesson.source, model.span), "E-model-compiles",
                                    "the model compiles, and is said not to",

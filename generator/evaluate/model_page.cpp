@@ -6,6 +6,8 @@
 #include <map>
 
 #include "base/utf8.h"
+#include "evaluate/bench.h"
+#include "evaluate/view.h"
 #include "physics/model_files.h"
 
 namespace mjcourse {
@@ -120,87 +122,43 @@ std::vector<ModelPage::File> files_of(const fs::path& root, const std::string& m
   return files;
 }
 
-class PageMaker {
- public:
-  PageMaker(Workshop& workshop, const Lesson& from, const LocatedText& name,
-            Diagnostics& diagnostics)
-      : workshop_(workshop), from_(from), name_(name), diagnostics_(diagnostics) {}
-
-  std::optional<ModelPage> make() {
-    const auto simulation = workshop_.simulate_named(name_, *from_.source, diagnostics_);
-    if (!simulation) return std::nullopt;
-    const Model& model = simulation->model();
-    ModelPage page;
-    page.name = name_.text;
-    page.sizes = {{"nq", model->nq},           {"nv", model->nv},     {"nu", model->nu},
-                  {"nbody", model->nbody},     {"njnt", model->njnt}, {"ngeom", model->ngeom},
-                  {"nsensor", model->nsensor}, {"nkey", model->nkey}};
-    page.timestep = number(model->opt.timestep);
-    page.joints = joints_of(model);
-    page.actuators = actuators_of(model);
-    page.sensors = sensors_of(model);
-    page.keyframes = keyframes_of(model);
-    page.files = files_of(workshop_.root(), "models/" + name_.text + ".xml");
-    for (const ModelPage::File& file : page.files) {
-      if (!find_invalid_utf8(file.text)) continue;
-      return refuse("E-model-utf8", file.path + " is not UTF-8, as its page needs it",
-                    "save it as UTF-8");
-    }
-    return draw(*simulation, page) ? std::optional(std::move(page)) : std::nullopt;
-  }
-
- private:
-  bool draw(const Simulation& simulation, ModelPage& page) {
-    const tl::expected<Renderer*, std::string> renderer = workshop_.renderer();
-    if (!renderer) {
-      refuse("E-picture", "no picture can be drawn: " + renderer.error(), "");
-      return false;
-    }
-    const mjStatistic& seen = simulation.model()->stat;
-    const Camera camera{
-        90, -30, 1.5 * seen.extent, {seen.center[0], seen.center[1], seen.center[2]}};
-    const auto picture = (*renderer)->render(simulation, camera, {}, {2 * kWidth, 2 * kHeight});
-    if (!picture) {
-      refuse("E-picture", "the model's picture cannot be drawn: " + picture.error(), "");
-      return false;
-    }
-    page.poster = {encode_webp(*picture), encode_png(*picture), kWidth, kHeight};
-    return true;
-  }
-
-  std::nullopt_t refuse(const std::string& id, const std::string& message,
-                        const std::string& cure) {
-    diagnostics_.push_back(error_at(place_of(*from_.source, name_.span()), id, message, cure));
-    return std::nullopt;
-  }
-
-  Workshop& workshop_;
-  const Lesson& from_;
-  const LocatedText& name_;
-  Diagnostics& diagnostics_;
-};
+// All of the model, from less high above than a figure has it.
+View portrait_of(const Model& model) {
+  View view{camera_of(std::nullopt, model), {}, kWidth, kHeight};
+  view.camera.elevation = -30;
+  return view;
+}
 
 }  // namespace
 
-std::vector<ModelPage> evaluate_model_pages(Workshop& workshop, Diagnostics& diagnostics) {
-  constexpr std::string_view scheme = "model:";
-  const std::vector<std::string>& known = workshop.course().models;
-  std::map<std::string, std::optional<ModelPage>> pages;
-  for (const Lesson* from : workshop.course().pages()) {
-    for (const Link& link : from->links) {
-      if (from->front.draft || !link.target.text.starts_with(scheme)) continue;
-      const LocatedText name = link.target.part(scheme.size(), link.target.text.size());
-      // An unknown one was reported when the course was read.
-      if (std::find(known.begin(), known.end(), name.text) == known.end()) continue;
-      if (pages.contains(name.text)) continue;
-      pages[name.text] = PageMaker(workshop, *from, name, diagnostics).make();
-    }
+std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Bench& bench) {
+  Workshop& workshop = bench.workshop();
+  const auto simulation =
+      workshop.simulate_named(name, *bench.lesson().source, bench.diagnostics());
+  if (!simulation) return std::nullopt;
+  const Model& model = simulation->model();
+  ModelPage page;
+  page.name = name.text;
+  page.sizes = {{"nq", model->nq},           {"nv", model->nv},     {"nu", model->nu},
+                {"nbody", model->nbody},     {"njnt", model->njnt}, {"ngeom", model->ngeom},
+                {"nsensor", model->nsensor}, {"nkey", model->nkey}};
+  page.timestep = number(model->opt.timestep);
+  page.joints = joints_of(model);
+  page.actuators = actuators_of(model);
+  page.sensors = sensors_of(model);
+  page.keyframes = keyframes_of(model);
+  page.files = files_of(workshop.root(), "models/" + name.text + ".xml");
+  for (const ModelPage::File& file : page.files) {
+    if (!find_invalid_utf8(file.text)) continue;
+    bench.error("E-model-utf8", name.span(), file.path + " is not UTF-8, as its page needs it",
+                "save it as UTF-8");
+    return std::nullopt;
   }
-  std::vector<ModelPage> made;
-  for (auto& [name, page] : pages) {
-    if (page) made.push_back(*std::move(page));
-  }
-  return made;
+  const View view = portrait_of(model);
+  const auto picture = draw(*simulation, view, "the model's picture", name.span(), bench);
+  if (!picture) return std::nullopt;
+  page.poster = poster_of(*picture, view);
+  return page;
 }
 
 }  // namespace mjcourse

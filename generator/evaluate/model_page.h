@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "evaluate/bench.h"
 #include "evaluate/result.h"
-#include "evaluate/workshop.h"
 
 namespace mjcourse {
 
@@ -49,8 +49,7 @@ struct ModelPage {
   Poster poster;
 };
 
-// One for each model that the course links to, by name; those that only drafts link to are left
-// out.
-std::vector<ModelPage> evaluate_model_pages(Workshop& workshop, Diagnostics& diagnostics);
+// Of the course's model `name`, which a page links to there. Nothing (reported) where it has none.
+std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Bench& bench);
 
 }  // namespace mjcourse

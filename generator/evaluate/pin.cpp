@@ -47,7 +47,7 @@ class Pin {
   PinComparison compare() {
     result_.name = pin_.text;
     keep(std::min(kWidth, picture_.width));
-    const DiskFiles files(bench_.workshop().root());
+    const Files& files = bench_.workshop().files();
     if (!files.exists(path_)) {
       report("E-picture-unpinned", "there is no reference picture " + path_ + " yet", kAccept);
       return result_;
@@ -60,7 +60,7 @@ class Pin {
              "bring it back from your version control, or let `mjcourse accept` make it anew");
       return result_;
     }
-    result_.reference = *bytes;
+    result_.reference = Blob(*bytes);
     compare_with(*reference);
     return result_;
   }
@@ -68,7 +68,8 @@ class Pin {
  private:
   void keep(int width) {
     small_ = shrink(picture_, width, height_at(width, picture_));
-    result_.actual = encode_png(small_);
+    actual_ = encode_png(small_);
+    result_.actual = Blob(actual_);
   }
 
   void compare_with(const Picture& reference) {
@@ -82,7 +83,7 @@ class Pin {
     }
     keep(reference.width);
     const PictureDifference difference = mjcourse::compare(reference, small_);
-    result_.difference = encode_png(difference.shown);
+    result_.difference = Blob(encode_png(difference.shown));
     result_.agrees = difference.agrees;
     if (difference.agrees) return;
     report("E-picture-differs",
@@ -94,7 +95,7 @@ class Pin {
   void report(const char* id, const std::string& message, const char* cure) {
     bench_.error(id, pin_.span(), message, cure);
     bench_.diagnostics().back().edit =
-        Edit{path_, std::nullopt, result_.actual,
+        Edit{path_, std::nullopt, actual_,
              "the reference picture \"" + pin_.text + "\" of lesson " + bench_.lesson().number};
   }
 
@@ -102,7 +103,8 @@ class Pin {
   const Picture& picture_;
   const Bench& bench_;
   std::string path_;
-  Picture small_;  // the picture, at the reference's size
+  Picture small_;       // the picture, at the reference's size
+  std::string actual_;  // the same as PNG
   PinComparison result_;
 };
 
@@ -112,6 +114,17 @@ std::optional<PinComparison> compare_pin(const LocatedText& pin, const Picture& 
                                          const Bench& bench) {
   if (pin.text.empty()) return std::nullopt;
   return Pin(pin, picture, bench).compare();
+}
+
+std::vector<const PinComparison*> pins_of(const LessonResults& results) {
+  std::vector<const PinComparison*> pins;
+  for (const auto& [index, result] : results.of_block) {
+    const auto* figure = std::get_if<FigureResult>(&result);
+    const auto* lab = std::get_if<LabResult>(&result);
+    if (figure != nullptr && figure->pin) pins.push_back(&*figure->pin);
+    if (lab != nullptr && lab->pin) pins.push_back(&*lab->pin);
+  }
+  return pins;
 }
 
 }  // namespace mjcourse

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "evaluate/bench.h"
 #include "evaluate/result.h"
@@ -16,5 +17,8 @@ namespace mjcourse {
 // A reference that is not there, cannot be read, or is not like `picture`, is reported.
 std::optional<PinComparison> compare_pin(const LocatedText& pin, const Picture& picture,
                                          const Bench& bench);
+
+// Those of a lesson, in the order of its blocks. They point into `results`.
+std::vector<const PinComparison*> pins_of(const LessonResults& results);
 
 }  // namespace mjcourse

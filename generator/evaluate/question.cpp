@@ -86,8 +86,8 @@ std::optional<Simulation> Examiner::build(const Proof& proof) {
 
 std::optional<double> Examiner::find_value(const Proof& proof) {
   if (!proof.example.text.empty()) {
-    const auto reported =
-        workshop_.reports().find(proof.example, proof.value, *lesson_.source, diagnostics_);
+    const auto reported = workshop_.reports_of(proof.example.text)
+                              .find(proof.example, proof.value, *lesson_.source, diagnostics_);
     if (!reported) return std::nullopt;
     if (const auto* number = std::get_if<double>(&*reported)) return *number;
     diagnostics_.push_back(error_at(place_of(*lesson_.source, proof.value.span()), "E-proof-value",

@@ -12,19 +12,26 @@ std::vector<std::string> names_of(const std::map<std::string, T>& things) {
   return names;
 }
 
-// The record `name` of `example`; null (reported) where it has none of that name. `kind` is what a
-// message calls it, and `arguments` what the function of the helper header takes that would make
-// it.
+// What an example reports.
+struct RecordKind {
+  const char* missing;    // the diagnostic's id where there is none of a name
+  std::string name;       // as messages call it, and the function of the helper header
+  const char* arguments;  // what that function takes besides the name
+};
+const RecordKind kResult{"E-example-result", "result", "…"};
+const RecordKind kSnapshot{"E-example-snapshot", "snapshot", "model, data"};
+const RecordKind kTable{"E-example-table", "table", "…"};
+
+// The record `name` of `example`; null (reported) where it has none of that name.
 template <typename Value>
-const Value* find_record(const std::map<std::string, Value>& records, const LocatedText& example,
-                         const LocatedText& name, const std::string& kind,
-                         const std::string& arguments, const SourceText& lesson,
-                         Diagnostics& diagnostics) {
+const Value* find_record(const std::map<std::string, Value>& records, const RecordKind& kind,
+                         const LocatedText& example, const LocatedText& name,
+                         const SourceText& lesson, Diagnostics& diagnostics) {
   if (const auto found = records.find(name.text); found != records.end()) return &found->second;
-  const std::string call = kind + "(\"" + name.text + "\", " + arguments + ")";
+  const std::string call = kind.name + "(\"" + name.text + "\", " + kind.arguments + ")";
   diagnostics.push_back(error_at(
-      place_of(lesson, name.span()), "E-example-" + kind,
-      "the example `" + example.text + "` reports no " + kind + " `" + name.text + "`",
+      place_of(lesson, name.span()), kind.missing,
+      "the example `" + example.text + "` reports no " + kind.name + " `" + name.text + "`",
       records.empty() ? "report it there: `" + call + "`" : suggest(name.text, names_of(records))));
   return nullptr;
 }
@@ -56,22 +63,21 @@ const Reported* Reports::find(const LocatedText& example, const LocatedText& res
                               const SourceText& lesson, Diagnostics& diagnostics) const {
   const Records* records = records_of(example, lesson, diagnostics);
   if (records == nullptr) return nullptr;
-  return find_record(records->results, example, result, "result", "…", lesson, diagnostics);
+  return find_record(records->results, kResult, example, result, lesson, diagnostics);
 }
 
 const State* Reports::find_snapshot(const LocatedText& example, const LocatedText& snapshot,
                                     const SourceText& lesson, Diagnostics& diagnostics) const {
   const Records* records = records_of(example, lesson, diagnostics);
   if (records == nullptr) return nullptr;
-  return find_record(records->snapshots, example, snapshot, "snapshot", "model, data", lesson,
-                     diagnostics);
+  return find_record(records->snapshots, kSnapshot, example, snapshot, lesson, diagnostics);
 }
 
 const Table* Reports::find_table(const LocatedText& example, const LocatedText& table,
                                  const SourceText& lesson, Diagnostics& diagnostics) const {
   const Records* records = records_of(example, lesson, diagnostics);
   if (records == nullptr) return nullptr;
-  return find_record(records->tables, example, table, "table", "…", lesson, diagnostics);
+  return find_record(records->tables, kTable, example, table, lesson, diagnostics);
 }
 
 }  // namespace mjcourse

@@ -8,10 +8,12 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "base/blob.h"
 #include "evaluate/claim.h"
 #include "lesson/lab.h"
 #include "script/chart_press.h"
@@ -67,22 +69,23 @@ struct OutputResult {
 
 // The same picture in two formats.
 struct Poster {
-  std::string webp, png;      // bytes of a file
+  Blob webp, png;             // files
   int width = 0, height = 0;  // CSS pixels; the picture has two for each of them
 };
 
-// A picture held against its pinned reference; kept when it differs too, for reports. All PNG.
+// A picture held against its pinned reference. A picture that differs is a result like another, so
+// that a report can show it. All PNG.
 struct PinComparison {
-  std::string name;        // as the lesson pins it
-  std::string reference;   // empty where there is none that can be read
-  std::string actual;      // at the reference's size
-  std::string difference;  // empty where the two could not be compared
+  std::string name;  // as the lesson pins it
+  Blob reference;    // empty where there is none that can be read
+  Blob actual;       // at the reference's size
+  Blob difference;   // empty where the two could not be compared
   bool agrees = false;
 };
 
 struct FigureResult {
-  Poster poster;     // a film's first picture
-  std::string film;  // bytes of an MP4 file; empty for a still
+  Poster poster;  // a film's first picture
+  Blob film;      // an MP4 file; empty for a still
   std::optional<PinComparison> pin = {};
 };
 
@@ -174,9 +177,9 @@ Tally tally_of(const Claims& claims);
 struct LessonResults {
   std::map<std::size_t, Result> of_block;  // only of blocks that could be evaluated
   std::map<std::size_t, double> seconds;   // measured, of the blocks that take time
-  Claims claims;                           // in the order of the blocks
+  std::set<std::size_t> open;  // blocks that are being worked on: their results are stand-ins
+  Claims claims;               // in the order of the blocks
   Tally tally;
-  std::vector<PinComparison> pins;  // those that differ too
 
   // The result of block `index` if it is there and of this type.
   template <typename T>

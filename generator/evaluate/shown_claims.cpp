@@ -60,7 +60,7 @@ void LessonClaims::add(std::size_t i, const Lab& lab) {
   picture.seconds = 0;
   picture.how = "drawn by MuJoCo " + versions().mujoco;
   finish(std::move(picture), result->poster.has_value(),
-         {model, result->poster ? result->poster->png : ""});
+         {model, result->poster ? result->poster->png.hash() : ""});
 }
 
 void LessonClaims::add(std::size_t i, const Figure& figure) {
@@ -70,7 +70,7 @@ void LessonClaims::add(std::size_t i, const Figure& figure) {
   const std::string models = sources_.models_named_in(written(claim.extent));
   finish(std::move(claim), result != nullptr,
          {sources_.model(figure.model.text), models,
-          result == nullptr ? "" : result->poster.png + result->film});
+          result == nullptr ? "" : result->poster.png.hash() + result->film.hash()});
 }
 
 void LessonClaims::add(std::size_t i, const Chart& chart) {

@@ -8,8 +8,10 @@
 #include "base/stopwatch.h"
 #include "base/temporary_folder.h"
 #include "evaluate/compile_errors.h"
+#include "evaluate/compiled_recipe.h"
+#include "evaluate/containment.h"
 #include "evaluate/judge_run.h"
-#include "physics/model.h"
+#include "physics/vetted_model.h"
 
 namespace mjcourse {
 namespace {
@@ -25,10 +27,10 @@ constexpr const char* kPrelude = R"(#include <mujoco/mujoco.h>
 #include <iostream>
 #include <string>
 #include <vector>
-#if __has_include(<mjcourse/mjcourse.hpp>)
-#include <mjcourse/mjcourse.hpp>
+)";
+// A course may do without it.
+constexpr const char* kHelper = R"(#include <mjcourse/mjcourse.hpp>
 using namespace mjcourse;
-#endif
 )";
 
 // What stands behind the last snippet.
@@ -72,8 +74,10 @@ std::vector<Placed> snippets_of(const Lesson& lesson) {
 
 // Each function opens on the line of its fence and closes on that of the fence's end, so every line
 // of the program belongs to a snippet.
-std::string program_text(const std::vector<Placed>& snippets, const Lesson& lesson) {
+std::string program_text(const std::vector<Placed>& snippets, const Lesson& lesson,
+                         bool has_helper) {
   std::string text = kPrelude;
+  if (has_helper) text += kHelper;
   std::string table;
   for (std::size_t i = 0; i < snippets.size(); ++i) {
     const std::string name = "snippet_" + std::to_string(i);
@@ -146,26 +150,33 @@ fs::path model_file(const Snippet& snippet, const Course& course, const fs::path
   const std::string& name = snippet.model.text;
   if (std::find(course.models.begin(), course.models.end(), name) == course.models.end()) return {};
   const fs::path path = fs::absolute(root / "models" / (name + ".xml"));
-  return load_model_file(path.string()) ? path : fs::path();
+  return load_vetted_file(path.string()) ? path : fs::path();
 }
 
 }  // namespace
 
-std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, const Course& course,
-                                                       const fs::path& root,
-                                                       const Compiler& compiler,
+std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, Workshop& workshop,
                                                        Diagnostics& diagnostics) {
   const std::vector<Placed> snippets = snippets_of(lesson);
+  const fs::path& root = workshop.root();
+  const std::optional<Compiler>& compiler = workshop.setting().compiler();
+  if (!compiler) {
+    diagnostics.push_back(no_compiler());
+    diagnostics.back().place = place_of(*lesson.source, snippets.front().snippet->span);
+    return {};
+  }
   const TemporaryFolder folder;
   const fs::path source = folder.path() / "snippets.cpp", binary = folder.path() / "snippets";
-  write_file(source, program_text(snippets, lesson));
-  const Compiled compiled = compiler.compile(source, root / "examples", binary, folder.path());
+  const bool has_helper = !folder_with(kHelperHeader, workshop.setting().include_folders()).empty();
+  write_file(source, program_text(snippets, lesson, has_helper));
+  const Compiled compiled = compiler->compile(source, root / "examples", binary, folder.path());
+  trace_compilation(compiled, folder.path(), workshop);
   report_messages(compiled, snippets, lesson, diagnostics);
   std::map<std::size_t, ExampleResult> results;
   if (!compiled.succeeded) return results;
   for (std::size_t i = 0; i < snippets.size(); ++i) {
     const Snippet& snippet = *snippets[i].snippet;
-    const fs::path model = model_file(snippet, course, root);
+    const fs::path model = model_file(snippet, workshop.course(), root);
     if (model.empty()) continue;
     Command command;
     command.arguments = {binary.string(), std::to_string(i), model.string()};
@@ -173,9 +184,12 @@ std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, con
     fs::create_directory(command.folder);
     command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string()};
     command.seconds = snippet.seconds;
+    command.sandbox = program_sandbox(binary, command.folder, {}, root);
+    command.record_opened = true;
     const Stopwatch stopwatch;
     Outcome outcome = run(command);
     const double seconds = stopwatch.seconds();
+    trace_run(outcome, folder.path(), workshop);
     if (auto wrong = judge_run(outcome, {"snippet", snippet.seconds})) {
       wrong->place = place_of(*lesson.source, snippet.span);
       diagnostics.push_back(*std::move(wrong));

@@ -5,21 +5,16 @@
 // none sees what another did and each has its output and its mistakes for itself.
 #pragma once
 
-#include <filesystem>
 #include <map>
 
-#include "course/course.h"
-#include "evaluate/compiler.h"
 #include "evaluate/result.h"
-#include "report/diagnostic.h"
+#include "evaluate/workshop.h"
 
 namespace mjcourse {
 
 // By their blocks; only of those that did what they should. A model that is wrong is not reported
-// here. Safe to call from several threads, each with its own diagnostics.
-std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, const Course& course,
-                                                       const std::filesystem::path& root,
-                                                       const Compiler& compiler,
+// here.
+std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, Workshop& workshop,
                                                        Diagnostics& diagnostics);
 
 }  // namespace mjcourse

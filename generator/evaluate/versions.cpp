@@ -16,10 +16,15 @@ std::string engine_hash(const Files& assets) {
   return path.substr(begin, path.rfind('.') - begin);
 }
 
+std::string katex_version(const Files& assets) {
+  const auto versions = assets.read("versions.json");
+  return versions ? nlohmann::json::parse(*versions).value("katex", "") : "";
+}
+
 }  // namespace
 
 Versions known_versions(const Files& assets) {
-  return {MJCOURSE_VERSION, mj_versionString(), "", "", engine_hash(assets)};
+  return {MJCOURSE_VERSION, mj_versionString(), "", katex_version(assets), engine_hash(assets)};
 }
 
 }  // namespace mjcourse

@@ -15,7 +15,7 @@ struct Versions {
   std::string engine;    // the content hash of MuJoCo for the page; empty where it was not built
 };
 
-// Our own, MuJoCo's and the engine's, which `assets` holds; the others are asked for theirs.
+// All but the compiler's, which is asked for its own; `assets` holds what the site's build made.
 Versions known_versions(const Files& assets);
 
 }  // namespace mjcourse

@@ -12,7 +12,8 @@ namespace mjcourse {
 struct View {
   Lab::Camera camera;
   std::vector<Lab::Overlay> overlays;
-  int width = 0, height = 0;  // CSS pixels; a picture has two for each of them
+  int width = 0, height = 0;  // CSS pixels
+  Detail detail = Detail::still;
 };
 
 // Report the names that are no overlay of MuJoCo's.

@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <regex>
-#include <stdexcept>
 #include <string_view>
 #include <utility>
 
 #include "base/nearest.h"
-#include "physics/model.h"
+#include "physics/model_files.h"
 
 namespace mjcourse {
 namespace {
@@ -35,18 +34,23 @@ Span blamed(std::string_view line, const std::string& message) {
 
 }  // namespace
 
-std::string script_bundle(const Files& assets, const std::string& name) {
-  tl::expected<std::string, std::string> bytes = assets.read("script/" + name + ".js");
-  if (!bytes) throw std::runtime_error("the site's assets are not built: " + bytes.error());
-  return *std::move(bytes);
+Workshop::Workshop(const Setting& setting)
+    : setting_(setting), trace_(setting.root()), files_(setting.root(), trace_) {}
+
+const Reports& Workshop::reports_of(const std::string& example) {
+  trace_.program(example);
+  return setting_.reports();
 }
 
-Workshop::Workshop(const Course& course, std::filesystem::path root, const Files& assets)
-    : course_(course),
-      root_(std::move(root)),
-      world_bundle_(script_bundle(assets, "world")),
-      typesetter_(script_bundle(assets, "typeset"), course.macros),
-      chart_press_(script_bundle(assets, "plot")) {}
+Typesetter& Workshop::typesetter() {
+  if (!typesetter_) typesetter_.emplace(setting_.script("typeset"), course().macros);
+  return *typesetter_;
+}
+
+ChartPress& Workshop::chart_press() {
+  if (!chart_press_) chart_press_.emplace(setting_.script("plot"));
+  return *chart_press_;
+}
 
 tl::expected<Renderer*, std::string> Workshop::renderer() {
   if (!renderer_) {
@@ -60,10 +64,12 @@ tl::expected<Renderer*, std::string> Workshop::renderer() {
 void Workshop::report_model_file(const ModelError& error, const std::string& path,
                                  const LocatedText& model, const SourceText& lesson,
                                  Diagnostics& diagnostics) {
-  std::error_code failure;
-  const std::filesystem::path relative = std::filesystem::relative(
-      error.file.empty() ? root_ / path : std::filesystem::path(error.file), root_, failure);
-  const std::string file = failure || relative.empty() ? path : relative.string();
+  // By its name, wherever a link may lead.
+  const std::filesystem::path relative =
+      std::filesystem::absolute(error.file)
+          .lexically_normal()
+          .lexically_relative(std::filesystem::absolute(root()).lexically_normal());
+  const std::string file = error.file.empty() || relative.empty() ? path : relative.string();
   const Note used{"lesson " + lesson.path() + " uses this model", place_of(lesson, model.span())};
   const auto known = std::find_if(diagnostics.begin(), diagnostics.end(), [&](const auto& d) {
     return d.id == "E-model-mjcf" && d.place.file == file;
@@ -76,7 +82,7 @@ void Workshop::report_model_file(const ModelError& error, const std::string& pat
     return;
   }
   Place place{file, error.line, error.column, 1, ""};
-  if (const auto text = DiskFiles(root_).read(file); text && error.line > 0) {
+  if (const auto text = DiskFiles(root()).read(file); text && error.line > 0) {
     const SourceText source(file, *text);
     const std::size_t start = source.line_start(error.line);
     const Span span = blamed(source.line(error.line), error.message);
@@ -87,6 +93,13 @@ void Workshop::report_model_file(const ModelError& error, const std::string& pat
   diagnostics.push_back(std::move(found));
 }
 
+void Workshop::trace_model(const std::string& path) {
+  if (!trace_.file(path)) return;
+  for (const std::string& file : look_at_model_files((root() / path).string()).files) {
+    trace_.file(file);
+  }
+}
+
 std::optional<Simulation> Workshop::simulate(const LocatedText& model, const SourceText& lesson,
                                              Diagnostics& diagnostics) {
   return model.text.starts_with('<') ? simulate_mjcf(model, lesson, diagnostics)
@@ -95,7 +108,7 @@ std::optional<Simulation> Workshop::simulate(const LocatedText& model, const Sou
 
 std::optional<Simulation> Workshop::simulate_mjcf(const LocatedText& mjcf, const SourceText& lesson,
                                                   Diagnostics& diagnostics) {
-  tl::expected<Model, ModelError> loaded = load_model_text(mjcf.text);
+  tl::expected<Model, ModelError> loaded = setting_.models().text(mjcf.text);
   if (loaded) return Simulation(*std::move(loaded));
   const ModelError& error = loaded.error();
   Span span = mjcf.span();
@@ -113,7 +126,7 @@ std::optional<Simulation> Workshop::simulate_mjcf(const LocatedText& mjcf, const
 std::optional<Simulation> Workshop::simulate_named(const LocatedText& model,
                                                    const SourceText& lesson,
                                                    Diagnostics& diagnostics) {
-  const std::vector<std::string>& known = course_.models;
+  const std::vector<std::string>& known = course().models;
   if (std::find(known.begin(), known.end(), model.text) == known.end()) {
     diagnostics.push_back(error_at(place_of(lesson, model.span()), "E-model-unknown",
                                    "there is no model `" + model.text + "` in models/",
@@ -121,8 +134,11 @@ std::optional<Simulation> Workshop::simulate_named(const LocatedText& model,
     return std::nullopt;
   }
   const std::string path = "models/" + model.text + ".xml";
-  tl::expected<Model, ModelError> loaded = load_model_file((root_ / path).string());
-  if (loaded) return Simulation(*std::move(loaded));
+  tl::expected<Model, ModelError> loaded = setting_.models().file((root() / path).string());
+  if (loaded) {
+    trace_model(path);
+    return Simulation(*std::move(loaded));
+  }
   report_model_file(loaded.error(), path, model, lesson, diagnostics);
   return std::nullopt;
 }

@@ -1,15 +1,13 @@
-// Workshop: the tools that evaluating shares: the course's files and models, the typesetter, the
-// renderer, the compiler. One workshop serves one thread.
+// Workshop: the tools of one thread that evaluates: the course's files and models, the typesetter,
+// the renderer. Each is made when it is first used, and whatever they read is traced.
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 
-#include "base/files.h"
-#include "course/course.h"
-#include "evaluate/reports.h"
+#include "evaluate/setting.h"
+#include "evaluate/trace.h"
 #include "physics/renderer.h"
 #include "physics/simulation.h"
 #include "report/diagnostic.h"
@@ -20,18 +18,22 @@ namespace mjcourse {
 
 class Workshop {
  public:
-  // `root` is the course's folder on the disk; `assets` holds script/*.js.
-  Workshop(const Course& course, std::filesystem::path root, const Files& assets);
+  explicit Workshop(const Setting& setting);
 
-  const Course& course() const { return course_; }
-  const std::filesystem::path& root() const { return root_; }
-  Typesetter& typesetter() { return typesetter_; }
-  const std::string& world_bundle() const { return world_bundle_; }
+  const Setting& setting() const { return setting_; }
+  const Course& course() const { return setting_.course(); }
+  const std::filesystem::path& root() const { return setting_.root(); }
+  const std::string& world_bundle() const { return setting_.script("world"); }
 
-  ChartPress& chart_press() { return chart_press_; }
+  // What the present piece of work has looked at; cleared before each.
+  Trace& trace() { return trace_; }
+  // The course's.
+  const Files& files() const { return files_; }
+  // For who quotes the program `example`.
+  const Reports& reports_of(const std::string& example);
 
-  // Complete once all examples were run.
-  Reports& reports() { return reports_; }
+  Typesetter& typesetter();
+  ChartPress& chart_press();
 
   // The off-screen renderer, made at first use; or why there is none.
   tl::expected<Renderer*, std::string> renderer();
@@ -49,19 +51,17 @@ class Workshop {
                                           Diagnostics& diagnostics);
 
  private:
+  // Of one that compiles: what comes of another is not kept.
+  void trace_model(const std::string& path);
   void report_model_file(const ModelError& error, const std::string& path, const LocatedText& model,
                          const SourceText& lesson, Diagnostics& diagnostics);
 
-  const Course& course_;
-  std::filesystem::path root_;
-  std::string world_bundle_;
-  Typesetter typesetter_;
-  ChartPress chart_press_;
-  Reports reports_;
+  const Setting& setting_;
+  Trace trace_;
+  TracedFiles files_;
+  std::optional<Typesetter> typesetter_;
+  std::optional<ChartPress> chart_press_;
   std::optional<Renderer> renderer_;
 };
-
-// Bytes of the bundle script/NAME.js; throws std::runtime_error when the assets were not built.
-std::string script_bundle(const Files& assets, const std::string& name);
 
 }  // namespace mjcourse

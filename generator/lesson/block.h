@@ -120,7 +120,8 @@ struct Callout {
   std::string kind;
   Document title;
   bool folded = false;
-  Span span{};  // the kind
+  Span span{};           // the kind
+  std::string source{};  // what its last paragraph `Source: …` says, with the link's target
 };
 
 // ````demo: a piece of a lesson, shown as it is written and as what it becomes. The blocks of the

@@ -89,4 +89,19 @@ std::optional<Callout> take_callout(cmark_node* node, Reading& reading) {
   return callout;
 }
 
+std::string source_in(cmark_node* callout) {
+  std::string source;
+  cmark_node* child = cmark_node_first_child(callout);
+  for (; child != nullptr; child = cmark_node_next(child)) {
+    const std::string text = plain_text(child);
+    if (!text.starts_with("Source:") || text.size() < 9) continue;
+    source = text.substr(text.find_first_not_of(' ', 7));
+    for (cmark_node* part = cmark_node_first_child(child); part; part = cmark_node_next(part)) {
+      if (cmark_node_get_type(part) != CMARK_NODE_LINK) continue;
+      source += std::string(" <") + cmark_node_get_url(part) + ">";
+    }
+  }
+  return source;
+}
+
 }  // namespace mjcourse

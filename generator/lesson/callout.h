@@ -17,4 +17,8 @@ const std::vector<std::string>& callout_kinds();
 // then the body) and return it. An unknown kind is reported and leaves a plain quote.
 std::optional<Callout> take_callout(cmark_node* node, Reading& reading);
 
+// What stands behind "Source:" in the last such paragraph of `callout`, and where that leads; ""
+// without one.
+std::string source_in(cmark_node* callout);
+
 }  // namespace mjcourse

@@ -88,9 +88,8 @@ void Fence::read_body(cmark_node* node, const SourceText& source) {
     const std::string_view raw = source.line(number);
     // Indentation and quote marks are gone from the front; the rest stands as it stood.
     const std::size_t prefix = raw.size() - std::min(raw.size(), line.size());
-    for (std::size_t i = 0; i <= line.size(); ++i) {
-      body_.offsets.push_back(source.line_start(number) + prefix + i);
-    }
+    const std::size_t begin = source.line_start(number) + prefix;
+    body_.offsets.append(Offsets::side_by_side(begin, begin + line.size()), 0, line.size() + 1);
     at = end + 1;
   }
   body_.text = literal;

@@ -37,16 +37,16 @@ class CountingIterator {
 };
 
 // Where the string whose closing quote stands before `end` opens: the nearest quote before it that
-// no backslash escapes.
+// no backslash escapes; the quote itself where there is none.
 std::size_t opening_quote(std::string_view text, std::size_t end) {
-  std::size_t at = end - 1;
-  while (at > 0) {
+  for (std::size_t at = end - 1; at > 0;) {
     at = text.rfind('"', at - 1);
+    if (at == text.npos) break;
     std::size_t backslashes = 0;
     while (backslashes < at && text[at - 1 - backslashes] == '\\') ++backslashes;
-    if (backslashes % 2 == 0) break;
+    if (backslashes % 2 == 0) return at;
   }
-  return at;
+  return end - 1;
 }
 
 int utf8_length(char first) {
@@ -172,11 +172,12 @@ LocatedText TreeBuilder::decoded(const std::string& value) const {
   return result;
 }
 
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '+' || c == '-';
+}
+
 // Where the word that ends before `end` begins: a string, a number, a literal, one other character.
 std::size_t word_begin(std::string_view text, std::size_t end) {
-  const auto is_word = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '+' || c == '-';
-  };
   if (text[end - 1] == '"' && end > 1) return opening_quote(text, end);
   std::size_t begin = end - 1;
   while (begin > 0 && is_word(text[end - 1]) && is_word(text[begin - 1])) --begin;
@@ -220,8 +221,7 @@ bool TreeBuilder::parse_error(std::size_t position, const std::string&,
   }
   // A literal is given up one character behind it.
   const bool behind = speaks_of("invalid literal") && position > 1 &&
-                      word_begin(text, position) == position - 1 &&
-                      std::isalnum(static_cast<unsigned char>(text[position - 2])) != 0;
+                      !is_word(text[position - 1]) && is_word(text[position - 2]);
   const std::size_t end = behind ? position - 1 : position;
   const bool in_string = speaks_of("invalid string");
   reading_.error("E-json-syntax", text_.span(in_string ? end - 1 : word_begin(text, end), end),

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <variant>
 #include <vector>
 
 #include "base/source_text.h"
@@ -28,15 +29,23 @@ struct FrontMatter {
   bool draft = false;  // checked like any other, and left out of the site
 };
 
+// A stretch of a heading's text; what an inline value comes to is known only later.
+struct TitlePart {
+  std::string text;                  // without markup
+  std::optional<std::size_t> value;  // the block of an InlineValue
+};
+
 struct Heading {
   int level = 2;
   std::string id;        // unique in its lesson: the fragment of links to it
-  cmark_node* node;      // in the lesson's document
+  cmark_node* node;      // in the lesson's document; null at rest
   bool in_demo = false;  // then the page's contents leave it out
+  int line = 0;          // where it begins
+  std::vector<TitlePart> title{};
 };
 
 struct Link {
-  cmark_node* node;
+  cmark_node* node;    // null at rest
   LocatedText target;  // as written: "1.3#anchor", "https://…"
 };
 
@@ -52,12 +61,29 @@ struct Lesson {
   std::vector<Heading> headings;
   std::vector<Link> links;
 
+  // How much of it is there (lesson/resting_lesson.h): all; all but its trees, which are
+  // `document`, `block_of`, the nodes, and those of the front matter; or a card: where it is, its
+  // title, its headings, and these two.
+  enum class Kept { all, blocks, card } kept = Kept::all;
+  std::string hash;   // of a card: its bytes'
+  int unchecked = 0;  // of a card: how many such blocks it has
+
   // The block that `node` stands for; null for plain Markdown.
   const Block* block(const cmark_node* node) const {
     const auto found = block_of.find(node);
     return found == block_of.end() ? nullptr : &blocks[found->second];
   }
 };
+
+// The indices of its blocks of one kind.
+template <typename Kind>
+std::vector<std::size_t> blocks_of(const Lesson& lesson) {
+  std::vector<std::size_t> found;
+  for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
+    if (std::holds_alternative<Kind>(lesson.blocks[i])) found.push_back(i);
+  }
+  return found;
+}
 
 // Which of its kind in the lesson the block `index` is, from 1.
 int block_number(const Lesson& lesson, std::size_t index);

@@ -32,7 +32,8 @@ std::string slug_of(const std::string& text) {
 
 void LessonReader::read_document() {
   in_document_ = true;
-  Region region{located(source(), {0, source().text().size()}), 0};
+  const LocatedText whole = located(source(), {0, source().text().size()});
+  Region region{whole, 0};
   walk(lesson_.document.get(), region);
   in_document_ = false;
 }
@@ -76,6 +77,8 @@ void LessonReader::walk(cmark_node* node, Region& region) {
     }
   }
   walk_children(node, region);
+  if (type == CMARK_NODE_HEADING) read_title(node);
+  if (type == CMARK_NODE_BLOCK_QUOTE) read_source_of(node);
   if (type == CMARK_NODE_LINK) pass_target(cmark_node_get_url(node), region);
 }
 
@@ -103,9 +106,11 @@ LocatedText LessonReader::find(const std::string& text, Region& region) {
     } else {
       region.cursor = place + (end - at);
     }
-    for (std::size_t i = 0; i <= end - at; ++i) {
-      found.offsets.push_back(region.text.span(place + i, place + i).begin);
-    }
+    const std::size_t size = end - at;
+    const Offsets stood =
+        region.text.part(place, std::min(place + size, region.text.text.size())).offsets;
+    found.offsets.append(stood, 0, stood.size());
+    found.offsets.append_still(size + 1 - stood.size(), region.text.span(place + size, 0).begin);
     at = end + 1;
   }
   return found;
@@ -114,10 +119,8 @@ LocatedText LessonReader::find(const std::string& text, Region& region) {
 void LessonReader::read_math(cmark_node* node, Region& region) {
   const MathText& math = math_text(node);
   const std::string dollars = math.display ? "$$" : "$";
-  LocatedText tex = find(dollars + math.tex, region);
-  tex.text.erase(0, dollars.size());
-  tex.offsets.erase(tex.offsets.begin(),
-                    tex.offsets.begin() + static_cast<std::ptrdiff_t>(dollars.size()));
+  const LocatedText opened = find(dollars + math.tex, region);
+  const LocatedText tex = opened.part(dollars.size(), opened.text.size());
   if (!math.closed) {
     reading_.error("E-math-unclosed", {tex.span().begin - 2, tex.span().begin},
                    "this `$$` is never closed", "end the formula with `$$`");
@@ -181,7 +184,25 @@ void LessonReader::read_heading(cmark_node* node, const Region& region) {
   const std::string slug = slug_of(plain_text(node));
   std::string id = slug;
   for (int n = 2; !heading_ids_.insert(id).second; ++n) id = slug + "-" + std::to_string(n);
-  lesson_.headings.push_back({level, id, node, in_demo_});
+  lesson_.headings.push_back({level, id, node, in_demo_, cmark_node_get_start_line(node)});
+}
+
+// Its text, once what stands in it was read.
+void LessonReader::read_title(cmark_node* heading) {
+  if (!in_document_) return;
+  add_title_parts(heading, lesson_.headings.back().title);
+}
+
+void LessonReader::add_title_parts(cmark_node* node, std::vector<TitlePart>& title) const {
+  const auto block = lesson_.block_of.find(node);
+  if (block != lesson_.block_of.end() &&
+      std::holds_alternative<InlineValue>(lesson_.blocks[block->second])) {
+    title.push_back({plain_text(node), block->second});
+    return;
+  }
+  cmark_node* child = cmark_node_first_child(node);
+  if (child == nullptr) title.push_back({plain_text(node), std::nullopt});
+  for (; child != nullptr; child = cmark_node_next(child)) add_title_parts(child, title);
 }
 
 // cmark sees to the names of one document; a demo is one of its own, on the same page.
@@ -201,6 +222,15 @@ void LessonReader::refuse_second_footnote(cmark_node* node) {
 void LessonReader::read_callout(cmark_node* node) {
   if (!in_document_) return;
   if (std::optional<Callout> callout = take_callout(node, reading_)) add(node, std::move(*callout));
+}
+
+// Where a callout's claim is from, once what stands in it was read.
+void LessonReader::read_source_of(cmark_node* quote) {
+  const auto found = lesson_.block_of.find(quote);
+  if (found == lesson_.block_of.end()) return;
+  if (auto* callout = std::get_if<Callout>(&lesson_.blocks[found->second])) {
+    callout->source = source_in(quote);
+  }
 }
 
 void LessonReader::refuse_unclosed_math(cmark_node* node, const Region& region) {

@@ -30,7 +30,7 @@ class LessonReader {
  private:
   // Where in the author's text the walk is, to find the place of what cmark does not place.
   struct Region {
-    LocatedText text;
+    const LocatedText& text;
     std::size_t cursor = 0;
   };
 
@@ -39,7 +39,10 @@ class LessonReader {
   void add(cmark_node* node, Block block);
   void read_code_block(cmark_node* node, Region& region);
   void read_callout(cmark_node* node);
+  void read_source_of(cmark_node* quote);
   void read_heading(cmark_node* node, const Region& region);
+  void read_title(cmark_node* heading);
+  void add_title_parts(cmark_node* node, std::vector<TitlePart>& title) const;
   void refuse_second_footnote(cmark_node* node);
   void read_math(cmark_node* node, Region& region);
   void read_code_span(cmark_node* node, Region& region);

@@ -30,9 +30,7 @@ Span LocatedText::span_at(int line, int column, int width) const {
 
 LocatedText LocatedText::part(std::size_t begin, std::size_t end) const {
   LocatedText part{text.substr(begin, end - begin), {}};
-  for (std::size_t at = begin; !offsets.empty() && at <= end; ++at) {
-    part.offsets.push_back(span(at, at).begin);
-  }
+  if (!offsets.empty()) part.offsets.append(offsets, begin, std::min(end + 1, offsets.size()));
   return part;
 }
 
@@ -42,14 +40,12 @@ void LocatedText::append_line(const LocatedText& more) {
     return;
   }
   text += "\n" + more.text;
-  offsets.insert(offsets.end(), more.offsets.begin(), more.offsets.end());
+  offsets.append(more.offsets, 0, more.offsets.size());
 }
 
 LocatedText located(const SourceText& source, Span span) {
-  LocatedText result;
-  result.text = source.text().substr(span.begin, span.end - span.begin);
-  for (std::size_t at = span.begin; at <= span.end; ++at) result.offsets.push_back(at);
-  return result;
+  return {std::string(source.text().substr(span.begin, span.end - span.begin)),
+          Offsets::side_by_side(span.begin, span.end)};
 }
 
 }  // namespace mjcourse

@@ -6,9 +6,9 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "base/source_text.h"
+#include "lesson/offsets.h"
 
 namespace mjcourse {
 
@@ -16,7 +16,7 @@ struct LocatedText {
   std::string text;
   // offsets[i] is where byte i of `text` stands in the lesson; one more for the end. Empty for
   // text that stands nowhere.
-  std::vector<std::size_t> offsets;
+  Offsets offsets;
 
   // The place in the lesson of bytes [begin, end) of `text`.
   Span span(std::size_t begin, std::size_t end) const {

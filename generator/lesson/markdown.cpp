@@ -2,6 +2,8 @@
 
 #include <cmark-gfm-core-extensions.h>
 
+#include <mutex>
+
 #include "lesson/math_syntax.h"
 
 namespace mjcourse {
@@ -10,6 +12,14 @@ namespace {
 struct FreeParser {
   void operator()(cmark_parser* parser) const { cmark_parser_free(parser); }
 };
+
+// While cmark reads inlines, the characters at which extensions look stand in a table that all its
+// parsers share, and leave it at the end: so only one may read them at a time.
+Document finish(cmark_parser* parser) {
+  static std::mutex mutex;
+  const std::lock_guard guard(mutex);
+  return Document(cmark_parser_finish(parser));
+}
 
 }  // namespace
 
@@ -27,7 +37,7 @@ Document parse_markdown(const std::string& text) {
   }
   cmark_parser_attach_syntax_extension(parser.get(), math_syntax());
   cmark_parser_feed(parser.get(), text.data(), text.size());
-  Document document(cmark_parser_finish(parser.get()));
+  Document document = finish(parser.get());
   cmark_consolidate_text_nodes(document.get());
   return document;
 }

@@ -1,22 +1,21 @@
 #include "lesson/read_assignment.h"
 
-#include <limits>
 #include <string>
 #include <utility>
+
+#include "lesson/lab_vocabulary.h"
 
 namespace mjcourse {
 namespace {
 
-const NumberRule kTolerance{0, std::numeric_limits<double>::max(),
-                            "is how far off a number may be: 0 or more"};
-
 void read_solution(const JsonValue& value, bool editable, Reading& reading, Lab::Goal& goal) {
-  JsonObject object(value, "solution", reading);
+  JsonObject object(value, words::kSolution, reading);
   goal.solution_run = object.script("run");
   goal.solution_model = object.string("model");
   goal.solution_insert = object.script("insert");
-  if (object.has("insert")) goal.solution_before = object.required_string("before");
-  goal.solution_seconds = object.number("seconds", 0, {0, 100, "is simulated time: from 0 to 100"});
+  goal.solution_before =
+      object.has("insert") ? object.required_string("before") : object.string("before");
+  goal.solution_seconds = object.number("seconds", 0);
   object.finish();
   if (value.kind != JsonValue::Kind::object) return;
   const Span open{value.span.begin, value.span.begin + 1};
@@ -31,6 +30,10 @@ void read_solution(const JsonValue& value, bool editable, Reading& reading, Lab:
     reading.error("E-lab-goal", open,
                   "a solution is a script \"run\", a \"model\", or MJCF to \"insert\"",
                   "write one of them");
+  } else if (given(goal.solution_insert) < given(goal.solution_before)) {
+    reading.error("E-lab-goal", goal.solution_before.span(),
+                  "\"before\" says where MJCF is inserted, and there is none",
+                  "write it as \"insert\", or leave \"before\" out");
   } else if (given(goal.solution_insert) == given(goal.solution_before)) {
     return;
   }
@@ -41,16 +44,14 @@ void read_solution(const JsonValue& value, bool editable, Reading& reading, Lab:
 
 std::optional<Lab::Predict> read_predict(const JsonValue* value, LessonReader& reader) {
   if (value == nullptr) return std::nullopt;
-  JsonObject object(*value, "prediction", reader.reading());
+  JsonObject object(*value, words::kPrediction, reader.reading());
   Lab::Predict predict;
-  predict.question = reader.fragment(object.required_string("q"));
+  predict.question = reader.fragment(object.string("q"));
   predict.run = object.script("run");
-  predict.value = object.required_string("value");
-  predict.seconds = object.required_number(
-      "seconds", predict.seconds,
-      {std::numeric_limits<double>::min(), 100, "is simulated time: more than 0, at most 100"});
-  predict.tolerance = object.number("tol", predict.tolerance, kTolerance);
-  predict.digits = object.digits(predict.digits);
+  predict.value = object.string("value");
+  predict.seconds = object.number("seconds", predict.seconds);
+  predict.tolerance = object.number("tol", predict.tolerance);
+  predict.digits = object.whole("digits", predict.digits);
   predict.unit = object.string("unit").text;
   predict.explanation = reader.fragment(object.string("explain"));
   object.finish();
@@ -61,19 +62,15 @@ std::optional<Lab::Predict> read_predict(const JsonValue* value, LessonReader& r
 std::optional<Lab::Goal> read_goal(const JsonValue* value, bool editable, LessonReader& reader) {
   if (value == nullptr) return std::nullopt;
   Reading& reading = reader.reading();
-  JsonObject object(*value, "goal", reading);
+  JsonObject object(*value, words::kGoal, reading);
   Lab::Goal goal;
   goal.span = value->span;
-  goal.text = reader.fragment(object.required_string("text"));
-  goal.done = object.required_string("done");
-  const JsonValue* solution = object.find("solution");
-  if (solution != nullptr) {
-    read_solution(*solution, editable, reading, goal);
-  } else if (value->kind == JsonValue::Kind::object) {
-    reading.error("E-json-missing", {value->span.begin, value->span.begin + 1},
-                  "nobody knows whether this goal can be reached: it has no \"solution\"",
-                  "add \"solution\": {\"run\": …, \"seconds\": …}");
-  }
+  goal.text = reader.fragment(object.string("text"));
+  goal.done = object.string("done");
+  const JsonValue* solution = object.require(
+      "solution", "nobody knows whether this goal can be reached: it has no \"solution\"",
+      "add \"solution\": {\"run\": …, \"seconds\": …}");
+  if (solution != nullptr) read_solution(*solution, editable, reading, goal);
   object.finish();
   if (goal.done.text.empty()) return std::nullopt;
   return goal;
@@ -87,14 +84,14 @@ bool read_editable(const JsonValue* value, LessonReader& reader, std::vector<Lab
     report_kind("editable", *value, "true, or an object with \"tasks\"", reading);
     return false;
   }
-  JsonObject object(*value, "editable lab", reading);
+  JsonObject object(*value, words::kEditable, reading);
   for (const JsonValue& item :
-       object.filled_list("tasks", "add a task: {\"q\": …, \"value\": …}, or write true")) {
-    JsonObject of_task(item, "task", reading);
+       object.list("tasks", "add a task: {\"q\": …, \"value\": …}, or write true")) {
+    JsonObject of_task(item, words::kTask, reading);
     Lab::Task task;
-    task.question = reader.fragment(of_task.required_string("q"));
-    task.value = of_task.required_string("value");
-    task.tolerance = of_task.number("tol", task.tolerance, kTolerance);
+    task.question = reader.fragment(of_task.string("q"));
+    task.value = of_task.string("value");
+    task.tolerance = of_task.number("tol", task.tolerance);
     task.unit = of_task.string("unit").text;
     of_task.finish();
     if (!task.value.text.empty()) tasks.push_back(std::move(task));

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "lesson/chart_vocabulary.h"
 #include "lesson/json_object.h"
 
 namespace mjcourse {
@@ -11,17 +12,17 @@ constexpr const char* kCure = "write \"data\": {\"name\": \"EXAMPLE/TABLE\"}";
 
 // {"name": "EXAMPLE/TABLE"}
 void read_data(const JsonValue& value, Reading& reading, Chart& chart) {
-  JsonObject data(value, "plot's data", reading);
+  JsonObject data(value, words::kChartData, reading);
   // What Vega-Lite takes as well.
   for (const char* other : {"url", "values", "sequence", "sphere", "graticule", "format"}) {
-    const JsonValue* found = data.find(other);
+    const JsonValue* found = data.misplaced(other);
     if (found == nullptr) continue;
     reading.error("E-plot-data", found->span,
                   "a plot shows a table that an example of the course reported, and no other data",
                   kCure);
     return;
   }
-  const LocatedText name = data.required_string("name");
+  const LocatedText name = data.string("name");
   data.finish();
   if (name.text.empty()) return;
   const std::size_t slash = name.text.find('/');
@@ -40,18 +41,16 @@ std::optional<Chart> read_chart(Fence& fence, LessonReader& reader) {
   fence.finish("plot", reading);
   std::optional<JsonValue> json = parse_json(fence.body(), reading);
   if (!json) return std::nullopt;
-  JsonObject object(*json, "plot", reading);
+  JsonObject object(*json, words::kChart, reading);
   if (!object.is_object()) return std::nullopt;
   Chart chart;
   chart.span = fence.span();
-  if (const JsonValue* data = object.find("data")) {
+  if (const JsonValue* data = object.require("data", "this plot has no \"data\"", kCure)) {
     read_data(*data, reading, chart);
-  } else {
-    reading.error("E-json-missing", {json->span.begin, json->span.begin + 1},
-                  "this plot has no \"data\"", kCure);
   }
-  chart.caption = reader.fragment(object.required_string("caption"));
-  chart.alt = object.required_string("alt").text;
+  chart.caption = reader.fragment(object.string("caption"));
+  chart.alt = object.string("alt").text;
+  object.finish();
   chart.json = fence.body().text;
   chart.tree = *std::move(json);
   return chart;

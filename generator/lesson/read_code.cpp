@@ -46,11 +46,8 @@ void read_arguments(Fence& fence, Example& example) {
 std::optional<LocatedText> take_region(LocatedText& file) {
   const std::size_t mark = file.text.rfind('#');
   if (mark == file.text.npos) return std::nullopt;
-  const auto at = static_cast<std::ptrdiff_t>(mark);
-  LocatedText region{file.text.substr(mark + 1),
-                     {file.offsets.begin() + at + 1, file.offsets.end()}};
-  file.text.erase(mark);
-  file.offsets.erase(file.offsets.begin() + at + 1, file.offsets.end());
+  LocatedText region = file.part(mark + 1, file.text.size());
+  file = file.part(0, mark);
   return region;
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <utility>
 
 #include "base/nearest.h"
+#include "lesson/lab_vocabulary.h"
 
 namespace mjcourse {
 namespace {
@@ -51,31 +51,26 @@ bool check_numbers(const Lab::Slider& slider, JsonObject& object, Reading& readi
 using Read = std::optional<Lab::Control>;
 
 // A script that may be empty, but not be forgotten: "this button does nothing".
-LocatedText read_run(JsonObject& object, const std::string& what, Reading& reading) {
-  if (object.is_object() && !object.has("run")) {
-    reading.error("E-json-missing", {object.span().begin, object.span().begin + 1},
-                  "this " + what + " does nothing: it has no \"run\"", "add \"run\": a script");
-  }
-  return object.script("run");
+LocatedText read_run(JsonObject& object, const std::string& what) {
+  const bool there = object.require("run", "this " + what + " does nothing: it has no \"run\"",
+                                    "add \"run\": a script") != nullptr;
+  return there ? object.script("run") : LocatedText{};
 }
 
-Read read_button(JsonObject& object, LocatedText label, Reading& reading) {
-  return Lab::Button{std::move(label), read_run(object, "button", reading)};
+Read read_button(JsonObject& object, LocatedText label) {
+  return Lab::Button{std::move(label), read_run(object, "button")};
 }
 
 Read read_slider(JsonObject& object, LocatedText label, Reading& reading) {
   Lab::Slider slider;
   slider.label = std::move(label);
-  slider.bind = object.required_string("bind");
-  slider.min = object.required_number("min");
-  slider.max = object.required_number("max");
-  const double step =
-      object.number("step", 0,
-                    {std::numeric_limits<double>::min(), std::numeric_limits<double>::max(),
-                     "is how far the slider goes at a time: more than 0"});
+  slider.bind = object.string("bind");
+  slider.min = object.number("min", 0);
+  slider.max = object.number("max", 0);
+  const double step = object.number("step", 0);
   if (step > 0) slider.step = step;
   slider.value = object.optional_number("value");
-  slider.digits = object.digits(slider.digits);
+  slider.digits = object.whole("digits", slider.digits);
   slider.unit = object.string("unit").text;
   const bool good = check_numbers(slider, object, reading) && !slider.bind.text.empty();
   return good ? Read(std::move(slider)) : std::nullopt;
@@ -84,8 +79,8 @@ Read read_slider(JsonObject& object, LocatedText label, Reading& reading) {
 Read read_toggle(JsonObject& object, LocatedText label) {
   Lab::Toggle toggle;
   toggle.label = std::move(label);
-  toggle.on = object.required_script("on");
-  toggle.off = object.required_script("off");
+  toggle.on = object.script("on");
+  toggle.off = object.script("off");
   toggle.value = object.boolean("value", false);
   return toggle;
 }
@@ -94,10 +89,10 @@ Read read_select(JsonObject& object, LocatedText label, Reading& reading) {
   Lab::Select select;
   select.label = std::move(label);
   for (const JsonValue& option :
-       object.filled_list("options", "add options: {\"label\": …, \"run\": …}")) {
-    JsonObject choice(option, "option", reading);
-    LocatedText option_label = choice.required_string("label");
-    select.options.push_back({std::move(option_label), read_run(choice, "option", reading)});
+       object.list("options", "add options: {\"label\": …, \"run\": …}")) {
+    JsonObject choice(option, words::kChoice, reading);
+    LocatedText option_label = choice.string("label");
+    select.options.push_back({std::move(option_label), read_run(choice, "option")});
     choice.finish();
   }
   if (select.options.empty()) {
@@ -105,35 +100,38 @@ Read read_select(JsonObject& object, LocatedText label, Reading& reading) {
     return std::nullopt;
   }
   const double last = static_cast<double>(select.options.size()) - 1;
-  const NumberRule index{0, last, "is the index of an option, counted from 0", true};
+  Limits index = words::kSelect.find("value")->limits;
+  index.most = last;
   select.has_value = object.has("value");
   select.value = static_cast<std::size_t>(object.number("value", 0, index));
   return select;
 }
 
 Read read_keyframe(JsonObject& object, LocatedText label) {
-  Lab::Keyframe keyframe{std::move(label), object.required_string("key")};
+  Lab::Keyframe keyframe{std::move(label), object.string("key")};
   return keyframe.key.text.empty() ? std::nullopt : Read(std::move(keyframe));
 }
 
 }  // namespace
 
 std::optional<Lab::Control> read_control(const JsonValue& value, Reading& reading) {
-  const LocatedText type = JsonObject(value, "control", reading).required_string("type");
-  const std::vector<std::string> known{"button", "slider", "toggle", "select", "keyframe"};
-  if (std::find(known.begin(), known.end(), type.text) == known.end()) {
+  const LocatedText type = JsonObject(value, words::kControl, reading).string("type");
+  const Vocabulary* vocabulary = words::kControl.variant(type.text);
+  if (vocabulary == nullptr) {
     if (!type.text.empty()) {
+      std::vector<std::string> known;
+      for (const Variant& one : words::kControl.variants) known.emplace_back(one.word);
       reading.error("E-lab-control", type.span(), "there is no control \"" + type.text + "\"",
                     suggest(type.text, known));
     }
     return std::nullopt;
   }
-  JsonObject object(value, type.text, reading);
+  JsonObject object(value, *vocabulary, reading);
   object.find("type");
-  LocatedText label = object.required_string("label");
+  LocatedText label = object.string("label");
   Read control;
   if (type.text == "button") {
-    control = read_button(object, std::move(label), reading);
+    control = read_button(object, std::move(label));
   } else if (type.text == "slider") {
     control = read_slider(object, std::move(label), reading);
   } else if (type.text == "toggle") {

@@ -5,26 +5,28 @@
 #include <string>
 #include <utility>
 
+#include "lesson/figure_vocabulary.h"
 #include "lesson/json_object.h"
 #include "lesson/read_view.h"
 
 namespace mjcourse {
 namespace {
 
-// What all frames together may take before they become a film: 10 seconds of the usual size.
+// What all frames together may take before they become a film: 19 seconds of the usual size.
 constexpr double kMostBytes = 1e9;
+constexpr double kFrameBytes = 3 * 1.5 * 1.5;  // for each CSS pixel
 
 void read_size(JsonObject& object, Figure& figure, Reading& reading) {
   const std::vector<JsonValue>& size = object.list("size");
   const JsonValue* value = object.find("size");
   if (value == nullptr || value->kind != JsonValue::Kind::array) return;
-  const bool fits = size.size() == 2 && std::all_of(size.begin(), size.end(), [](const auto& side) {
-                      return side.kind == JsonValue::Kind::number && side.number >= 16 &&
-                             side.number <= 1024 && side.number == std::floor(side.number);
+  const Limits& side = words::kFigure.find("size")->limits;
+  const bool fits = size.size() == 2 && std::all_of(size.begin(), size.end(), [&](const auto& one) {
+                      return one.kind == JsonValue::Kind::number && one.number >= side.least &&
+                             one.number <= side.most && one.number == std::floor(one.number);
                     });
   if (!fits) {
-    reading.error("E-json-range", value->span,
-                  "\"size\" is a width and a height in pixels: two whole numbers from 16 to 1024",
+    reading.error("E-json-range", value->span, "\"size\" " + std::string(side.text),
                   "as in [640, 400]");
     return;
   }
@@ -61,16 +63,14 @@ std::optional<Figure::Animation> read_animation(JsonObject& object, const Figure
                                                 Reading& reading) {
   const JsonValue* value = object.find("animate");
   if (value == nullptr) return std::nullopt;
-  JsonObject read(*value, "animation", reading);
+  JsonObject read(*value, words::kAnimation, reading);
   Figure::Animation animation;
   animation.span = {value->span.begin, value->span.begin + 1};
-  animation.seconds = read.required_number(
-      "seconds", 0, {0.1, 60, "is how long an animation takes: from 0.1 to 60 seconds"});
-  animation.rate = static_cast<int>(read.number(
-      "fps", animation.rate, {1, 60, "is a whole number of frames: from 1 to 60 a second", true}));
+  animation.seconds = read.number("seconds", 0);
+  animation.rate = read.whole("fps", animation.rate);
   read.finish();
   if (animation.seconds == 0) return std::nullopt;
-  const double bytes = 12.0 * figure.width * figure.height * animation.frames();
+  const double bytes = kFrameBytes * figure.width * figure.height * animation.frames();
   if (animation.frames() < 2 || bytes > kMostBytes) {
     const std::string size = std::to_string(figure.width) + " × " + std::to_string(figure.height);
     const bool one = animation.frames() < 2;
@@ -89,7 +89,7 @@ std::optional<Figure::Animation> read_animation(JsonObject& object, const Figure
 
 // A picture that says nothing to those who cannot see it is no picture of a lesson's.
 std::string read_alt(JsonObject& object, Reading& reading) {
-  const LocatedText alt = object.required_string("alt");
+  const LocatedText alt = object.string("alt");
   if (!alt.text.empty() && alt.text.find_first_not_of(" \t\n") == alt.text.npos) {
     reading.error("E-json-missing", alt.span(), "\"alt\" is empty",
                   "say in a sentence what the picture shows");
@@ -108,16 +108,15 @@ std::optional<Figure> read_figure(Fence& fence, LessonReader& reader) {
   fence.finish("figure", reading);
   const std::optional<JsonValue> json = parse_json(fence.body(), reading);
   if (!json) return std::nullopt;
-  JsonObject object(*json, "figure", reading);
+  JsonObject object(*json, words::kFigure, reading);
   Figure figure;
   figure.span = fence.span();
-  figure.model = object.required_string("model");
+  figure.model = object.string("model");
   figure.camera = read_camera(object, reading);
   figure.overlays = read_overlays(object, reading);
   figure.keyframe = object.string("keyframe");
   figure.run = object.script("run");
-  figure.seconds = object.number(
-      "seconds", 0, {0, 100, "is simulated time before the picture: from 0 to 100 seconds"});
+  figure.seconds = object.number("seconds", 0);
   if (const JsonValue* seconds = object.find("seconds")) figure.seconds_span = seconds->span;
   figure.from = read_snapshot(object, reading);
   refuse_beside_snapshot(object, reading);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lesson/json_object.h"
+#include "lesson/lab_vocabulary.h"
 #include "lesson/read_assignment.h"
 #include "lesson/read_control.h"
 #include "lesson/read_plot.h"
@@ -14,8 +15,8 @@ namespace {
 
 std::optional<Lab::Ghost> read_ghost(const JsonValue* value, Reading& reading) {
   if (value == nullptr) return std::nullopt;
-  JsonObject object(*value, "ghost", reading);
-  Lab::Ghost ghost{object.required_string("label").text, object.required_script("run")};
+  JsonObject object(*value, words::kGhost, reading);
+  Lab::Ghost ghost{object.string("label").text, object.script("run")};
   object.finish();
   return ghost.run.text.empty() ? std::nullopt : std::optional(ghost);
 }
@@ -27,14 +28,13 @@ std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
   fence.finish("lab simlab", reading);
   const std::optional<JsonValue> json = parse_json(fence.body(), reading);
   if (!json) return std::nullopt;
-  JsonObject object(*json, "lab", reading);
+  JsonObject object(*json, words::kLab, reading);
   Lab lab;
   lab.span = fence.span();
-  lab.title = object.required_string("title").text;
-  lab.model = object.required_string("model");
+  lab.title = object.string("title").text;
+  lab.model = object.string("model");
   lab.dock = object.boolean("dock", lab.dock);
-  lab.height = static_cast<int>(
-      object.number("height", lab.height, {1, 1024, "is a number of pixels: from 1 to 1024"}));
+  lab.height = static_cast<int>(object.number("height", lab.height));
   lab.camera = read_camera(object, reading);
   for (const JsonValue& toggle : object.list("toggles")) {
     if (toggle.kind == JsonValue::Kind::string) {
@@ -49,8 +49,7 @@ std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
   }
   lab.readouts = read_readouts(object, reading);
   lab.plots = read_plots(object, reading);
-  lab.speed = object.number("speed", lab.speed,
-                            {0.1, 4, "is simulated seconds in a second: from 0.1 to 4"});
+  lab.speed = object.number("speed", lab.speed);
   lab.predict = read_predict(object.find("predict"), reader);
   lab.editable = read_editable(object.find("editable"), reader, lab.tasks);
   lab.goal = read_goal(object.find("goal"), lab.editable, reader);

@@ -5,14 +5,14 @@
 #include <utility>
 
 #include "lesson/front_matter.h"
-#include "lesson/is_utf8.h"
+#include "lesson/is_text.h"
 #include "lesson/lesson_reader.h"
 
 namespace mjcourse {
 
 std::shared_ptr<const SourceText> read_source(const std::string& path, std::string bytes,
                                               Diagnostics& diagnostics) {
-  if (!is_utf8(path, bytes, diagnostics)) return nullptr;
+  if (!is_text(path, bytes, diagnostics)) return nullptr;
   return std::make_shared<SourceText>(path, std::move(bytes));
 }
 

@@ -3,37 +3,36 @@
 #include <string>
 #include <utility>
 
+#include "lesson/lab_vocabulary.h"
+
 namespace mjcourse {
 namespace {
 
-constexpr std::size_t kMostTraces = 4;  // as many as there are colours for data
-
 Lab::Readout read_readout(const JsonValue& value, Reading& reading) {
-  JsonObject object(value, "readout", reading);
+  JsonObject object(value, words::kReadout, reading);
   Lab::Readout readout;
-  readout.label = object.required_string("label");
-  readout.expression = object.required_string("expr");
-  readout.digits = object.digits(readout.digits);
+  readout.label = object.string("label");
+  readout.expression = object.string("expr");
+  readout.digits = object.whole("digits", readout.digits);
   readout.unit = object.string("unit").text;
   object.finish();
   return readout;
 }
 
 Lab::Readout read_trace(const JsonValue& value, Reading& reading) {
-  JsonObject object(value, "trace", reading);
+  JsonObject object(value, words::kTrace, reading);
   Lab::Readout trace;
-  trace.label = object.required_string("label");
-  trace.expression = object.required_string("expr");
+  trace.label = object.string("label");
+  trace.expression = object.string("expr");
   object.finish();
   return trace;
 }
 
 Lab::Plot read_plot(const JsonValue& value, Reading& reading) {
-  JsonObject object(value, "plot", reading);
+  JsonObject object(value, words::kPlot, reading);
   Lab::Plot plot;
   plot.ylabel = object.string("ylabel").text;
-  plot.window =
-      object.number("window", plot.window, {0.1, 1000, "is a number of seconds: from 0.1 to 1000"});
+  plot.window = object.number("window", plot.window);
   plot.ymin = object.optional_number("ymin");
   plot.ymax = object.optional_number("ymax");
   if (plot.ymin && plot.ymax && !(*plot.ymin < *plot.ymax)) {
@@ -41,12 +40,13 @@ Lab::Plot read_plot(const JsonValue& value, Reading& reading) {
                   "\"ymax\" is the upper end of the plot: more than \"ymin\"");
   }
   for (const JsonValue& value_of_trace :
-       object.filled_list("traces", "add a trace: {\"label\": …, \"expr\": …}")) {
+       object.list("traces", "add a trace: {\"label\": …, \"expr\": …}")) {
     Lab::Readout trace = read_trace(value_of_trace, reading);
     if (!trace.expression.text.empty()) plot.traces.push_back(std::move(trace));
   }
-  if (plot.traces.size() > kMostTraces) {
-    reading.error("E-lab-plot", plot.traces[kMostTraces].label.span(),
+  const auto most = static_cast<std::size_t>(words::kPlot.find("traces")->limits.most);
+  if (plot.traces.size() > most) {
+    reading.error("E-lab-plot", plot.traces[most].label.span(),
                   "a plot has colours for four traces", "put the others into a plot of their own");
   }
   object.finish();

@@ -1,30 +1,23 @@
 #include "lesson/read_proof.h"
 
-#include <cmath>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "base/counted.h"
 #include "lesson/json_object.h"
+#include "lesson/quiz_vocabulary.h"
 
 namespace mjcourse {
 namespace {
 
-constexpr double kMostSeconds = 100;  // simulated for one proof
-
 std::map<std::string, int> read_joints(const JsonValue* value, Reading& reading) {
   std::map<std::string, int> joints;
   if (value == nullptr) return joints;
-  JsonObject object(*value, "set of joints", reading);
-  for (const char* kind : {"free", "ball", "slide", "hinge"}) {
-    const double count = object.number(kind, 0);
-    if (count < 0 || count > 1000 || count != std::floor(count)) {
-      reading.error("E-json-range", object.find(kind)->span,
-                    "\"" + std::string(kind) + "\" counts joints: a whole number from 0 to 1000");
-    } else if (count > 0) {
-      joints[kind] = static_cast<int>(count);
-    }
+  JsonObject object(*value, words::kJoints, reading);
+  for (const Key& key : words::kJoints.keys) {
+    const std::string kind(key.name);
+    if (const int count = object.whole(kind, 0)) joints[kind] = count;
   }
   object.finish();
   return joints;
@@ -102,7 +95,7 @@ std::pair<std::string, std::string> fault_of(const Proof& proof, const Question&
 
 std::optional<Proof> read_proof(const JsonValue& value, const Question& question,
                                 Reading& reading) {
-  JsonObject object(value, "proof", reading);
+  JsonObject object(value, words::kProof, reading);
   Proof proof;
   proof.span = value.span;
   const bool by_joints = object.has("joints");
@@ -113,11 +106,6 @@ std::optional<Proof> read_proof(const JsonValue& value, const Question& question
   proof.because = object.string("because");
   proof.run = object.script("run");
   proof.seconds = object.number("seconds", 0);
-  if (proof.seconds < 0 || proof.seconds > kMostSeconds) {
-    reading.error("E-json-range", object.find("seconds")->span,
-                  "\"seconds\" is simulated time: from 0 to 100");
-    proof.seconds = 0;
-  }
   proof.value = object.script("value");
   proof.equals = object.optional_number("equals");
   proof.options = read_expressions(object, "options", reading);

@@ -7,6 +7,7 @@
 
 #include "base/nearest.h"
 #include "lesson/json_object.h"
+#include "lesson/quiz_vocabulary.h"
 #include "lesson/read_proof.h"
 
 namespace mjcourse {
@@ -14,19 +15,19 @@ namespace {
 
 using Kind = Question::Kind;
 
-constexpr std::size_t kMostOptions = 26;  // each is named by a letter
-
-std::optional<Kind> read_kind(JsonObject& object, Reading& reading) {
-  const LocatedText kind = object.required_string("kind");
-  if (kind.text == "numeric") return Kind::numeric;
-  if (kind.text == "mcq") return Kind::mcq;
-  if (kind.text == "multi") return Kind::multi;
-  if (kind.text == "order") return Kind::order;
-  if (!kind.text.empty()) {
-    reading.error("E-quiz-form", kind.span(), "there is no question of kind \"" + kind.text + "\"",
-                  suggest(kind.text, {"numeric", "mcq", "multi", "order"}));
-  }
-  return std::nullopt;
+// Null (reported) where it is none.
+const Vocabulary* read_kind(const JsonValue& value, Question& question, Reading& reading) {
+  const LocatedText kind = JsonObject(value, words::kQuestion, reading).string("kind");
+  if (kind.text == "mcq") question.kind = Kind::mcq;
+  if (kind.text == "multi") question.kind = Kind::multi;
+  if (kind.text == "order") question.kind = Kind::order;
+  const Vocabulary* vocabulary = words::kQuestion.variant(kind.text);
+  if (vocabulary != nullptr || kind.text.empty()) return vocabulary;
+  std::vector<std::string> known;
+  for (const Variant& one : words::kQuestion.variants) known.emplace_back(one.word);
+  reading.error("E-quiz-form", kind.span(), "there is no question of kind \"" + kind.text + "\"",
+                suggest(kind.text, known));
+  return nullptr;
 }
 
 // A string, or for an option of a choice {"text": …, "feedback": …}.
@@ -36,8 +37,8 @@ Option read_option(const std::string& key, const JsonValue& value, LessonReader&
   if (value.kind == JsonValue::Kind::string) {
     option.text = reader.fragment(value.string);
   } else if (value.kind == JsonValue::Kind::object && key == "options") {
-    JsonObject object(value, "option", reader.reading());
-    option.text = reader.fragment(object.required_string("text"));
+    JsonObject object(value, words::kOption, reader.reading());
+    option.text = reader.fragment(object.string("text"));
     option.feedback = reader.fragment(object.string("feedback"));
     object.finish();
   } else {
@@ -52,7 +53,7 @@ Option read_option(const std::string& key, const JsonValue& value, LessonReader&
 // The options of a choice or the items of an order; whether there are enough to choose from.
 bool read_options(const std::string& key, JsonObject& object, Question& question,
                   LessonReader& reader) {
-  const std::vector<JsonValue>& options = object.required_list(key);
+  const std::vector<JsonValue>& options = object.list(key);
   std::vector<std::string> texts;
   for (const JsonValue& value : options) {
     Option option = read_option(key, value, reader);
@@ -66,10 +67,11 @@ bool read_options(const std::string& key, JsonObject& object, Question& question
   }
   const JsonValue* list = object.find(key);
   if (list == nullptr || list->kind != JsonValue::Kind::array) return false;
-  if (options.size() >= 2 && options.size() <= kMostOptions) return true;
+  const auto count = static_cast<double>(options.size());
+  if (count >= words::kOptionCount.least && count <= words::kOptionCount.most) return true;
   reader.reading().error("E-quiz-form", list->span,
-                         "\"" + key + "\" lists from 2 to " + std::to_string(kMostOptions) +
-                             ", not " + std::to_string(options.size()));
+                         "\"" + key + "\" " + std::string(words::kOptionCount.text) + ", not " +
+                             std::to_string(options.size()));
   return false;
 }
 
@@ -78,9 +80,8 @@ bool read_index(const JsonValue& value, Question& question, Reading& reading) {
   const double last = static_cast<double>(question.options.size()) - 1;
   std::string wrong;
   if (value.number < 0 || value.number > last || value.number != std::floor(value.number)) {
-    wrong = question.kind == Kind::mcq
-                ? "\"answer\" is the index of the right option, counted from 0"
-                : "\"answer\" lists the indices of the right options, counted from 0";
+    const Vocabulary& words = question.kind == Kind::mcq ? words::kSingle : words::kMulti;
+    wrong = "\"answer\" " + std::string(words.find("answer")->limits.text);
   } else if (std::count(question.right.begin(), question.right.end(), value.number) > 0) {
     wrong = "this option is in \"answer\" already";
   }
@@ -112,12 +113,8 @@ bool read_indices(const JsonValue& answer, Question& question, Reading& reading)
 
 // Whether the answer can be judged.
 bool read_answer(JsonObject& object, Question& question, Reading& reading) {
-  const JsonValue* answer = object.find("answer");
-  if (answer == nullptr) {
-    const Span open{question.span.begin, question.span.begin + 1};
-    reading.error("E-json-missing", open, "this question has no \"answer\"", "add \"answer\": …");
-    return false;
-  }
+  const JsonValue* answer = object.require("answer");
+  if (answer == nullptr) return false;
   question.answer_span = answer->span;
   const bool listed = question.kind == Kind::multi;
   const JsonValue::Kind expected = listed ? JsonValue::Kind::array : JsonValue::Kind::number;
@@ -147,7 +144,7 @@ bool read_numeric(JsonObject& object, Question& question, Reading& reading) {
 // An order stands in "items" as it should be.
 bool read_order(JsonObject& object, Question& question, LessonReader& reader) {
   const bool good = read_options("items", object, question, reader);
-  if (const JsonValue* answer = object.find("answer")) {
+  if (const JsonValue* answer = object.misplaced("answer")) {
     reader.reading().error("E-quiz-form", answer->span,
                            "an order has no \"answer\": its \"items\" stand in the right order",
                            "leave \"answer\" out");
@@ -159,13 +156,13 @@ bool read_order(JsonObject& object, Question& question, LessonReader& reader) {
 
 std::optional<Question> read_question(const JsonValue& value, LessonReader& reader) {
   Reading& reading = reader.reading();
-  JsonObject object(value, "question", reading);
-  const std::optional<Kind> kind = read_kind(object, reading);
-  if (!kind) return std::nullopt;
   Question question;
   question.span = value.span;
-  question.kind = *kind;
-  question.text = reader.fragment(object.required_string("q"));
+  const Vocabulary* vocabulary = read_kind(value, question, reading);
+  if (vocabulary == nullptr) return std::nullopt;
+  JsonObject object(value, *vocabulary, reading);
+  object.find("kind");
+  question.text = reader.fragment(object.string("q"));
   question.hint = reader.fragment(object.string("hint"));
   question.explanation = reader.fragment(object.string("explain"));
   bool good = true;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "lesson/json_object.h"
+#include "lesson/quiz_vocabulary.h"
 #include "lesson/read_question.h"
 
 namespace mjcourse {
@@ -12,11 +13,11 @@ std::optional<Quiz> read_quiz(Fence& fence, LessonReader& reader) {
   fence.finish("quiz", reading);
   const std::optional<JsonValue> json = parse_json(fence.body(), reading);
   if (!json) return std::nullopt;
-  JsonObject object(*json, "quiz", reading);
+  JsonObject object(*json, words::kQuiz, reading);
   Quiz quiz;
-  quiz.id = object.required_string("id").text;
+  quiz.id = object.string("id").text;
   quiz.title = object.string("title").text;
-  for (const JsonValue& question : object.required_list("questions")) {
+  for (const JsonValue& question : object.list("questions")) {
     if (auto read = read_question(question, reader)) quiz.questions.push_back(std::move(*read));
   }
   object.finish();

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <string_view>
 
+#include "lesson/view_vocabulary.h"
+
 namespace mjcourse {
 
 std::optional<Lab::Camera> read_camera(JsonObject& object, Reading& reading) {
   const JsonValue* value = object.find("camera");
   if (value == nullptr) return std::nullopt;
-  JsonObject read(*value, "camera", reading);
+  JsonObject read(*value, words::kCamera, reading);
   Lab::Camera camera;
   camera.azimuth = read.number("azimuth", camera.azimuth);
   camera.elevation = read.number("elevation", camera.elevation);

@@ -47,7 +47,6 @@ YAML::Node YamlMap::find(const std::string& key) {
 
 LocatedText YamlMap::scalar(const YAML::Node& node) const {
   LocatedText result{node.Scalar(), {}};
-  const Span span = span_of(node.Mark(), 1, text_);
   // A folded value, or one with escapes, does not stand byte for byte in the file: its start must
   // do. A quoted one stands behind its quote.
   const auto stands_at = [&](std::size_t at) {
@@ -57,10 +56,9 @@ LocatedText YamlMap::scalar(const YAML::Node& node) const {
   const bool quoted =
       mark < text_.text.size() && (text_.text[mark] == '"' || text_.text[mark] == '\'');
   const std::size_t start = quoted ? mark + 1 : mark;
-  const bool verbatim = stands_at(start);
-  for (std::size_t i = 0; i <= result.text.size(); ++i) {
-    result.offsets.push_back(verbatim ? text_.span(start + i, start + i).begin : span.begin);
-  }
+  const std::size_t size = result.text.size();
+  if (stands_at(start)) return text_.part(start, start + size);
+  result.offsets.append_still(size + 1, span_of(node.Mark(), 1, text_).begin);
   return result;
 }
 

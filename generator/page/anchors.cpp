@@ -8,7 +8,7 @@ namespace {
 std::string heading_above(const Lesson& lesson, int line) {
   std::string id;
   for (const Heading& heading : lesson.headings) {
-    if (cmark_node_get_start_line(heading.node) <= line) id = heading.id;
+    if (heading.line <= line) id = heading.id;
   }
   return id;
 }

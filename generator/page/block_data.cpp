@@ -5,6 +5,7 @@
 
 #include "page/anchors.h"
 #include "page/page_writer.h"
+#include "page/site_paths.h"
 
 namespace mjcourse {
 namespace {

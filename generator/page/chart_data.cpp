@@ -3,6 +3,7 @@
 #include <string>
 
 #include "page/page_writer.h"
+#include "page/site_paths.h"
 
 namespace mjcourse {
 namespace {

@@ -6,15 +6,36 @@
 
 #include "course/link_target.h"
 #include "page/api_page.h"
-#include "page/page_writer.h"
+#include "page/site_paths.h"
 
 namespace mjcourse {
 
 using nlohmann::json;
 
+namespace {
+
+// How many lessons each page lists; in a longer course it links so many levels on either side.
+constexpr std::size_t kFewLessons = 100, kNearLevels = 3;
+
+json lessons_data(const Course& course, const Level& level, const Lesson* current) {
+  json lessons = json::array();
+  for (const std::size_t index : published(course, level)) {
+    json lesson = reference_to(course.lessons[index]);
+    lesson["current"] = &course.lessons[index] == current;
+    lessons.push_back(std::move(lesson));
+  }
+  return lessons;
+}
+
+}  // namespace
+
 const Level& level_of(const Course& course, const Lesson& lesson) {
   return *std::find_if(course.levels.begin(), course.levels.end(),
                        [&](const Level& level) { return level.folder == lesson.folder; });
+}
+
+std::string level_anchor(const Level& level) {
+  return "level-" + level.folder + "-title";
 }
 
 std::vector<std::size_t> published(const Course& course, const Level& level) {
@@ -30,17 +51,22 @@ json reference_to(const Lesson& lesson) {
 }
 
 json levels_data(const Course& course, const Lesson* current) {
+  const bool few = course.lessons.size() <= kFewLessons;
+  const std::size_t own =
+      current == nullptr
+          ? 0
+          : static_cast<std::size_t>(&level_of(course, *current) - course.levels.data());
   json levels = json::array();
-  for (const Level& level : course.levels) {
-    json lessons = json::array();
-    for (const std::size_t index : published(course, level)) {
-      json lesson = reference_to(course.lessons[index]);
-      lesson["current"] = &course.lessons[index] == current;
-      lessons.push_back(std::move(lesson));
-    }
+  for (std::size_t i = 0; i < course.levels.size(); ++i) {
+    const Level& level = course.levels[i];
+    const bool beside = level.number.empty();
+    const bool near = i + kNearLevels >= own && i <= own + kNearLevels;
+    const bool open = few || (current != nullptr && i == own);
+    if (!few && !near && !beside) continue;
     levels.push_back({{"title", level.title},
-                      {"beside", level.number.empty()},
-                      {"lessons", std::move(lessons)}});
+                      {"beside", beside},
+                      {"href", open ? "" : "index.html#" + level_anchor(level)},
+                      {"lessons", open ? lessons_data(course, level, current) : json::array()}});
   }
   return levels;
 }

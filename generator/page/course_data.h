@@ -14,9 +14,14 @@ const Level& level_of(const Course& course, const Lesson& lesson);
 // The lessons of a level that the site has: all but the drafts.
 std::vector<std::size_t> published(const Course& course, const Level& level);
 
+// Of its heading on the home page.
+std::string level_anchor(const Level& level);
+
 // A lesson to link to.
 nlohmann::json reference_to(const Lesson& lesson);
-// All lessons; `current` is the one whose page this is, or null.
+// The list of lessons beside the page of `current`, or of another page where that is null. In a
+// course of more than a hundred lessons, that is those of its level, and links to the levels around
+// it, so that a page's size does not depend on the course's.
 nlohmann::json levels_data(const Course& course, const Lesson* current);
 // What the list of lessons offers beside them, on a page of this kind.
 nlohmann::json pages_data(const Course& course, const Evaluation& evaluation,

@@ -1,5 +1,6 @@
 // The data that the template of a figure is fed with; its own comment describes it.
 #include "page/page_writer.h"
+#include "page/site_paths.h"
 
 namespace mjcourse {
 
@@ -7,15 +8,17 @@ nlohmann::json PageWriter::data_of(const Figure& figure, std::size_t index) {
   const auto* result = results_.get<FigureResult>(index);
   const std::string path = "../" + block_path(lesson_, index);
   const bool film = result != nullptr && !result->film.empty();
-  return {{"id", block_name(lesson_, index)},
-          {"film", film ? nlohmann::json(path + ".mp4") : nlohmann::json(nullptr)},
-          {"picture",
-           {{"webp", path + ".webp"},
-            {"png", path + ".png"},
-            {"width", figure.width},
-            {"height", figure.height},
-            {"alt", figure.alt}}},
-          {"caption", inline_html(figure.caption)}};
+  nlohmann::json data{{"id", block_name(lesson_, index)},
+                      {"film", film ? nlohmann::json(path + ".mp4") : nlohmann::json(nullptr)},
+                      {"picture", nullptr},
+                      {"caption", inline_html(figure.caption)}};
+  if (result == nullptr) return data;
+  data["picture"] = {{"webp", path + ".webp"},
+                     {"png", path + ".png"},
+                     {"width", figure.width},
+                     {"height", figure.height},
+                     {"alt", figure.alt}};
+  return data;
 }
 
 }  // namespace mjcourse

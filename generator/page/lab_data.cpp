@@ -3,6 +3,7 @@
 
 #include "page/fixed_number.h"
 #include "page/page_writer.h"
+#include "page/site_paths.h"
 
 namespace mjcourse {
 namespace {

@@ -8,9 +8,8 @@ namespace mjcourse {
 
 using nlohmann::json;
 
-std::string lesson_page(const Course& course, const Evaluation& evaluation, std::size_t index,
-                        PageWriter& writer, Templates& templates) {
-  const Lesson& lesson = course.lessons[index];
+std::string lesson_page(const Course& course, const Evaluation& evaluation, const Lesson& lesson,
+                        std::size_t index, PageWriter& writer, Templates& templates) {
   const LessonResults& results = evaluation.lessons[index];
   const std::string mark =
       "\x02"
@@ -21,7 +20,8 @@ std::string lesson_page(const Course& course, const Evaluation& evaluation, std:
     objectives.push_back(writer.inline_html(objective));
   }
   for (const LocatedText& number : lesson.front.prerequisites) {
-    prerequisites.push_back(reference_to(*course.find_lesson(number.text)));
+    const Lesson* before = course.find_lesson(number.text);
+    if (before != nullptr) prerequisites.push_back(reference_to(*before));
   }
   const Level& level = level_of(course, lesson);
   // The nearest lesson in one direction that the site has; past an end the index wraps to a huge

@@ -9,8 +9,8 @@
 
 namespace mjcourse {
 
-// The body of the page of lesson `index`, which `writer` writes.
-std::string lesson_page(const Course& course, const Evaluation& evaluation, std::size_t index,
-                        PageWriter& writer, Templates& templates);
+// The body of the page of `lesson`, lesson `index` of the course, which `writer` writes.
+std::string lesson_page(const Course& course, const Evaluation& evaluation, const Lesson& lesson,
+                        std::size_t index, PageWriter& writer, Templates& templates);
 
 }  // namespace mjcourse

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "page/page_writer.h"
+#include "page/site_paths.h"
 
 namespace mjcourse {
 

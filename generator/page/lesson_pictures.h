@@ -12,7 +12,7 @@ namespace mjcourse {
 struct LessonPicture {
   std::string path;  // without the extension
   const Poster* poster;
-  const std::string* film;  // null for a lab
+  const Blob* film;  // null for a lab
 };
 
 // In the order of the blocks. They point into `results`.

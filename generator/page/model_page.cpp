@@ -1,6 +1,5 @@
 #include "page/model_page.h"
 
-#include "base/content_hash.h"
 #include "course/uses.h"
 #include "page/uses_data.h"
 
@@ -57,7 +56,7 @@ json tables_of(const ModelPage& model) {
 }  // namespace
 
 std::string model_poster_path(const ModelPage& model) {
-  return "models/" + model.name + "-" + content_hash(model.poster.webp);
+  return "models/" + model.name + "-" + model.poster.webp.hash().substr(0, 10);
 }
 
 std::string model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,

@@ -1,14 +1,14 @@
 #include "page/page_writer.h"
 
 #include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <map>
-#include <stdexcept>
+#include <optional>
 #include <utility>
 
 #include "course/link_target.h"
 #include "evaluate/workshop.h"
+#include "page/place_marks.h"
+#include "page/site_paths.h"
 
 namespace mjcourse {
 namespace {
@@ -35,6 +35,15 @@ std::string with_named_box(std::string item) {
   const bool done = item.compare(at + box.size(), 8, " checked") == 0;
   return item.insert(at + box.size(), done ? " aria-label=\"done\"" : " aria-label=\"to do\"");
 }
+
+// A function for each kind of block, for std::visit.
+template <typename... Functions>
+struct Cases : Functions... {
+  using Functions::operator()...;
+};
+template <typename... Functions>
+Cases(Functions...) -> Cases<Functions...>;
+
 }  // namespace
 
 Templates site_templates(const Files& assets) {
@@ -46,33 +55,16 @@ Templates site_templates(const Files& assets) {
   return {script_bundle(assets, "templates"), sources};
 }
 
+BrokenTemplate::BrokenTemplate(TemplateError error)
+    : std::runtime_error("template " + error.name + ".hbs, line " + std::to_string(error.line) +
+                         ": " + error.message),
+      error_(std::move(error)) {}
+
 std::string render_template(Templates& templates, const std::string& name,
                             const nlohmann::json& data) {
   tl::expected<std::string, TemplateError> html = templates.render(name, data);
   if (html) return *std::move(html);
-  const TemplateError& error = html.error();
-  throw std::runtime_error("template " + error.name + ".hbs, line " + std::to_string(error.line) +
-                           ": " + error.message);
-}
-
-std::string page_path(const Lesson& lesson) {
-  return (lesson.folder.empty() ? "" : lesson.folder + "/") + lesson.slug + ".html";
-}
-
-std::string image_path(const Lesson& lesson, const Image& image, const ImageResult& result) {
-  const std::filesystem::path file(image.file.text);
-  std::string name = file.stem().string();
-  for (char& c : name) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
-    if (!plain) c = '-';  // what an address would have to escape
-  }
-  const std::string page = page_path(lesson);
-  return page.substr(0, page.rfind('.')) + "/" + name + "-" + result.hash +
-         file.extension().string();
-}
-
-std::string block_path(const Lesson& lesson, std::size_t index) {
-  return lesson.folder + "/" + lesson.slug + "/" + block_name(lesson, index);
+  throw BrokenTemplate(std::move(html.error()));
 }
 
 PageWriter::PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results,
@@ -84,6 +76,8 @@ PageWriter::PageWriter(const Course& course, const Lesson& lesson, const LessonR
 }
 
 std::string PageWriter::body() {
+  std::optional<PlaceMarks> marks;
+  if (press_.places) marks.emplace(lesson_, results_);
   return html(lesson_.document);
 }
 
@@ -114,18 +108,21 @@ std::string PageWriter::write_heading(cmark_node* node, const std::string& inner
   const auto heading = std::find_if(lesson_.headings.begin(), lesson_.headings.end(),
                                     [&](const Heading& one) { return one.node == node; });
   const std::string id = heading != lesson_.headings.end() ? heading->id : "";
+  // One in a demo shows what a heading looks like, and is no part of this page.
   const bool in_demo = heading != lesson_.headings.end() && heading->in_demo;
-  nlohmann::json entry{{"id", id}, {"title", inner}, {"children", nlohmann::json::array()}};
-  if (in_demo) {
-    // It shows what a heading looks like, and is no part of this page.
-  } else if (level == 2 || contents_.empty()) {
+  if (!in_demo) list_heading(level, id, inner);
+  const std::string tag = "h" + std::to_string(level);
+  return "<" + tag + " id=\"" + id + "\"><a class=\"anchor\" href=\"#" + id + "\">" + inner +
+         "</a></" + tag + ">\n";
+}
+
+void PageWriter::list_heading(int level, const std::string& id, const std::string& title) {
+  nlohmann::json entry{{"id", id}, {"title", title}, {"children", nlohmann::json::array()}};
+  if (level == 2 || contents_.empty()) {
     contents_.push_back(std::move(entry));
   } else if (level == 3) {
     contents_.back()["children"].push_back(std::move(entry));
   }
-  const std::string tag = "h" + std::to_string(level);
-  return "<" + tag + " id=\"" + id + "\"><a class=\"anchor\" href=\"#" + id + "\">" + inner +
-         "</a></" + tag + ">\n";
 }
 
 std::string PageWriter::write_link(cmark_node* node, const std::string& inner) const {
@@ -169,57 +166,58 @@ std::string PageWriter::children_html(cmark_node* node) const {
   return inner;
 }
 
-std::string PageWriter::write_block(std::size_t index, const std::string& inner) {
-  const Block& block = lesson_.blocks[index];
-  if (const auto* math = std::get_if<Math>(&block)) {
-    const auto* result = results_.get<FormulaResult>(index);
-    const std::string markup = result != nullptr ? result->markup : escape_html(math->tex.text);
-    return math->display ? "<div class=\"math\">" + markup + "</div>\n"
-                         : "<span class=\"math\">" + markup + "</span>";
-  }
-  if (const auto* value = std::get_if<InlineValue>(&block)) {
-    const auto* result = results_.get<ValueResult>(index);
-    if (result == nullptr) return "<code>" + escape_html(value->expression.text) + "</code>";
-    return "<span class=\"value\" title=\"computed: " + escape_html(result->origin) + "\">" +
-           escape_html(result->text) + "</span>";
-  }
-  if (const auto* term = std::get_if<TermUse>(&block)) return write_term(*term, inner);
-  if (const auto* example = std::get_if<Example>(&block)) {
-    return render("example", data_of(*example, index));
-  }
-  if (const auto* unchecked = std::get_if<Unchecked>(&block)) {
-    return render("example", data_of(*unchecked));
-  }
-  if (const auto* snippet = std::get_if<Snippet>(&block)) {
-    return render("example", data_of(*snippet, index));
-  }
-  if (const auto* excerpt = std::get_if<ModelExcerpt>(&block)) {
-    return render("example", data_of(*excerpt));
-  }
-  if (const auto* model = std::get_if<InlineModel>(&block)) {
-    return render("example", data_of(*model, index));
-  }
-  if (const auto* lab = std::get_if<Lab>(&block)) return render("lab", data_of(*lab, index));
-  if (const auto* chart = std::get_if<Chart>(&block)) {
-    return render("plot", data_of(*chart, index));
-  }
-  if (const auto* quiz = std::get_if<Quiz>(&block)) return render("quiz", data_of(*quiz, index));
-  if (const auto* image = std::get_if<Image>(&block)) {
-    const auto* result = results_.get<ImageResult>(index);
-    return result != nullptr ? render("image", data_of(*image, *result)) : "";
-  }
-  if (const auto* figure = std::get_if<Figure>(&block)) {
-    return render("figure", data_of(*figure, index));
-  }
-  if (const auto* io = std::get_if<Io>(&block)) return render("io", data_of(*io));
-  if (const auto* callout = std::get_if<Callout>(&block)) {
-    return render("callout", data_of(*callout, inner));
-  }
-  if (const auto* output = std::get_if<Output>(&block); output != nullptr && output->apart) {
-    return render("example", data_of(*output, index));
-  }
-  if (const auto* demo = std::get_if<Demo>(&block)) return render("demo", data_of(*demo));
-  return "";  // an output and its label, which the example above shows
+std::string PageWriter::write_math(const Math& math, std::size_t index) const {
+  const auto* result = results_.get<FormulaResult>(index);
+  const std::string markup = result != nullptr ? result->markup : escape_html(math.tex.text);
+  return math.display ? "<div class=\"math\">" + markup + "</div>\n"
+                      : "<span class=\"math\">" + markup + "</span>";
+}
+
+std::string PageWriter::write_value(const InlineValue& value, std::size_t index) const {
+  const auto* result = results_.get<ValueResult>(index);
+  if (result == nullptr) return "<code>" + escape_html(value.expression.text) + "</code>";
+  return "<span class=\"value\" title=\"computed: " + escape_html(result->origin) + "\">" +
+         escape_html(result->text) + "</span>";
+}
+
+// The code never takes the way through the script engine: the template leaves a mark, and the code
+// is put there.
+std::string PageWriter::write_listing(nlohmann::json data) {
+  constexpr const char* kMark =
+      "\x02"
+      "code\x03";
+  if (data["code"].is_null()) return render("example", data);
+  const auto code = std::exchange(data["code"], kMark).get<std::string>();
+  std::string html = render("example", data);
+  return html.replace(html.find(kMark), std::char_traits<char>::length(kMark), code);
+}
+
+std::string PageWriter::write_block(std::size_t i, const std::string& inner) {
+  const auto* image = results_.get<ImageResult>(i);
+  const Cases cases{
+      [&](const Math& math) { return write_math(math, i); },
+      [&](const InlineValue& value) { return write_value(value, i); },
+      [&](const TermUse& term) { return write_term(term, inner); },
+      [&](const Example& example) { return write_listing(data_of(example, i)); },
+      [&](const Unchecked& unchecked) { return write_listing(data_of(unchecked)); },
+      [&](const Snippet& snippet) { return write_listing(data_of(snippet, i)); },
+      [&](const ModelExcerpt& excerpt) { return write_listing(data_of(excerpt)); },
+      [&](const InlineModel& model) { return write_listing(data_of(model, i)); },
+      // The example above shows an output that does not stand apart.
+      [&](const Output& output) { return output.apart ? write_listing(data_of(output, i)) : ""; },
+      [&](const Image& shown) {
+        return image != nullptr ? render("image", data_of(shown, *image)) : "";
+      },
+      [&](const Io& io) { return render("io", data_of(io)); },
+      [&](const Callout& callout) { return render("callout", data_of(callout, inner)); },
+      [&](const Lab& lab) { return render("lab", data_of(lab, i)); },
+      [&](const Figure& figure) { return render("figure", data_of(figure, i)); },
+      [&](const Chart& chart) { return render("plot", data_of(chart, i)); },
+      [&](const Quiz& quiz) { return render("quiz", data_of(quiz, i)); },
+      [&](const Demo& demo) { return render("demo", data_of(demo)); },
+      [](const Shown&) { return std::string(); },
+  };
+  return std::visit(cases, lesson_.blocks[i]);
 }
 
 }  // namespace mjcourse

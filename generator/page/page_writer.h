@@ -7,6 +7,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,7 @@ struct Press {
   std::string page = {};
   // What each term of the glossary means, by its key (page/glossary_page.h).
   const std::map<std::string, std::string>* definitions = nullptr;
+  bool places = false;  // a lesson's text has its lines in comments (page/place_marks.h)
 };
 
 class PageWriter {
@@ -57,10 +59,15 @@ class PageWriter {
   bool takes(cmark_node* node) const;
   std::string write(cmark_node* node, const std::string& inner);
   std::string write_heading(cmark_node* node, const std::string& inner);
+  void list_heading(int level, const std::string& id, const std::string& title);
   std::string write_link(cmark_node* node, const std::string& inner) const;
+  std::string write_math(const Math& math, std::size_t index) const;
+  std::string write_value(const InlineValue& value, std::size_t index) const;
   std::string write_term(const TermUse& term, const std::string& inner) const;
   std::string from_root(const std::string& path) const;
-  std::string write_block(std::size_t index, const std::string& inner);
+  // `i` is the block's index.
+  std::string write_block(std::size_t i, const std::string& inner);
+  std::string write_listing(nlohmann::json data);  // as example.hbs wants it
 
   nlohmann::json data_of(const Example& example, std::size_t index);
   nlohmann::json data_of(const Unchecked& unchecked);
@@ -103,16 +110,18 @@ class PageWriter {
 // The templates that the site's build left in `assets`, with their engine.
 Templates site_templates(const Files& assets);
 
-// Render a template that must render: the data is ours. Throws std::runtime_error with the
-// template's name and line where it does not.
+// Why a template could not be rendered, with its name and line.
+class BrokenTemplate : public std::runtime_error {
+ public:
+  explicit BrokenTemplate(TemplateError error);
+  const TemplateError& error() const { return error_; }
+
+ private:
+  TemplateError error_;
+};
+
+// Render a template that must render: the data is ours. Throws BrokenTemplate where it does not.
 std::string render_template(Templates& templates, const std::string& name,
                             const nlohmann::json& data);
-
-// Where a copy of a lesson's picture lies, below the site's root.
-std::string image_path(const Lesson& lesson, const Image& image, const ImageResult& result);
-// Where the files of its block `index` lie, a lab, a figure or a plot, without the extension.
-std::string block_path(const Lesson& lesson, std::size_t index);
-// The page of a lesson, below the site's root.
-std::string page_path(const Lesson& lesson);
 
 }  // namespace mjcourse

@@ -17,13 +17,26 @@ std::string text_of(cmark_node* node, const Lesson& page, const LessonResults& r
   return cmark_node_get_type(node) == CMARK_NODE_PARAGRAPH ? text + " " : text;
 }
 
-}  // namespace
-
-std::string reader_text(cmark_node* node, const Lesson& page, const LessonResults& results) {
-  std::istringstream words(text_of(node, page, results));
+std::string with_single_blanks(const std::string& spaced) {
+  std::istringstream words(spaced);
   std::string text;
   for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
   return text;
+}
+
+}  // namespace
+
+std::string reader_text(cmark_node* node, const Lesson& page, const LessonResults& results) {
+  return with_single_blanks(text_of(node, page, results));
+}
+
+std::string reader_text(const Heading& heading, const LessonResults& results) {
+  std::string text;
+  for (const TitlePart& part : heading.title) {
+    const auto* value = part.value ? results.get<ValueResult>(*part.value) : nullptr;
+    text += value != nullptr ? value->text : part.text;
+  }
+  return with_single_blanks(text);
 }
 
 }  // namespace mjcourse

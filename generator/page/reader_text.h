@@ -12,4 +12,7 @@ namespace mjcourse {
 // blanks as one.
 std::string reader_text(cmark_node* node, const Lesson& page, const LessonResults& results);
 
+// The same of a heading, whose lesson may be at rest.
+std::string reader_text(const Heading& heading, const LessonResults& results);
+
 }  // namespace mjcourse

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "evaluate/pin.h"
 #include "page/anchors.h"
 #include "page/page_writer.h"
 #include "page/site_directory.h"
@@ -58,19 +59,19 @@ Findings findings_of(const Run& run) {
 }
 
 // The files of what is pinned; gives where the page finds them.
-std::vector<ShownPicture> write_pictures(const Run& run, SiteDirectory& directory) {
+std::vector<ShownPicture> write_pictures(const Run& run, SiteFiles& directory) {
   std::vector<ShownPicture> shown;
   for (const Lesson* page : pages_of(run)) {
-    for (const PinComparison& pin : run.evaluation.results_of(*run.course, *page).pins) {
-      const std::string name = page->number + "-" + pin.name;
-      const auto write = [&](const std::string& which, const std::string& bytes) -> std::string {
+    for (const PinComparison* pin : pins_of(run.evaluation.results_of(*run.course, *page))) {
+      const std::string name = page->number + "-" + pin->name;
+      const auto write = [&](const std::string& which, const Blob& bytes) -> std::string {
         if (bytes.empty()) return "";
         std::string path = "pictures/" + name + "-" + which + ".png";
-        directory.write(path, bytes);
+        directory.write(path, bytes.bytes());
         return path;
       };
-      shown.push_back({name, write("reference", pin.reference), write("actual", pin.actual),
-                       write("difference", pin.difference), pin.agrees});
+      shown.push_back({name, write("reference", pin->reference), write("actual", pin->actual),
+                       write("difference", pin->difference), pin->agrees});
     }
   }
   return shown;

@@ -6,6 +6,7 @@
 // the old site at once.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 
 #include "course/course.h"
@@ -17,6 +18,7 @@ struct SitePaths {
   std::filesystem::path course;  // the course's folder
   std::filesystem::path assets;  // what site/build.mjs made
   std::filesystem::path out;     // the site
+  std::size_t threads = 1;       // on which the lessons are written
 };
 
 // Throws std::runtime_error or std::system_error when the site cannot be written; the old one then

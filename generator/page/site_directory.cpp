@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <fstream>
 #include <stdexcept>
 #include <system_error>
 
@@ -60,7 +61,21 @@ void SiteDirectory::write(const std::string& path, std::string_view bytes) {
   write_file(staging_ / path, bytes);
 }
 
+void SiteDirectory::write(const std::string& path,
+                          const std::function<void(std::ostream&)>& writer) {
+  fs::create_directories((staging_ / path).parent_path());
+  errno = 0;
+  std::ofstream file(staging_ / path, std::ios::binary | std::ios::trunc);
+  writer(file);
+  file.close();
+  if (!file) throw std::system_error(errno ? errno : EIO, std::generic_category(), path);
+}
+
 void SiteDirectory::copy(const fs::path& from, const std::string& path) {
+  {
+    const std::lock_guard guard(mutex_);
+    if (!copied_.insert(path).second) return;
+  }
   fs::create_directories((staging_ / path).parent_path());
   fs::copy(from, staging_ / path, fs::copy_options::recursive);
 }

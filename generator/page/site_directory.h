@@ -6,29 +6,38 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <mutex>
+#include <set>
 #include <string>
 #include <string_view>
 
+#include "page/site_files.h"
+
 namespace mjcourse {
 
-class SiteDirectory {
+class SiteDirectory : public SiteFiles {
  public:
   // Throws std::runtime_error when `site` holds something that no build made, or when another build
   // is at work on it; std::system_error where the disk fails.
   explicit SiteDirectory(const std::filesystem::path& site);
-  ~SiteDirectory();
+  ~SiteDirectory() override;
   SiteDirectory(const SiteDirectory&) = delete;
   SiteDirectory& operator=(const SiteDirectory&) = delete;
 
-  // `path` is relative to the site's root.
-  void write(const std::string& path, std::string_view bytes);
-  void copy(const std::filesystem::path& from, const std::string& path);
+  using SiteFiles::write;
+  void write(const std::string& path, std::string_view bytes) override;
+  void write(const std::string& path, const std::function<void(std::ostream&)>& writer) override;
+  void copy(const std::filesystem::path& from, const std::string& path) override;
 
   void commit();
 
  private:
   std::filesystem::path site_, staging_;
   int lock_ = -1;
+  std::mutex mutex_;
+  std::set<std::string> copied_;  // paths
 };
 
 }  // namespace mjcourse

@@ -1,7 +1,7 @@
 #include "page/uses_data.h"
 
-#include "page/page_writer.h"
 #include "page/reader_text.h"
+#include "page/site_paths.h"
 
 namespace mjcourse {
 
@@ -21,7 +21,7 @@ nlohmann::json uses_data(const std::vector<Use>& uses, const Course& course,
     last = use.page;
     if (use.section == nullptr) continue;
     pages.back()["sections"].push_back(
-        {{"title", reader_text(use.section->node, page, evaluation.results_of(course, page))},
+        {{"title", reader_text(*use.section, evaluation.results_of(course, page))},
          {"href", href + "#" + use.section->id}});
   }
   return pages;

@@ -4,8 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "base/sandbox.h"
 #include "page/anchors.h"
-#include "page/page_writer.h"
+#include "page/site_paths.h"
 #include "report/diagnostic_json.h"
 
 namespace mjcourse {
@@ -20,10 +21,7 @@ json no_counts() {
 }
 
 void count(json& counts, const Claims& claims) {
-  for (const Claim& claim : claims) {
-    json& of_status = counts[name_of(claim.status)];
-    of_status = of_status.get<int>() + 1;
-  }
+  add_counts(counts, counts_of(claims));
 }
 
 // Where a reader of the site finds it; "" in a draft.
@@ -48,7 +46,9 @@ json claim_json(const Lesson& lesson, const Claims& claims, std::size_t index) {
           {"key", claim.key}};
 }
 
-json lesson_json(const Lesson& lesson, const Claims& claims) {
+}  // namespace
+
+json verification_of(const Lesson& lesson, const Claims& claims) {
   json all = json::array();
   for (std::size_t i = 0; i < claims.size(); ++i) all.push_back(claim_json(lesson, claims, i));
   json counts = no_counts();
@@ -63,7 +63,7 @@ json lesson_json(const Lesson& lesson, const Claims& claims) {
           {"claims", std::move(all)}};
 }
 
-json verification(const std::string& course, const Versions& versions) {
+json verification_of_none(const std::string& course, const Versions& versions) {
   return {{"format", kFormat},
           {"course", course},
           {"versions",
@@ -76,6 +76,21 @@ json verification(const std::string& course, const Versions& versions) {
           {"lessons", json::array()}};
 }
 
+StatusCounts counts_of(const Claims& claims) {
+  StatusCounts counts{};
+  for (const Claim& claim : claims) ++counts.at(static_cast<std::size_t>(claim.status));
+  return counts;
+}
+
+void add_counts(json& counts, const StatusCounts& more) {
+  for (std::size_t i = 0; i < more.size(); ++i) {
+    json& of_status = counts[name_of(static_cast<Claim::Status>(i))];
+    of_status = of_status.get<int>() + more.at(i);
+  }
+}
+
+namespace {
+
 // Milliseconds are more than enough of what no two runs share.
 double rounded(double seconds) {
   return std::round(1000 * seconds) / 1000;
@@ -85,7 +100,7 @@ double rounded(double seconds) {
 void add_lessons(const Course& course, const Evaluation& evaluation, json& all) {
   for (const Lesson* page : course.pages()) {
     const Claims& claims = evaluation.results_of(course, *page).claims;
-    json& lesson = all["lessons"].emplace_back(lesson_json(*page, claims));
+    json& lesson = all["lessons"].emplace_back(verification_of(*page, claims));
     for (std::size_t c = 0; c < claims.size(); ++c) {
       lesson["claims"][c]["seconds"] = rounded(claims[c].seconds);
       lesson["claims"][c]["run_seconds"] = rounded(claims[c].run_seconds);
@@ -98,31 +113,46 @@ void add_lessons(const Course& course, const Evaluation& evaluation, json& all) 
 }  // namespace
 
 json published_verification(const Course& course, const Evaluation& evaluation) {
-  json all = verification(course.title, evaluation.versions);
+  json all = verification_of_none(course.title, evaluation.versions);
   for (const Lesson* page : course.pages()) {
     if (page->front.draft) continue;
     const Claims& claims = evaluation.results_of(course, *page).claims;
-    all["lessons"].push_back(lesson_json(*page, claims));
+    all["lessons"].push_back(verification_of(*page, claims));
     count(all["counts"], claims);
   }
   return all;
 }
 
 json full_verification(const Course* course, const Evaluation& evaluation, double seconds) {
-  json all = verification(course != nullptr ? course->title : "", evaluation.versions);
+  json all = verification_of_none(course != nullptr ? course->title : "", evaluation.versions);
   if (course != nullptr) add_lessons(*course, evaluation, all);
   const Diagnostics& found = evaluation.diagnostics;
   all["succeeded"] = std::none_of(found.begin(), found.end(), [](const Diagnostic& diagnostic) {
     return diagnostic.severity == Severity::error;
   });
   all["seconds"] = rounded(seconds);
+  all["sandbox"] = evaluation.versions.compiler.empty() ? "" : sandbox_level().text();
   all["diagnostics"] = json::array();
   for (const Diagnostic& diagnostic : found) all["diagnostics"].push_back(json_of(diagnostic));
   return all;
 }
 
+std::string json_text(const json& json) {
+  return json.dump(1, ' ', false, json::error_handler_t::replace);
+}
+
+std::string indented(const std::string& text, std::size_t columns) {
+  const std::string blanks(columns, ' ');
+  std::string moved = blanks;
+  for (const char c : text) {
+    moved += c;
+    if (c == '\n') moved += blanks;
+  }
+  return moved;
+}
+
 std::string json_file(const json& json) {
-  return json.dump(1, ' ', false, json::error_handler_t::replace) + "\n";
+  return json_text(json) + "\n";
 }
 
 }  // namespace mjcourse

@@ -60,11 +60,18 @@ class PageData {
                           {"difference", picture.difference},
                           {"agrees", picture.agrees}});
     }
-    return {{"course", verification_["course"]}, {"versions", verification_["versions"]},
-            {"json", "verification.json"},       {"counts", counts_data(verification_["counts"])},
-            {"failed", with_status({"failed"})}, {"messages", findings_.others},
-            {"pictures", std::move(pictures)},   {"open", with_status({"asserted", "unchecked"})},
-            {"lessons", std::move(lessons)}};
+    return {{"course", verification_["course"]},
+            {"versions", verification_["versions"]},
+            {"sandbox", verification_.value("sandbox", "")},
+            {"json", "verification.json"},
+            {"counts", counts_data(verification_["counts"])},
+            {"failed", with_status({"failed"})},
+            {"messages", findings_.others},
+            {"pictures", std::move(pictures)},
+            {"open", with_status({"asserted", "unchecked"})},
+            {"lessons", std::move(lessons)},
+            {"open_parts", ""},
+            {"lesson_parts", ""}};
   }
 
  private:

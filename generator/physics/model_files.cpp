@@ -6,7 +6,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
+#include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -42,24 +45,41 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+// MJCF that a person wrote; an asset may be larger.
+bool is_small_file(const fs::path& path) {
+  std::error_code error;
+  constexpr std::uintmax_t most = 16 << 20;
+  return fs::is_regular_file(path, error) && fs::file_size(path, error) <= most;
+}
+
 // Reads MJCF in document order, with each include in its place.
 class SourceWalk {
  public:
   explicit SourceWalk(fs::path folder) : folder_(std::move(folder)) {}
 
   void enter(const std::string& path) {
+    if (std::find(texts_.begin(), texts_.end(), path) != texts_.end()) return;  // in a circle
     XMLDocument document;
-    if (document.LoadFile(path.c_str()) != tinyxml2::XML_SUCCESS) return;
+    if (!is_small_file(path) || document.LoadFile(path.c_str()) != tinyxml2::XML_SUCCESS) return;
     texts_.push_back(path);
+    const std::string outer = std::exchange(current_, path);
+    walk_document(document);
+    current_ = outer;
+  }
+
+  void walk_document(const XMLDocument& document) {
     if (document.RootElement() != nullptr) walk(*document.RootElement());
   }
 
   void walk(const XMLElement& element) {
     const std::string name = element.Name();
+    note_infinite(element);
     if (strcasecmp(name.c_str(), "include") == 0) {
       if (const char* file = element.Attribute("file")) {
-        first_ = first_.empty() ? file : first_;
-        enter((folder_ / file).string());
+        const std::string path = (folder_ / file).string();
+        const bool again = std::find(texts_.begin(), texts_.end(), path) != texts_.end();
+        includes_.push_back({Folder::meshes, file, current_, element.GetLineNum(), again});
+        enter(path);
       }
       return;
     }
@@ -68,8 +88,7 @@ class SourceWalk {
     for (const Naming& naming : kNamings) {
       const char* file = element.Attribute(naming.attribute);
       if (name != naming.element || file == nullptr || *file == '\0') continue;
-      first_ = first_.empty() ? file : first_;
-      named_.emplace_back(naming.folder, file);
+      named_.push_back({naming.folder, file, current_, element.GetLineNum()});
     }
     for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
          child = child->NextSiblingElement()) {
@@ -78,15 +97,30 @@ class SourceWalk {
   }
 
   const std::vector<std::string>& texts() const { return texts_; }
-  const std::string& first() const { return first_; }
 
-  // Where MuJoCo reads the assets from, once all settings are known.
+  // Where a file is named, by an element of the file `by`.
+  struct Name {
+    Folder folder;
+    std::string file, by;
+    int line;
+    bool again = false;  // included a second time
+  };
+  const std::vector<Name>& includes() const { return includes_; }
+  const std::vector<Name>& named() const { return named_; }
+  const std::optional<ModelError>& infinite() const { return infinite_; }
+
+  // Where MuJoCo reads it from, once all settings are known. An absolute path on the right takes
+  // the place of what is left of it, as in MuJoCo.
+  fs::path path_of_include(const Name& name) const { return folder_ / name.file; }
+  fs::path path_of_asset(const Name& name) const {
+    const fs::path& inside = name.folder == Folder::meshes ? meshes_ : textures_;
+    return folder_ / inside / (strip_ ? last_part(name.file) : name.file);
+  }
+
   std::vector<std::string> assets() const {
     std::vector<std::string> paths;
-    for (const auto& [folder, file] : named_) {
-      const fs::path& inside = folder == Folder::meshes ? meshes_ : textures_;
-      // An absolute path on the right takes the place of what is left of it, as in MuJoCo.
-      const fs::path path = folder_ / inside / (strip_ ? last_part(file) : file);
+    for (const Name& name : named_) {
+      const fs::path path = path_of_asset(name);
       std::error_code error;
       if (fs::is_regular_file(path, error)) paths.push_back(path.string());
     }
@@ -94,6 +128,20 @@ class SourceWalk {
   }
 
  private:
+  void note_infinite(const XMLElement& element) {
+    for (const auto* a = element.FirstAttribute(); a != nullptr && !infinite_; a = a->Next()) {
+      std::istringstream words(a->Value());
+      for (std::string word; words >> word;) {
+        char* end = nullptr;
+        const double number = std::strtod(word.c_str(), &end);
+        if (*end != '\0' || std::isfinite(number) || std::string_view(a->Name()) == "name")
+          continue;
+        infinite_ = ModelError{current_, a->GetLineNum(), 0,
+                               "'" + word + "' is not a finite number", "write a number"};
+      }
+    }
+  }
+
   void read_settings(const XMLElement& compiler) {
     if (const char* folder = compiler.Attribute("meshdir")) meshes_ = folder;
     if (const char* folder = compiler.Attribute("texturedir")) textures_ = folder;
@@ -106,9 +154,55 @@ class SourceWalk {
   fs::path meshes_, textures_;
   bool strip_ = false;
   std::vector<std::string> texts_;
-  std::vector<std::pair<Folder, std::string>> named_;
-  std::string first_;
+  std::vector<Name> includes_, named_;
+  std::optional<ModelError> infinite_;
+  std::string current_;  // the file that is walked
 };
+
+// What is wrong with a file that a model in `folder` names; "" where it is one of them, or not
+// there, of which MuJoCo tells.
+std::string why_foreign(const fs::path& path, const fs::path& folder, bool is_mjcf) {
+  std::error_code error;
+  const fs::path real = fs::weakly_canonical(path, error);
+  const std::string below = real.lexically_relative(fs::weakly_canonical(folder)).string();
+  if (error || below.empty() || below.starts_with("..")) {
+    return "lies outside of the folder of the model";
+  }
+  if (!fs::exists(real, error)) return "";
+  if (!fs::is_regular_file(real, error)) return "is not a file";
+  if (is_mjcf && !is_small_file(real)) return "is larger than 16 MiB";
+  return "";
+}
+
+std::optional<ModelError> find_foreign(const SourceWalk& walk, const std::string& main,
+                                       const fs::path& folder) {
+  if (const std::string why = why_foreign(main, folder, true); !why.empty()) {
+    return ModelError{main, 0, 0, "the model's file " + why, "write it into the models' folder"};
+  }
+  const auto refuse = [](const SourceWalk::Name& name, const std::string& why) {
+    return ModelError{name.by, name.line, 0, "the file '" + name.file + "' " + why,
+                      "put it beside the model, or into a folder there"};
+  };
+  for (const SourceWalk::Name& name : walk.includes()) {
+    const std::string why = why_foreign(walk.path_of_include(name), folder, true);
+    if (!why.empty()) return refuse(name, why);
+    if (!name.again) continue;
+    return ModelError{name.by, name.line, 0, "the file '" + name.file + "' is included again",
+                      "MuJoCo includes a file once"};
+  }
+  for (const SourceWalk::Name& name : walk.named()) {
+    const std::string why = why_foreign(walk.path_of_asset(name), folder, false);
+    if (!why.empty()) return refuse(name, why);
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> files_of(const SourceWalk& walk) {
+  std::vector<std::string> files = walk.texts();
+  const std::vector<std::string> assets = walk.assets();
+  files.insert(files.end(), assets.begin(), assets.end());
+  return files;
+}
 
 // Adds `paths` to `files`; gives what is wrong with their names. `taken` has the names of all
 // files, with the path of each.
@@ -124,6 +218,20 @@ std::string add(const std::vector<std::string>& paths, std::map<std::string, std
     files[last_part(normal)] = normal;
   }
   return "";
+}
+
+SourceWalk walk_text(const std::string& mjcf) {
+  XMLDocument document;
+  SourceWalk walk{fs::path()};
+  if (document.Parse(mjcf.data(), mjcf.size()) == tinyxml2::XML_SUCCESS) {
+    walk.walk_document(document);
+  }
+  return walk;
+}
+
+std::optional<SourceWalk::Name> first_name_in(const SourceWalk& walk) {
+  if (walk.includes().empty() && walk.named().empty()) return std::nullopt;
+  return walk.includes().empty() ? walk.named().front() : walk.includes().front();
 }
 
 }  // namespace
@@ -145,13 +253,40 @@ tl::expected<ModelSources, std::string> find_model_sources(const std::string& pa
   return sources;
 }
 
-std::string file_named_in(const std::string& mjcf) {
-  XMLDocument document;
-  SourceWalk walk{fs::path()};
-  if (document.Parse(mjcf.data(), mjcf.size()) == tinyxml2::XML_SUCCESS) {
-    walk.walk(*document.RootElement());
+NamedFiles look_at_model_files(const std::string& path) {
+  const fs::path folder = fs::absolute(path).parent_path();
+  NamedFiles found;
+  // An include outside is walked as well, if it is XML: it is not loaded, and nobody hears of it.
+  SourceWalk walk(folder);
+  walk.enter(fs::absolute(path).string());
+  found.foreign = find_foreign(walk, path, folder);
+  found.infinite = walk.infinite();
+  found.files = files_of(walk);
+  return found;
+}
+
+NamedFiles look_at_model_text(const std::string& mjcf) {
+  const SourceWalk walk = walk_text(mjcf);
+  NamedFiles found;
+  found.infinite = walk.infinite();
+  if (const auto name = first_name_in(walk)) {
+    found.foreign =
+        ModelError{"", name->line, 0,
+                   "a model inside a lesson cannot name files; this one names " + name->file,
+                   "put the model into a file of its own, models/NAME.xml"};
   }
-  return walk.first();
+  return found;
+}
+
+std::vector<std::string> files_of_model(const std::string& path) {
+  SourceWalk walk(fs::path(path).parent_path());
+  walk.enter(path);
+  return files_of(walk);
+}
+
+std::string file_named_in(const std::string& mjcf) {
+  const std::optional<SourceWalk::Name> name = first_name_in(walk_text(mjcf));
+  return name ? name->file : "";
 }
 
 }  // namespace mjcourse

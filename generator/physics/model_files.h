@@ -5,8 +5,12 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
+
+#include "physics/model_error.h"
 
 namespace mjcourse {
 
@@ -21,6 +25,22 @@ struct ModelSources {
 // Of the model in the file at `path`, which compiles; a file that it names and does not need is
 // left out. An error where it has two files of one name, or more than MuJoCo can hold in memory.
 tl::expected<ModelSources, std::string> find_model_sources(const std::string& path);
+
+// The files that a model reads, and the first of them that it must not.
+struct NamedFiles {
+  std::vector<std::string> files;  // that are there, the main file first
+  std::optional<ModelError> foreign;
+  // Where an attribute says `nan` or `inf`; of no harm where that is a name.
+  std::optional<ModelError> infinite;
+};
+
+// Of the model in the file at `path`, which need not compile. Foreign is what lies outside of the
+// folder of `path`, is no file but a device or a pipe, is MJCF of many megabytes, or is included
+// twice.
+NamedFiles look_at_model_files(const std::string& path);
+
+// The same of MJCF without a file of its own, which may name none.
+NamedFiles look_at_model_text(const std::string& mjcf);
 
 // The first file that `mjcf` names, in any of these ways; "" when it names none.
 std::string file_named_in(const std::string& mjcf);

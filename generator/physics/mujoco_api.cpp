@@ -249,4 +249,10 @@ std::string mujoco_headers_folder() {
   return named != nullptr ? named : MJCOURSE_MUJOCO_HEADERS;
 }
 
+const tl::expected<MujocoApi, std::string>& installed_mujoco_api() {
+  static const tl::expected<MujocoApi, std::string> read =
+      read_mujoco_api(DiskFiles(mujoco_headers_folder()));
+  return read;
+}
+
 }  // namespace mjcourse

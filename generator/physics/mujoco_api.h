@@ -38,4 +38,7 @@ tl::expected<MujocoApi, std::string> read_mujoco_api(const Files& headers);
 // with.
 std::string mujoco_headers_folder();
 
+// Those there, read when they are first asked for. From any thread.
+const tl::expected<MujocoApi, std::string>& installed_mujoco_api();
+
 }  // namespace mjcourse

@@ -51,7 +51,7 @@ void append_to_string(png_structp png, png_bytep bytes, std::size_t count) {
 std::string encode_webp(const Picture& picture) {
   WebPConfig config;
   require(WebPConfigPreset(&config, WEBP_PRESET_DRAWING, webp_quality) != 0, "WebP version");
-  config.method = 6;
+  config.method = 2;  // 4 takes half as long again for 3 % less
   config.use_sharp_yuv = 1;
 
   WebPPicture webp;
@@ -79,7 +79,7 @@ std::string encode_png(const Picture& picture) {
   const WritePng free_png{png, png_create_info_struct(png)};
   std::string bytes;
   png_set_write_fn(png, &bytes, append_to_string, nullptr);
-  png_set_compression_level(png, 9);
+  png_set_compression_level(png, 6);  // 9 takes four times as long for 3 % less
   png_set_IHDR(png, free_png.info, static_cast<png_uint_32>(picture.width),
                static_cast<png_uint_32>(picture.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
                PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);

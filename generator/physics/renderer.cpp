@@ -11,6 +11,7 @@ namespace {
 
 constexpr int most_shapes = 10000;  // in one scene, frames' axes and the like counted
 constexpr int longest_side = 2048;  // pixels; with 4 samples a buffer takes 32 bytes a pixel
+constexpr int film_shadow = 1024;   // texels a side
 
 mjvCamera free_camera(const Camera& camera) {
   mjvCamera free;
@@ -25,13 +26,13 @@ mjvCamera free_camera(const Camera& camera) {
 
 // What the current framebuffer shows, OpenGL's bottom row first turned to the top row first.
 Picture read_picture(PictureSize size, const mjrContext& context) {
-  const std::size_t row = static_cast<std::size_t>(size.width) * 3;
-  std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(size.height));
-  mjr_readPixels(upward.data(), nullptr, {0, 0, size.width, size.height}, &context);
+  const std::ptrdiff_t row = std::ptrdiff_t{3} * size.width;
   Picture picture{size.width, size.height, {}};
-  picture.rgb.reserve(upward.size());
-  for (auto end = upward.end(); end != upward.begin(); end -= static_cast<std::ptrdiff_t>(row)) {
-    picture.rgb.insert(picture.rgb.end(), end - static_cast<std::ptrdiff_t>(row), end);
+  picture.rgb.resize(static_cast<std::size_t>(row * size.height));
+  mjr_readPixels(picture.rgb.data(), nullptr, {0, 0, size.width, size.height}, &context);
+  const auto first = picture.rgb.begin(), end = picture.rgb.end();
+  for (std::ptrdiff_t y = 0; y < size.height / 2; ++y) {
+    std::swap_ranges(first + y * row, first + (y + 1) * row, end - (y + 1) * row);
   }
   return picture;
 }
@@ -44,6 +45,7 @@ struct Renderer::Stage {
   mjvScene scene;
   mjrContext context;
   std::uint64_t model = 0;         // serial number of the model that all of this is for
+  Detail detail = Detail::still;   // and how finely it draws
   std::unique_ptr<Data> stand_in;  // takes the place of a simulation's data
 
   Stage() {
@@ -54,31 +56,36 @@ struct Renderer::Stage {
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  bool suits(const Model& next, PictureSize size) const {
-    return model == next.serial() && size.width <= context.offWidth &&
+  bool suits(const Model& next, PictureSize size, Detail wanted) const {
+    return model == next.serial() && detail == wanted && size.width <= context.offWidth &&
            size.height <= context.offHeight;
   }
-  void set(const Model& next, PictureSize size);
+  void set(const Model& next, PictureSize size, Detail wanted);
   void draw(const Simulation& simulation, const mjvOption& options, mjvCamera camera,
             PictureSize size);
   void clear();
 };
 
 // Makes `next` the model that is drawn, at up to `size`.
-void Renderer::Stage::set(const Model& next, PictureSize size) {
+void Renderer::Stage::set(const Model& next, PictureSize size, Detail wanted) {
   clear();
   stand_in = std::make_unique<Data>(next);
   mjv_makeScene(next.get(), &scene, most_shapes);
   scene.flags[mjRND_SHADOW] = 1;
   scene.flags[mjRND_REFLECTION] = 1;
-  // The framebuffer's size is a setting of the model, whose own says nothing of the pictures asked
-  // for here: a shallow copy says it.
+  // The framebuffer's size and its quality are settings of the model, whose own say nothing of the
+  // pictures asked for here: a shallow copy says it.
   mjModel sized = *next.get();
   sized.vis.global.offwidth = size.width;
   sized.vis.global.offheight = size.height;
+  if (wanted == Detail::film) {
+    sized.vis.quality.offsamples = 0;
+    sized.vis.quality.shadowsize = std::min(sized.vis.quality.shadowsize, film_shadow);
+  }
   mjr_makeContext(&sized, &context, mjFONTSCALE_100);
   mjr_setBuffer(mjFB_OFFSCREEN, &context);
   model = next.serial();
+  detail = wanted;
 }
 
 // mj_forward brings what is drawn up to date with the state. On the simulation's own data it would
@@ -117,7 +124,7 @@ tl::expected<Renderer, std::string> Renderer::create() {
 
 tl::expected<Picture, std::string> Renderer::render(const Simulation& simulation,
                                                     const Camera& camera, const Overlays& overlays,
-                                                    PictureSize size) {
+                                                    PictureSize size, Detail detail) {
   if (simulation.stopped()) return tl::unexpected(*simulation.trouble());
   const auto options = visual_options(overlays);
   if (!options) return tl::unexpected(options.error());
@@ -129,7 +136,9 @@ tl::expected<Picture, std::string> Renderer::render(const Simulation& simulation
   }
   const WarningLog log;
   try {
-    if (!stage_->suits(simulation.model(), size)) stage_->set(simulation.model(), size);
+    if (!stage_->suits(simulation.model(), size, detail)) {
+      stage_->set(simulation.model(), size, detail);
+    }
     stage_->draw(simulation, *options, free_camera(camera), size);
   } catch (const MujocoError& error) {
     return tl::unexpected(std::string(error.what()));

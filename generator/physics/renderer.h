@@ -2,8 +2,9 @@
 //
 // Renderer::create() makes an OpenGL context in memory (OSMesa, on the CPU) and render() draws with
 // it. A picture at 640 x 400 takes some 50 ms; what is uploaded for a model is kept for the next
-// picture of the same model. Repeated on the same kind of CPU, a picture is the same to the bit;
-// across kinds of CPU compare with a tolerance.
+// picture of the same simulation, and for no other: another that looks alike, drawn with what is
+// kept, differs in some pixels by what was drawn before. Repeated on the same kind of CPU, a
+// picture is the same to the bit; across kinds of CPU compare with a tolerance.
 #pragma once
 
 #include <array>
@@ -25,6 +26,15 @@ struct Camera {
   std::array<double, 3> target{0, 0, 0};  // metres, in the world frame
 };
 
+// How finely edges and shadows are drawn.
+enum class Detail {
+  still,  // as the model's own visual/quality says
+  // For the pictures of a film: without multisampling, and with a shadow map of at most 1024 texels
+  // a side. In motion and compressed, what is lost cannot be seen at the page's size; a frame takes
+  // a third of the CPU.
+  film,
+};
+
 struct PictureSize {
   int width = 640;
   int height = 400;
@@ -43,7 +53,8 @@ class Renderer {
   // Errors: a simulation that has stopped(), unknown overlays, a size that cannot be drawn, what
   // MuJoCo's renderer objects to. From one thread at a time.
   tl::expected<Picture, std::string> render(const Simulation& simulation, const Camera& camera,
-                                            const Overlays& overlays = {}, PictureSize size = {});
+                                            const Overlays& overlays = {}, PictureSize size = {},
+                                            Detail detail = Detail::still);
 
  private:
   struct Stage;

@@ -1,6 +1,7 @@
 #include "report/diagnostic.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "base/utf8.h"
@@ -11,9 +12,23 @@ Diagnostic error_at(Place place, std::string id, std::string message, std::strin
   Diagnostic error;
   error.id = std::move(id);
   error.place = std::move(place);
-  error.message = std::move(message);
-  error.cure = std::move(cure);
+  error.message = readable(std::move(message));
+  error.cure = readable(std::move(cure));
   return error;
+}
+
+void sort_by_place(Diagnostics& diagnostics) {
+  std::stable_sort(diagnostics.begin(), diagnostics.end(),
+                   [](const Diagnostic& a, const Diagnostic& b) {
+                     return std::tie(a.place.file, a.place.line, a.place.column) <
+                            std::tie(b.place.file, b.place.line, b.place.column);
+                   });
+}
+
+bool concerns(const Diagnostic& diagnostic, const std::string& file) {
+  return diagnostic.place.file == file ||
+         std::any_of(diagnostic.notes.begin(), diagnostic.notes.end(),
+                     [&](const Note& note) { return note.place.file == file; });
 }
 
 Place place_of(const SourceText& source, Span span) {

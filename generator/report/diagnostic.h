@@ -53,8 +53,16 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
-// An error with what every error has; set the rest where there is more to say.
+// An error with what every error has; set the rest where there is more to say. What message and
+// cure quote of the author's may hold anything: they become one line (base/utf8.h: readable).
 Diagnostic error_at(Place place, std::string id, std::string message, std::string cure = "");
+
+// In the order of the files and of their lines, whichever thread found them first.
+void sort_by_place(Diagnostics& diagnostics);
+
+// Does it stand in `file`, or say in a note that this has a part in it: a lesson that uses the
+// model?
+bool concerns(const Diagnostic& diagnostic, const std::string& file);
 
 // The place of `span` in `source`; a span over several lines is cut at the end of its first.
 Place place_of(const SourceText& source, Span span);

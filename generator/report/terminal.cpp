@@ -3,12 +3,20 @@
 #include <algorithm>
 #include <sstream>
 #include <string_view>
+#include <vector>
 
 #include "base/utf8.h"
 #include "report/colours.h"
+#include "report/wrapped.h"
 
 namespace mjcourse {
 namespace {
+
+// A source line as it is shown, and where the marks below it stand, in columns.
+struct Shown {
+  std::string line;
+  int before = 0, marks = 1;
+};
 
 class Writer {
  public:
@@ -18,9 +26,20 @@ class Writer {
     if (style_.colours) out_ << colour;
     out_ << text;
     if (style_.colours) out_ << kPlain;
+    column_ += count_columns(text);
   }
 
-  void text(std::string_view text) { out_ << text; }
+  void text(std::string_view text) {
+    out_ << text;
+    column_ += count_columns(text);
+  }
+
+  // To the end of the line, or over several, of which all but the first stand behind `indent`.
+  void sentence(std::string_view text, int indent) {
+    out_ << (style_.wraps ? wrapped(text, style_.width, indent, column_) : std::string(text))
+         << '\n';
+    column_ = 0;
+  }
 
   // "file:line:column: "
   void location(const Place& place) {
@@ -38,39 +57,63 @@ class Writer {
  private:
   TerminalStyle style_;
   std::ostringstream out_;
+  int column_ = 0;  // of the line that is being written
 };
 
-// Byte offset of character `index` (from 0) of `text`.
-std::size_t byte_of(std::string_view text, int index) {
-  std::size_t at = 0;
-  while (at < text.size() && count_characters(text.substr(0, at + 1)) <= index) ++at;
-  return at;
+// The characters of `text`.
+std::vector<std::string_view> characters_of(std::string_view text) {
+  std::vector<std::string_view> characters;
+  for (std::size_t begin = 0, at = 1; at <= text.size(); ++at) {
+    if (at < text.size() && count_characters(text.substr(at, 1)) == 0) continue;
+    characters.push_back(text.substr(begin, at - begin));
+    begin = at;
+  }
+  return characters;
+}
+
+// The line of `place`; where `room` columns cannot hold it, only what is around the caret: a third
+// of the room before it, the rest behind.
+Shown shown(const Place& place, int room) {
+  std::string line = place.excerpt;
+  std::replace(line.begin(), line.end(), '\t', ' ');
+  const std::vector<std::string_view> characters = characters_of(line);
+  std::vector<int> starts{0};  // the column where each begins, and where the last one ends
+  for (const std::string_view one : characters)
+    starts.push_back(starts.back() + count_columns(one));
+  const auto column_of = [&](int index) {
+    const int past_end = std::max(0, index - static_cast<int>(characters.size()));
+    return starts[static_cast<std::size_t>(index - past_end)] + past_end;
+  };
+  const int caret = column_of(place.column - 1);
+  const int end = std::max(caret + 1, column_of(place.column - 1 + std::max(1, place.width)));
+  const int all = starts.back();
+  if (all <= room) return {line, caret, std::max(1, std::min(end, all) - caret)};
+
+  const int from = std::clamp(caret - room / 3, 0, all - room);
+  int first = all, last = 0;  // the columns that are shown
+  std::string part;
+  for (std::size_t i = 0; i < characters.size(); ++i) {
+    if (starts[i] < from || starts[i + 1] > from + room) continue;
+    first = std::min(first, starts[i]);
+    last = starts[i + 1];
+    part += characters[i];
+  }
+  const int cut_before = first > 0 ? 1 : 0, cut_behind = last < all ? 1 : 0;
+  return {(cut_before ? "…" : "") + part + (cut_behind ? "…" : ""), caret - first + cut_before,
+          std::max(1, std::min(end, last + cut_behind) - caret)};
 }
 
 void Writer::excerpt(const Place& place) {
   if (place.line == 0 || place.column == 0) return;
-  std::string line = place.excerpt;
-  std::replace(line.begin(), line.end(), '\t', ' ');
   const std::string number = std::to_string(place.line);
-  const int room = std::max(20, style_.width - static_cast<int>(number.size()) - 6);
-  int before = place.column - 1;
-  // Keep the caret in sight: a third of the room before it, the rest after.
-  if (count_characters(line) > room) {
-    const int first = std::clamp(before - room / 3, 0, std::max(0, count_characters(line) - room));
-    const std::size_t begin = byte_of(line, first);
-    const std::size_t end = byte_of(line, first + room);
-    const bool cut_after = end < line.size();
-    line = (first > 0 ? "…" : "") + line.substr(begin, end - begin) + (cut_after ? "…" : "");
-    before += (first > 0 ? 1 : 0) - first;
-  }
-  out_ << "  " << number << " | " << line << '\n';
-  const int rest = std::max(1, count_characters(line) - before);
-  const int tail = std::clamp(place.width, 1, rest) - 1;
-  const std::string marks = "^" + std::string(static_cast<std::size_t>(tail), '~');
-  out_ << "  " << std::string(number.size(), ' ') << " | "
+  const auto [line, before, marks] =
+      shown(place, std::max(20, style_.width - static_cast<int>(number.size()) - 6));
+  out_ << "  " << number << " | " << line << '\n'
+       << "  " << std::string(number.size(), ' ') << " | "
        << std::string(static_cast<std::size_t>(before), ' ');
-  coloured(kGreen, marks);
+  coloured(kGreen, "^" + std::string(static_cast<std::size_t>(marks - 1), '~'));
   out_ << '\n';
+  column_ = 0;
 }
 
 void Writer::indented(std::string_view lines) {
@@ -85,24 +128,36 @@ void Writer::indented(std::string_view lines) {
 }  // namespace
 
 std::string format_for_terminal(const Diagnostic& diagnostic, const TerminalStyle& style) {
+  constexpr int indent = 4;
   Writer out(style);
   const bool error = diagnostic.severity == Severity::error;
   out.location(diagnostic.place);
   out.coloured(error ? kRed : kYellow, error ? "error: " : "warning: ");
-  out.text(diagnostic.message + " [" + diagnostic.id + "]\n");
+  out.sentence(diagnostic.message + " [" + diagnostic.id + "]", indent);
   out.excerpt(diagnostic.place);
   out.indented(diagnostic.detail);
   for (const Note& note : diagnostic.notes) {
     out.text("  note: ");
     if (!note.place.file.empty()) out.location(note.place);
-    out.text(note.message + "\n");
+    out.sentence(note.message, indent);
     out.excerpt(note.place);
   }
   if (!diagnostic.cure.empty()) {
     out.coloured(kBold, "  cure: ");
-    out.text(diagnostic.cure + "\n");
+    out.sentence(diagnostic.cure, indent);
   }
   return out.take();
+}
+
+std::string format_for_terminal(const Diagnostics& diagnostics, const TerminalStyle& style) {
+  std::string text;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    text += format_for_terminal(diagnostic, style) + "\n";
+  }
+  if (style.wraps && !diagnostics.empty()) {
+    text += "`mjcourse explain " + diagnostics.front().id + "` tells more of a message\n\n";
+  }
+  return text;
 }
 
 }  // namespace mjcourse

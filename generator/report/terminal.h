@@ -9,15 +9,14 @@
 #include <string>
 
 #include "report/diagnostic.h"
+#include "report/terminal_style.h"
 
 namespace mjcourse {
 
-struct TerminalStyle {
-  bool colours = false;  // ANSI; never the only bearer of a meaning
-  int width = 100;       // columns; a longer source line is cut around the caret
-};
-
 // The diagnostic's text, ending in a newline.
 std::string format_for_terminal(const Diagnostic& diagnostic, const TerminalStyle& style = {});
+
+// All of them, each with an empty line behind it; and for eyes, who tells more.
+std::string format_for_terminal(const Diagnostics& diagnostics, const TerminalStyle& style);
 
 }  // namespace mjcourse

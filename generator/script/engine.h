@@ -5,7 +5,7 @@
 // the engine is as good as before. Builds are reproducible: `Date` stands still, and `Math.random`
 // draws the same numbers in every engine.
 //
-// An engine may be used by one thread at a time. JavaScriptCore installs handlers for SIGSEGV,
+// An engine is used by the thread that made it. JavaScriptCore installs handlers for SIGSEGV,
 // SIGBUS and SIGUSR1 when the first engine is made, and reserves more than 4 GB of address space
 // (not memory), so the process must not run under RLIMIT_AS.
 #pragma once
@@ -13,6 +13,7 @@
 #include <JavaScriptCore/JavaScript.h>
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <tl/expected.hpp>
@@ -59,7 +60,7 @@ class Engine {
   void arm();
   tl::expected<JSValueRef, Thrown> outcome(JSValueRef result, JSValueRef exception) const;
 
-  JSContextGroupRef group_;
+  std::shared_ptr<const OpaqueJSContextGroup> group_;
   JSGlobalContextRef context_;
   double time_limit_;
   bool expired_ = false;  // set by the callback of the time limit

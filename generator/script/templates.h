@@ -1,13 +1,15 @@
 // Templates: Handlebars in strict mode, where a name that the data does not have is an error.
 //
 // Enter with render(). Templates may include each other as partials, `{{> name}}`. They are
-// compiled when first used.
+// compiled when first used. What comes of small data is remembered, since it often comes again: a
+// thousand listings differ in their code, which has no need to come this way.
 #pragma once
 
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <tl/expected.hpp>
+#include <unordered_map>
 
 #include "script/engine.h"
 
@@ -29,6 +31,7 @@ class Templates {
 
  private:
   Engine engine_;
+  std::unordered_map<std::string, std::string> known_;  // HTML, by a template's name and its data
 };
 
 }  // namespace mjcourse

@@ -9,10 +9,6 @@ Typesetter::Typesetter(const std::string& bundle, const std::map<std::string, st
   engine_.load(bundle, "typeset.js");
 }
 
-std::string Typesetter::version() {
-  return engine_.call("version", {}).value();
-}
-
 tl::expected<std::string, MathError> Typesetter::typeset(const std::string& tex, bool display) {
   const auto answer = engine_.call("typeset", {tex, display ? "true" : "false", macros_});
   if (!answer) return tl::unexpected(MathError{answer.error().message, 0, 0, ""});

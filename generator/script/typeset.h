@@ -27,9 +27,6 @@ class Typesetter {
   explicit Typesetter(const std::string& bundle,
                       const std::map<std::string, std::string>& macros = {});
 
-  // KaTeX's: "0.19.1".
-  std::string version();
-
   // `display` sets the formula on its own lines. A formula's own \gdef ends with it.
   tl::expected<std::string, MathError> typeset(const std::string& tex, bool display);
 

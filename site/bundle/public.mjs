@@ -7,9 +7,9 @@ import { build } from "esbuild";
 import { cutFonts } from "./fonts.mjs";
 import { manifestOf, targets } from "./manifest.mjs";
 
-// Builds into `out` and returns the manifest: plain name → hashed path below `out`.
-export async function buildPublic(site, out) {
-  const { metafile } = await build({
+// How esbuild makes them in `out`.
+export function pageBuild(site, out) {
+  return {
     absWorkingDir: site,
     entryPoints: [
       { in: "styles/site.css", out: "site" },
@@ -28,6 +28,11 @@ export async function buildPublic(site, out) {
     loader: { ".woff2": "file", ".svg": "copy" },
     plugins: [cutFonts],
     logLevel: "warning",
-  });
+  };
+}
+
+// Builds into `out` and returns the manifest: plain name → hashed path below `out`.
+export async function buildPublic(site, out) {
+  const { metafile } = await build(pageBuild(site, out));
   return manifestOf(metafile, site, out);
 }

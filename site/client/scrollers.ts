@@ -10,11 +10,12 @@ function update(element: Element): void {
   else element.removeAttribute("tabindex");
 }
 
-export function reachScrollers(): void {
+/** Those in `root`, which may be one itself. */
+export function reachScrollers(root: Document | Element = document): void {
   const observer = new ResizeObserver((entries) => {
     for (const { target } of entries) update(target);
   });
-  for (const element of document.querySelectorAll(scrollers)) {
-    if (!element.matches("span")) observer.observe(element);
-  }
+  const all = [...root.querySelectorAll(scrollers)];
+  if (root instanceof Element && root.matches(scrollers)) all.push(root);
+  for (const element of all) if (!element.matches("span")) observer.observe(element);
 }

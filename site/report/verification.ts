@@ -25,6 +25,8 @@ export interface Report extends Verification {
   succeeded: boolean;
   /** Measured, of everything. */
   seconds: number;
+  /** What held the course's programs, of what the machine has; empty where none was to be run. */
+  sandbox: string;
   /** Sorted by file, line and column. */
   diagnostics: Diagnostic[];
 }

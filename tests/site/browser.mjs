@@ -7,24 +7,12 @@
 import { globSync } from "node:fs";
 import { resolve } from "node:path";
 
-import { chromium } from "../../site/node_modules/playwright-core/index.mjs";
+import { launch } from "./chromium.mjs";
 import { serve } from "./server.mjs";
 
 export const folder = resolve(process.argv[2] ?? "build/release/test-site");
 // The paths of all pages, below the site's root.
 export const pages = globSync("**/*.html", { cwd: folder }).sort();
-
-const quiet = [
-  "--no-sandbox",
-  "--use-angle=swiftshader", // WebGL without a graphics card
-  "--enable-unsafe-swiftshader",
-  "--disable-quic",
-  "--no-first-run",
-  "--disable-background-networking",
-  "--disable-component-update",
-  "--disable-sync",
-  "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
-];
 
 class Visitor {
   #browser;
@@ -94,7 +82,7 @@ class Visitor {
 // Runs `test` with a Visitor, tells what it found, and sets the exit code.
 export async function testSite(test) {
   const server = await serve(folder);
-  const browser = await chromium.launch({ executablePath: "/usr/bin/chromium", args: quiet });
+  const browser = await launch();
   const visitor = new Visitor(browser, server.root);
   try {
     visitor.expect(pages.length > 1, folder, "there are no pages of lessons");

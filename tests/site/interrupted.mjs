@@ -1,5 +1,6 @@
 // A build that is killed, at whatever moment, leaves the site as it was or, where the kill came too
-// late, the whole new one. The next build succeeds, and leaves nothing of the killed ones behind.
+// late, the whole new one. The next build succeeds, and leaves nothing of the killed ones behind. And
+// the result store that all of them wrote into gives the same site as a new one.
 //
 //   node tests/site/interrupted.mjs MJCOURSE [KILLS]
 
@@ -20,12 +21,13 @@ import { dirname, join } from "node:path";
 import { setTimeout as sleep } from "node:timers/promises";
 
 const mjcourse = process.argv[2];
-const kills = Number(process.argv[3] ?? 20);
+const kills = Number(process.argv[3] ?? 50);
 const lessons = 40; // enough that half of a build's time goes into writing
 const span = 1.25; // kills are spread over so many times what a build takes: some come too late
 
 const home = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
 const out = join(home, "out", "site");
+const store = join(home, "store");
 const temporary = join(home, "tmp");
 
 function write(path, text) {
@@ -40,20 +42,26 @@ function writeCourse(word) {
   write("course/content/course.yaml", `title: ${word}\nlevels:\n  - ${level}\n`);
   const program = `#include <cstdio>\n\nint main() {\n  std::puts("${word}");\n}\n`;
   write("course/examples/say.cpp", program);
+  const ball = "<body><freejoint/><geom size='1'/></body>";
+  write("course/models/ball.xml", `<!--${word}--><mujoco><worldbody>${ball}</worldbody></mujoco>`);
   for (const [i, name] of names.entries()) {
     const example = i === 0 ? `\`\`\`cpp file=examples/say.cpp\n${program}\`\`\`\n` : "";
-    const text = `## About ${word}\n\nMuch of ${word}.\n\n`.repeat(100) + example;
+    const claims = `Twice $\\text{${word}}_{${i}}$ and \`{ball} model.nq\`.\n\n`;
+    const text = `## About ${word}\n\nMuch of ${word}.\n\n`.repeat(100) + claims + example;
     write(`course/content/1-level/${name}.md`, `---\ntitle: ${word}\n---\n\n${text}`);
   }
 }
 
-function startBuild() {
-  const generator = spawn(mjcourse, ["build", "--course", join(home, "course"), "--out", out], {
+function startBuild(kept = store) {
+  const words = ["build", "--course", join(home, "course"), "--out", out, "--store", kept];
+  const generator = spawn(mjcourse, words, {
     env: { ...process.env, TMPDIR: temporary },
-    stdio: ["ignore", "ignore", "inherit"],
+    stdio: ["ignore", "ignore", "pipe"],
   });
-  const ended = new Promise((resolve) => generator.on("exit", resolve));
-  return { kill: () => generator.kill("SIGKILL"), ended };
+  let said = "";
+  generator.stderr.on("data", (text) => (said += text));
+  const ended = new Promise((resolve) => generator.on("close", resolve));
+  return { kill: () => generator.kill("SIGKILL"), ended, said: () => said };
 }
 
 // One hash for all names and bytes of the site.
@@ -92,8 +100,12 @@ try {
     seen.push(fingerprint());
   }
 
-  expect((await startBuild().ended) === 0, "the build after the killed ones fails");
+  const last = startBuild();
+  expect((await last.ended) === 0, "the build after the killed ones fails");
+  expect(last.said() === "", `the build after the killed ones says: ${last.said()}`);
   const after = fingerprint();
+  expect((await startBuild(join(home, "new store")).ended) === 0, "a build from nothing fails");
+  expect(fingerprint() === after, "the store gives another site than a new one");
   expect(after !== before, "the test is no good: both sites are the same");
   for (const [i, found] of seen.entries()) {
     const whole = found === before || found === after;

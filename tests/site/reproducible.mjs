@@ -1,5 +1,5 @@
-// The same course gives the same bytes, wherever it lies, in any time zone and language, and on one
-// processor as on all.
+// The same course gives the same bytes, wherever it lies, in any time zone and language, on one
+// processor as on all, and worked out anew as well as found in the store.
 //
 //   node tests/site/reproducible.mjs MJCOURSE COURSE SITE    SITE: what COURSE was built into
 
@@ -18,6 +18,7 @@ try {
   const out = join(elsewhere, "another", "site");
   const environment = { TZ: "Asia/Kathmandu", LC_ALL: "C.UTF-8", LANGUAGE: "de", TERM: "dumb" };
   const build = [mjcourse, "build", "--course", join(elsewhere, "moved"), "--out", out];
+  build.push("--store", join(elsewhere, "store"));
   const built = spawnSync("taskset", ["--cpu-list", "0", ...build], {
     env: { ...process.env, ...environment },
     stdio: ["ignore", "ignore", "inherit"],

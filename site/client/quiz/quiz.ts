@@ -15,6 +15,8 @@ function upgrade(quiz: Element): void {
   quiz.append(reset);
 }
 
-export function upgradeQuizzes(): void {
-  for (const quiz of document.querySelectorAll(".quiz")) upgrade(quiz);
+/** Those in `root`, which may be one itself. */
+export function upgradeQuizzes(root: Document | Element = document): void {
+  if (root instanceof Element && root.matches(".quiz")) upgrade(root);
+  for (const quiz of root.querySelectorAll(".quiz")) upgrade(quiz);
 }

@@ -12,6 +12,7 @@ import python from "highlight.js/lib/languages/python";
 import xml from "highlight.js/lib/languages/xml";
 import yaml from "highlight.js/lib/languages/yaml";
 
+import { compiled } from "../compiled-grammar.js";
 import { lesson } from "../lesson-language.js";
 
 const languages = {
@@ -28,7 +29,9 @@ const languages = {
   xml,
   yaml,
 };
-for (const [name, language] of Object.entries(languages)) hljs.registerLanguage(name, language);
+for (const [name, language] of Object.entries(languages)) {
+  hljs.registerLanguage(name, compiled(language));
+}
 
 /** A language that is not here gives the code escaped and plain. */
 function highlight(code: string, language: string): string {

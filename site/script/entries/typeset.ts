@@ -1,5 +1,4 @@
-/** KaTeX: `typeset(tex, display, macros)` gives `{html}`, or `{message, offset, length, cure}`;
- * `version()` gives KaTeX's own. */
+/** KaTeX: `typeset(tex, display, macros)` gives `{html}`, or `{message, offset, length, cure}`. */
 import katex from "katex";
 
 import { bytes } from "../bytes.js";
@@ -73,4 +72,4 @@ function slips(name: string): string[] {
   ].filter((slip) => slip !== "" && slip !== name);
 }
 
-Object.assign(globalThis, { typeset, version: () => katex.version });
+Object.assign(globalThis, { typeset });

@@ -7,6 +7,15 @@
 namespace mjcourse {
 namespace {
 
+TEST(Utf8, CountsColumnsOfATerminal) {
+  EXPECT_EQ(count_columns("abc"), 3);
+  EXPECT_EQ(count_columns("é→𝄞"), 3);
+  EXPECT_EQ(count_columns("中文"), 4);
+  EXPECT_EQ(count_columns("e\u0301"), 1);  // an accent of its own
+  EXPECT_EQ(count_columns("😀"), 2);
+  EXPECT_EQ(count_columns(""), 0);
+}
+
 TEST(Utf8, CountsCodePoints) {
   EXPECT_EQ(count_characters(""), 0);
   EXPECT_EQ(count_characters("abc"), 3);
@@ -41,6 +50,23 @@ TEST(Utf8, RefusesWhatRfc3629Refuses) {
     EXPECT_EQ(find_invalid_utf8(bytes), 0u) << what;
     EXPECT_EQ(find_invalid_utf8(std::string("é ") + bytes), 3u) << what << ", further on";
   }
+}
+
+TEST(Utf8, FindsControlCharactersButTabsAndLineEnds) {
+  EXPECT_EQ(find_control_character("a\tb\r\nc\nü\r"), std::nullopt);
+  EXPECT_EQ(find_control_character("a\rb"), 1u);
+  EXPECT_EQ(find_control_character("a\r\rb"), 1u);
+  EXPECT_EQ(find_control_character(std::string_view("ab\0", 3)), 2u);
+  EXPECT_EQ(find_control_character("\x1b[31m"), 0u);
+  EXPECT_EQ(find_control_character("é\x7F"), 2u);
+}
+
+TEST(Utf8, IsMadeReadableInOneLine) {
+  EXPECT_EQ(readable("é→𝄞 \\n"), "é→𝄞 \\n");
+  EXPECT_EQ(readable("a\nb\r\tc"), "a\\nb\\r\\tc");
+  EXPECT_EQ(readable("\x1b[31m\x7F"), "\\x1b[31m\\x7f");
+  EXPECT_EQ(readable(std::string("\0", 1)), "\\x00");
+  EXPECT_EQ(readable("\xC3 and \xF0\x9D"), "\uFFFD and \uFFFD\uFFFD");
 }
 
 TEST(Utf8, SmallLettersAreThoseOfEveryLanguage) {

@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "base/temporary_folder.h"
+#include "course/course.h"
 
 namespace mjcourse {
 namespace {
@@ -49,28 +50,88 @@ TEST(Run, TellsItsVersion) {
   EXPECT_TRUE(result.out.starts_with("mjcourse 0.")) << result.out;
 }
 
+TEST(Run, ExplainsAMessageByItsName) {
+  const Ran result = ran({"explain", "W-lesson-unlisted", "E-lesson-number"});
+  EXPECT_EQ(result.code, kClean);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out,
+            "warning W-lesson-unlisted\n"
+            "\n"
+            "  A file lies among the lessons of a level, and `content/course.yaml` does not list "
+            "it. It is not in\n"
+            "  the site, and nothing in it is checked, which may not be what you believe. List it; "
+            "while you are\n"
+            "  still at it, `draft: true` in its front matter keeps it out of the site, and it is "
+            "checked all the\n"
+            "  same.\n"
+            "\n"
+            "  wrong: `lessons: [1.1-lesson]` beside a file `1.2-more.md`\n"
+            "  right: `lessons: [1.1-lesson, 1.2-more]`\n"
+            "\n"
+            "error E-lesson-number\n"
+            "\n"
+            "  Two lessons of the course have the same number, so a link to it could mean either. "
+            "Give the second\n"
+            "  one another.\n"
+            "\n"
+            "  wrong: `1.2-state.md` and `1.2-joints.md`\n"
+            "  right: `1.2-state.md` and `1.3-joints.md`\n");
+}
+
+TEST(Run, KnowsWhichMessagesThereAre) {
+  const auto refused = [](const std::vector<std::string>& arguments) {
+    const Ran result = ran(arguments);
+    EXPECT_EQ(result.code, kWrongUsage);
+    EXPECT_EQ(result.out, "");
+    return result.err;
+  };
+  EXPECT_EQ(refused({"explain", "E-output-difers"}),
+            "mjcourse: no message is called E-output-difers; did you mean `E-output-differs`?\n");
+  EXPECT_EQ(refused({"explain", "E-frobnicate"}),
+            "mjcourse: no message is called E-frobnicate; lesson A.9 of the author guide has them "
+            "all\n");
+  EXPECT_EQ(refused({"explain", "E-output-differs", "1.2"}),
+            "mjcourse: explain takes messages' names or places of the course, and not both\n");
+}
+
 TEST(Run, NeedsACommandThatThereIs) {
   EXPECT_EQ(usage_error({}), "mjcourse: which command?");
   EXPECT_EQ(usage_error({"biuld"}), "mjcourse: there is no command biuld; did you mean `build`?");
   EXPECT_EQ(usage_error({"frobnicate"}),
-            "mjcourse: there is no command frobnicate; known: accept, build, check");
+            "mjcourse: there is no command frobnicate; known: accept, build, check, doctor, "
+            "explain, init, list, lsp, new, preview, store");
 }
 
 TEST(Run, NeedsOptionsThatThereAre) {
   EXPECT_EQ(usage_error({"check", "--corse", "x"}),
             "mjcourse: check has no option --corse; did you mean `--course`?");
   EXPECT_EQ(usage_error({"check", "--out", "x"}),
-            "mjcourse: check has no option --out; known: --course, --report, --strict");
+            "mjcourse: check has no option --out; known: --course, --report, --strict, --format, "
+            "--store, --jobs, --timings, --trace");
   EXPECT_EQ(usage_error({"build", "--outt", "x"}),
             "mjcourse: build has no option --outt; did you mean `--out`?");
-  EXPECT_EQ(usage_error({"check", "1.2"}),
-            "mjcourse: check has no option 1.2; known: --course, --report, --strict");
+  EXPECT_EQ(
+      usage_error({"check", "1.2"}),
+      "mjcourse: check has no option 1.2; known: --course, --report, --strict, --format, --store, "
+      "--jobs, --timings, --trace");
   EXPECT_EQ(usage_error({"accept", "1.2", "--dry-runn"}),
             "mjcourse: accept has no option --dry-runn; did you mean `--dry-run`?");
   EXPECT_EQ(usage_error({"build", "--strict"}),
-            "mjcourse: build has no option --strict; known: --course, --out, --report");
+            "mjcourse: build has no option --strict; known: --course, --out, --report, --store, "
+            "--jobs, --timings, --trace");
   EXPECT_EQ(usage_error({"check", "--course"}), "mjcourse: --course needs a folder");
   EXPECT_EQ(usage_error({"build", "--course", "x", "--out"}), "mjcourse: --out needs a folder");
+  EXPECT_EQ(usage_error({"check", "--jobs", "0"}),
+            "mjcourse: --jobs takes a number of threads, and not 0");
+  EXPECT_EQ(usage_error({"check", "--jobs", "2x"}),
+            "mjcourse: --jobs takes a number of threads, and not 2x");
+  EXPECT_EQ(usage_error({"check", "--format=xml"}),
+            "mjcourse: --format takes text, json, github, sarif or junit, and not xml");
+  EXPECT_EQ(usage_error({"check", "--strict=yes"}), "mjcourse: --strict takes no value");
+  EXPECT_EQ(usage_error({"store", "prune", "--keep", "much"}),
+            "mjcourse: --keep takes a size, as 2GB, and not much");
+  EXPECT_EQ(usage_error({"store"}),
+            "mjcourse: store what? `mjcourse store prune` forgets old results");
 }
 
 class RunOnACourse : public testing::Test {
@@ -107,6 +168,104 @@ TEST_F(RunOnACourse, ChecksAndWritesNothing) {
   EXPECT_FALSE(fs::exists(folder_.path() / "build"));
 }
 
+TEST_F(RunOnACourse, TellsAnotherToolOnStdoutAndAPersonOnStderr) {
+  const std::string human = "ok    1.1  First: nothing to verify\n1 lesson: nothing to verify; ";
+  for (const std::string format : {"json", "sarif", "junit"}) {
+    const Ran result = on_course({"check", "--format=" + format});
+    EXPECT_EQ(result.code, kClean);
+    EXPECT_TRUE(result.err.starts_with(human)) << result.err;
+    EXPECT_TRUE(result.out.starts_with(format == "junit" ? "<?xml" : "{")) << result.out;
+  }
+  EXPECT_EQ(on_course({"check", "--format", "github"}).out, "");
+  write("content/1-a/1.1-x.md", "---\ntitle: First\n---\n[dead](1.2)\n");
+  const Ran result = on_course({"check", "--format", "github"});
+  EXPECT_EQ(result.code, kCourseErrors);
+  const std::string file =
+      (folder_.path() / "content/1-a/1.1-x.md").lexically_relative(fs::current_path()).string();
+  EXPECT_EQ(result.out,
+            "::error file=" + file +
+                ",line=4,col=8,endColumn=11,title=E-link-dead::there is no lesson `1.2` in "
+                "this course%0Acure: add it to content/course.yaml\n");
+}
+
+TEST_F(RunOnACourse, ListsHowLessonsStand) {
+  write("content/course.yaml",
+        "title: C\nlevels: [{folder: 1-a, title: A, lessons: [1.1-x, 1.2-y]}]\n");
+  write("content/1-a/1.1-x.md",
+        "---\ntitle: Äpfel\nminutes: 7\n---\nTwo *words*, and $x$.\n\n"
+        "```sh unchecked because=\"b\"\nx\n```\n");
+  write("content/1-a/1.2-y.md", "---\ntitle: Second\ndraft: true\n---\nText.\n\n[dead](1.9)\n");
+  const Ran result = on_course({"list"});
+  EXPECT_EQ(result.code, kCourseErrors);
+  EXPECT_EQ(result.out,
+            "     lesson          words  minutes  proved  asserted  open  changed\n"
+            "1.1  Äpfel               4        7       1               1\n"
+            "1.2  Second (draft)      2\n"
+            "1 error; `mjcourse check` shows them\n");
+}
+
+TEST_F(RunOnACourse, ListsWhenLessonsWereChanged) {
+  const auto git = [&](const std::string& arguments) {
+    const std::string command =
+        "git -C " + folder_.path().string() + " -c user.name=A -c user.email=a@b " + arguments;
+    EXPECT_EQ(std::system((command + " >/dev/null 2>&1").c_str()), 0) << command;
+  };
+  write("content/course.yaml",
+        "title: C\nlevels: [{folder: 1-a, title: A, lessons: [1.1-x, 1.2-y]}]\n");
+  git("init");
+  git("add content/1-a");
+  setenv("GIT_COMMITTER_DATE", "2021-03-04T12:00:00Z", 1);
+  git("commit -m x");
+  unsetenv("GIT_COMMITTER_DATE");
+  write("content/1-a/1.2-y.md", "---\ntitle: Second\n---\nText.\n");
+  EXPECT_EQ(on_course({"list"}).out,
+            "     lesson  words  minutes  proved  asserted  open  changed\n"
+            "1.1  First       1                                   2021-03-04\n"
+            "1.2  Second      1                                   not committed\n");
+  write("content/1-a/1.1-x.md", "---\ntitle: First\n---\nMore text.\n");
+  EXPECT_NE(on_course({"list"}).out.find("1.1  First       2                                   "
+                                         "not committed\n"),
+            std::string::npos);
+}
+
+TEST(Doctor, FindsWhatCoursesNeed) {
+  setenv("MJCOURSE_ASSETS", MJCOURSE_ASSETS, 1);
+  const TemporaryFolder folder;
+  const std::string store = folder.path() / "not" / "made";
+  const Ran result = ran({"doctor", "--store", store});
+  EXPECT_EQ(result.code, kClean) << result.out;
+  EXPECT_NE(result.out.find("  store     " + store + ", 0 bytes; "), std::string::npos)
+      << result.out;
+  EXPECT_TRUE(result.out.starts_with("mjcourse 0.")) << result.out;
+  for (const std::string line :
+       {"\nok    MuJoCo    2.2.2\n", "\nok    pictures  drawn by OSMesa", "compiler  clang ",
+        "  site      ", "  sandbox   rlimits", "\nall that courses need is here\n"}) {
+    EXPECT_NE(result.out.find(line), std::string::npos) << line << result.out;
+  }
+  unsetenv("MJCOURSE_ASSETS");
+}
+
+TEST(Doctor, HasACureForWhatIsMissing) {
+  const char* found = std::getenv("PATH");
+  const std::string path = found != nullptr ? found : "";
+  setenv("PATH", "/nowhere", 1);
+  setenv("MJCOURSE_ASSETS", "/nowhere", 1);
+  const TemporaryFolder store;
+  const Ran result = ran({"doctor", "--store", store.path().string()});
+  setenv("PATH", path.c_str(), 1);
+  unsetenv("MJCOURSE_ASSETS");
+  EXPECT_EQ(result.code, kCourseErrors);
+  for (const std::string line :
+       {"\nFAIL  compiler  none: no program can be run\n"
+        "      cure: `apt-get install clang-16 mold libmujoco-dev libeigen3-dev`\n",
+        "\nFAIL  films     no ffmpeg: no figure can move\n      cure: `apt-get install ffmpeg`\n",
+        "\nFAIL  site      its scripts and styles were not built: manifest.json: No such file or "
+        "directory\n      cure: build them: `./mjcourse build`\n",
+        "\n3 things that courses need are missing\n"}) {
+    EXPECT_NE(result.out.find(line), std::string::npos) << line << result.out;
+  }
+}
+
 TEST_F(RunOnACourse, BuildsTheSite) {
   const fs::path site = folder_.path() / "elsewhere";
   const Ran result = on_course({"build", "--out", site.string()});
@@ -114,6 +273,41 @@ TEST_F(RunOnACourse, BuildsTheSite) {
   EXPECT_TRUE(result.out.ends_with("site: " + site.string() + "/index.html\n")) << result.out;
   EXPECT_TRUE(fs::exists(site / "index.html"));
   EXPECT_TRUE(fs::exists(site / "1-a" / "1.1-x.html"));
+}
+
+TEST_F(RunOnACourse, WritesIntoTheFolderThatItIsRunIn) {
+  const fs::path before = fs::current_path();
+  const TemporaryFolder here;
+  fs::current_path(here.path());
+  const Ran result =
+      on_course({"build", "--out", "site", "--report", "report", "--trace", "trace.json"});
+  fs::current_path(before);
+  EXPECT_EQ(result.err, "");
+  EXPECT_TRUE(result.out.ends_with("report: report/index.html\nsite: site/index.html\n"))
+      << result.out;
+  for (const char* file : {"site/index.html", "report/index.html", "trace.json"}) {
+    EXPECT_TRUE(fs::exists(here.path() / file)) << file;
+  }
+}
+
+TEST_F(RunOnACourse, BuildsMoreLessonsThanStayAwake) {
+  const int last = static_cast<int>(kMostAwake) + 1;
+  std::string names;
+  for (int i = 1; i <= last; ++i) {
+    const std::string number = "1." + std::to_string(i);
+    names += number + "-x, ";
+    write("content/1-a/" + number + "-x.md",
+          "---\ntitle: T\n---\nThe text of " + number + ".\n\n```sh unchecked\nx\n```\n");
+  }
+  write("content/course.yaml",
+        "title: C\nlevels: [{folder: 1-a, title: A, lessons: [" + names + "]}]\n");
+  EXPECT_EQ(on_course({"build"}).code, kClean);
+  const DiskFiles site(folder_.path() / "build/site");
+  for (const std::string& number : {std::string("1.1"), "1." + std::to_string(last)}) {
+    const std::string page = site.read("1-a/" + number + "-x.html").value();
+    EXPECT_NE(page.find("The text of " + number + "."), std::string::npos) << number;
+    EXPECT_NE(page.find("<figure class=\"example\">"), std::string::npos) << number;
+  }
 }
 
 TEST_F(RunOnACourse, BuildsNoSiteOfACourseWithErrors) {
@@ -178,11 +372,12 @@ TEST_F(RunOnACourse, SaysThatThereIsNoCourse) {
 
 TEST_F(RunOnACourse, BlamesItselfForWhatNoAuthorCanMend) {
   setenv("MJCOURSE_ASSETS", "/nowhere", 1);
+  write("content/1-a/1.1-x.md", "---\ntitle: First\n---\n$x$\n");
   const Ran result = on_course({"check"});
   EXPECT_EQ(result.code, kOurFault);
   EXPECT_EQ(
       result.err,
-      "mjcourse: the site's assets are not built: script/world.js: No such file or directory\n");
+      "mjcourse: the site's assets are not built: script/typeset.js: No such file or directory\n");
 }
 
 TEST_F(RunOnACourse, BlamesItselfForASiteItMayNotReplace) {

@@ -9,7 +9,7 @@ namespace {
 
 // Lesson 1.1 has text in line 4, and a fence in its lines 6 to 8.
 const CourseOf& known() {
-  static const CourseOf course = course_of("Text.\n\n```sh unchecked\nls\n```", "Text.\n");
+  static const CourseOf course = course_of("Text $x$.\n\n```sh unchecked\nls\n```", "Text $x$.\n");
   return course;
 }
 
@@ -50,6 +50,8 @@ TEST(Where, SaysWhichLinesThereAre) {
     EXPECT_EQ(place(text), text + " names no line; write it as 1.1:210");
   }
   EXPECT_EQ(place("1.1:90"), "content/1-a/1.1-x.md has only 8 lines");
+  // The end of the last line begins no other.
+  EXPECT_EQ(place("1.2:5"), "content/1-a/1.2-y.md has only 4 lines");
 }
 
 TEST(Where, HasThePlacesBetweenItsLines) {

@@ -14,7 +14,7 @@ namespace mjcourse {
 struct CourseOf {
   using FileMap = std::map<std::string, std::string>;
   explicit CourseOf(FileMap files)
-      : course(read_course(MemoryFiles(std::move(files)), diagnostics)) {}
+      : course(read_course(MemoryFiles(std::move(files)), diagnostics, core_count(), 0)) {}
 
   std::string mistakes() const { return shown(diagnostics); }
 

@@ -162,5 +162,56 @@ TEST(Course, ReadsOnAfterALessonThatCannotBeRead) {
   EXPECT_EQ(found.course->lessons.size(), 1u);
 }
 
+TEST(ReadCourse, PutsLessonsToRest) {
+  const CourseOf read = course_of("$x$\n", "## Here\n\n[one](1.1)\n");
+  EXPECT_EQ(read.mistakes(), "");
+  EXPECT_EQ(read.course->find_lesson("1.1")->kept, Lesson::Kept::blocks);
+  const Lesson& prose = *read.course->find_lesson("1.2");
+  EXPECT_EQ(prose.kept, Lesson::Kept::card);
+  EXPECT_EQ(prose.headings.at(0).id, "here");
+  EXPECT_TRUE(prose.links.empty());
+}
+
+TEST(ReadCourse, LetsTheFirstLessonsStayAwake) {
+  const MemoryFiles files({{"content/course.yaml", kTwo},
+                           {"content/1-a/1.1-x.md", lesson("One.\n")},
+                           {"content/1-a/1.2-y.md", lesson("Two.\n")}});
+  Diagnostics diagnostics;
+  const std::optional<Course> course = read_course(files, diagnostics, 2, 1);
+  EXPECT_EQ(course->lessons.at(0).kept, Lesson::Kept::all);
+  EXPECT_EQ(course->lessons.at(1).kept, Lesson::Kept::card);
+}
+
+// What needs its text to be told keeps it.
+TEST(ReadCourse, KeepsTheTextOfProseWithMistakes) {
+  const CourseOf dead = course_of("", "[one](1.9)\n");
+  EXPECT_NE(dead.mistakes(), "");
+  EXPECT_EQ(dead.course->find_lesson("1.2")->kept, Lesson::Kept::blocks);
+  const CourseOf unclosed = course_of("", "text $$\n");
+  EXPECT_NE(unclosed.mistakes(), "");
+  EXPECT_EQ(unclosed.course->find_lesson("1.2")->kept, Lesson::Kept::blocks);
+}
+
+TEST(ReadCourse, IsTheSameOnAnyNumberOfThreads) {
+  std::map<std::string, std::string> files;
+  std::string names;
+  for (int i = 1; i <= 40; ++i) {
+    const std::string name = "1." + std::to_string(i) + "-x";
+    files["content/1-a/" + name + ".md"] =
+        lesson("~~a~~ $x$ $$ [b](1." + std::to_string(i + 1) + "#no)\n");
+    names += (i == 1 ? "" : ", ") + name;
+  }
+  files["content/course.yaml"] =
+      "title: C\nlevels:\n  - {folder: 1-a, title: A, lessons: [" + names + "]}\n";
+  const auto mistakes = [&](std::size_t threads) {
+    Diagnostics diagnostics;
+    read_course(MemoryFiles(files), diagnostics, threads);
+    return shown(diagnostics);
+  };
+  const std::string alone = mistakes(1);
+  EXPECT_EQ(std::count(alone.begin(), alone.end(), '^'), 80);
+  for (int trial = 0; trial < 10; ++trial) EXPECT_EQ(mistakes(4), alone);
+}
+
 }  // namespace
 }  // namespace mjcourse

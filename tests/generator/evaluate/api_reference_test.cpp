@@ -12,9 +12,12 @@ struct ApiOf {
   explicit ApiOf(const std::string& x, const std::string& front = "",
                  const Files& headers = DiskFiles(mujoco_headers_folder()))
       : read(course_of(x, "", front)),
-        entries(evaluate_api(*read.course, headers, read.diagnostics)) {}
+        api(read_mujoco_api(headers)),
+        entries(evaluate_api(
+            *read.course, [this]() -> const auto& { return api; }, read.diagnostics)) {}
 
   CourseOf read;
+  tl::expected<MujocoApi, std::string> api;
   std::vector<ApiEntry> entries;
 };
 

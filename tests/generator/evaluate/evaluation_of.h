@@ -8,6 +8,7 @@
 
 #include "base/files.h"
 #include "base/temporary_folder.h"
+#include "evaluate/claims.h"
 #include "evaluate/evaluate.h"
 #include "reading_of.h"
 
@@ -15,9 +16,9 @@ namespace mjcourse {
 
 class NoProgress : public Progress {
  public:
-  void plan(int) override {}
+  void plan(std::size_t) override {}
   void begin(const std::string&) override {}
-  void done() override {}
+  void end(const std::string&) override {}
 };
 
 // A ball that falls on nothing, on a rail with a motor.
@@ -32,18 +33,27 @@ inline constexpr const char* kBall = R"(<mujoco>
 
 class EvaluationOf {
  public:
-  // The lesson's body begins in line 4; `files` are path → bytes, beside models/ball.xml.
+  // The lesson's body begins in line 4; `files` are path → bytes, beside models/ball.xml. What is
+  // found is kept in `store`, where there is one.
   explicit EvaluationOf(const std::string& body,
-                        const std::map<std::string, std::string>& files = {}) {
+                        const std::map<std::string, std::string>& files = {},
+                        Store* store = nullptr)
+      : store_(store) {
     write("content/course.yaml", "title: C\nlevels: [{folder: 1-a, title: A, lessons: [1.1-x]}]\n");
     write(kLessonPath, "---\ntitle: T\n---\n" + body);
     write("models/ball.xml", kBall);
     for (const auto& [path, bytes] : files) write(path, bytes);
     Diagnostics reading;
-    course_ = read_course(DiskFiles(folder_.path()), reading);
+    course_ = read_course(DiskFiles(folder_.path()), reading, core_count(), 0);
     if (!reading.empty()) throw std::runtime_error("the lesson itself is wrong\n" + shown(reading));
+    again();
+  }
+
+  void again() {
     NoProgress progress;
-    evaluation_ = evaluate(course_.value(), folder_.path(), DiskFiles(MJCOURSE_ASSETS), progress);
+    const DiskFiles assets(MJCOURSE_ASSETS);
+    evaluation_ = evaluate(course_.value(), {folder_.path(), assets, store_}, progress);
+    claim_prose(*course_, DiskFiles(folder_.path()), evaluation_);
   }
 
   const Diagnostics& diagnostics() const { return evaluation_.diagnostics; }
@@ -52,8 +62,6 @@ class EvaluationOf {
   const Tally& tally() const { return evaluation_.lessons.at(0).tally; }
   const Claims& claims() const { return evaluation_.lessons.at(0).claims; }
   const Versions& versions() const { return evaluation_.versions; }
-
-  const std::vector<PinComparison>& pins() const { return evaluation_.lessons.at(0).pins; }
 
   // The result of the only block that has one of type T.
   template <typename T>
@@ -69,6 +77,7 @@ class EvaluationOf {
     write_file(folder_.path() / path, bytes);
   }
 
+  Store* store_;
   TemporaryFolder folder_;
   std::optional<Course> course_;
   Evaluation evaluation_;

@@ -17,7 +17,7 @@ std::string figure_text(const std::string& keys) {
 std::string png_of(const std::string& keys) {
   const EvaluationOf found(figure_text(keys));
   EXPECT_EQ(found.mistakes(), "");
-  return found.result<FigureResult>().poster.png;
+  return found.result<FigureResult>().poster.png.bytes();
 }
 
 constexpr const char* kSide =
@@ -29,11 +29,11 @@ TEST(Figure, IsDrawnAtTwiceItsSize) {
   const auto& result = found.result<FigureResult>();
   EXPECT_EQ(result.poster.width, 64);
   EXPECT_EQ(result.poster.height, 40);
-  EXPECT_EQ(result.poster.webp.substr(8, 4), "WEBP");
-  const Picture picture = decode_png(result.poster.png).value();
+  EXPECT_EQ(result.poster.webp.bytes().substr(8, 4), "WEBP");
+  const Picture picture = decode_png(result.poster.png.bytes()).value();
   EXPECT_EQ(picture.width, 128);
   EXPECT_EQ(picture.height, 80);
-  EXPECT_EQ(result.film, "");
+  EXPECT_TRUE(result.film.empty());
   EXPECT_EQ(found.tally().pictures, 1);
 }
 
@@ -51,7 +51,7 @@ TEST(Figure, ShowsTheStateThatItNames) {
 std::string animated(const std::string& keys) {
   const EvaluationOf found(figure_text(std::string(kSide) + keys));
   EXPECT_EQ(found.mistakes(), "");
-  return found.result<FigureResult>().film;
+  return found.result<FigureResult>().film.bytes();
 }
 
 TEST(Figure, IsTheSameFilmEachTime) {

@@ -18,8 +18,8 @@ TEST(Lab, IsReadAtRestAndDrawn) {
   EXPECT_EQ(result.traces, (std::vector<std::vector<double>>{{0}}));
   EXPECT_EQ(result.poster.value().width, 712);
   EXPECT_EQ(result.poster->height, 20);
-  EXPECT_EQ(result.poster->png.substr(1, 3), "PNG");
-  EXPECT_EQ(result.poster->webp.substr(8, 4), "WEBP");
+  EXPECT_EQ(result.poster->png.bytes().substr(1, 3), "PNG");
+  EXPECT_EQ(result.poster->webp.bytes().substr(8, 4), "WEBP");
   EXPECT_EQ(found.tally().labs, 1);
   EXPECT_EQ(found.tally().pictures, 1);
 }

@@ -64,7 +64,7 @@ TEST(ModelPage, HasThePictureAndTheFiles) {
   EXPECT_EQ(page.files[0].path + " " + page.files[1].path, "models/rig.xml models/parts/rail.xml");
   EXPECT_EQ(page.files[0].text, kRig);
   EXPECT_EQ(page.files[1].text, kRail);
-  EXPECT_TRUE(page.poster.webp.starts_with("RIFF"));
+  EXPECT_TRUE(page.poster.webp.bytes().starts_with("RIFF"));
   EXPECT_GT(page.poster.width * page.poster.height, 0);
 }
 

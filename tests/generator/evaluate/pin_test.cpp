@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "evaluate/evaluation_of.h"
+#include "evaluate/lab_text.h"
 #include "physics/picture.h"
 
 namespace mjcourse {
@@ -26,6 +27,12 @@ std::string reference() {
   return pinned("").diagnostics().at(0).edit.value().text;
 }
 
+PinComparison only_pin(const EvaluationOf& found) {
+  const auto pins = pins_of(found.evaluation().lessons.at(0));
+  EXPECT_EQ(pins.size(), 1U);
+  return *pins.at(0);
+}
+
 TEST(Pin, IsMadeWhereItIsMissing) {
   const EvaluationOf found = pinned("");
   ASSERT_EQ(found.diagnostics().size(), 1U);
@@ -37,17 +44,17 @@ TEST(Pin, IsMadeWhereItIsMissing) {
   const Picture made = decode_png(diagnostic.edit->text).value();
   EXPECT_EQ(made.width, 160);
   EXPECT_EQ(made.height, 80);
-  ASSERT_EQ(found.pins().size(), 1U);
-  EXPECT_FALSE(found.pins()[0].agrees);
-  EXPECT_EQ(found.pins()[0].reference, "");
-  EXPECT_EQ(found.pins()[0].actual, diagnostic.edit->text);
+  const PinComparison pin = only_pin(found);
+  EXPECT_FALSE(pin.agrees);
+  EXPECT_TRUE(pin.reference.empty());
+  EXPECT_EQ(pin.actual.bytes(), diagnostic.edit->text);
 }
 
 TEST(Pin, HoldsAPictureToIt) {
   const EvaluationOf found = pinned("", reference());
   EXPECT_EQ(found.mistakes(), "");
-  EXPECT_TRUE(found.pins().at(0).agrees);
-  EXPECT_EQ(found.pins()[0].name, "ball");
+  EXPECT_TRUE(only_pin(found).agrees);
+  EXPECT_EQ(only_pin(found).name, "ball");
 }
 
 TEST(Pin, KeepsAllThreePicturesOfADifference) {
@@ -55,13 +62,13 @@ TEST(Pin, KeepsAllThreePicturesOfADifference) {
   const EvaluationOf found = pinned("data.qpos[2] = 1.02", before);
   ASSERT_EQ(found.diagnostics().size(), 1U);
   EXPECT_EQ(found.diagnostics()[0].id, "E-picture-differs");
-  const PinComparison& pin = found.pins().at(0);
+  const PinComparison pin = only_pin(found);
   EXPECT_FALSE(pin.agrees);
-  EXPECT_EQ(pin.reference, before);
-  EXPECT_NE(pin.actual, before);
-  EXPECT_EQ(found.diagnostics()[0].edit.value().text, pin.actual);
-  EXPECT_EQ(decode_png(pin.difference).value().width, 160);
-  EXPECT_EQ(pinned("data.qpos[2] = 1.02", pin.actual).mistakes(), "");
+  EXPECT_EQ(pin.reference.bytes(), before);
+  EXPECT_NE(pin.actual.bytes(), before);
+  EXPECT_EQ(found.diagnostics()[0].edit.value().text, pin.actual.bytes());
+  EXPECT_EQ(decode_png(pin.difference.bytes()).value().width, 160);
+  EXPECT_EQ(pinned("data.qpos[2] = 1.02", pin.actual.bytes()).mistakes(), "");
 }
 
 TEST(Pin, TellsAReferenceOfAnotherShape) {
@@ -77,6 +84,13 @@ TEST(Pin, MakesOneAnewThatCannotBeRead) {
   ASSERT_EQ(found.diagnostics().size(), 1U);
   EXPECT_EQ(found.diagnostics()[0].id, "E-picture-unreadable");
   EXPECT_EQ(found.diagnostics()[0].edit.value().text, reference());
+}
+
+TEST(Pin, IsKeptOfALabsPosterToo) {
+  const EvaluationOf found(lab_text(R"("pin": "ball")"));
+  ASSERT_EQ(found.diagnostics().size(), 1U);
+  EXPECT_EQ(found.diagnostics()[0].id, "E-picture-unpinned");
+  EXPECT_EQ(only_pin(found).actual.bytes(), found.diagnostics()[0].edit.value().text);
 }
 
 // A picture too small for it has a reference of its own size.

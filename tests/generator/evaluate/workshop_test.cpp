@@ -66,7 +66,8 @@ TEST(Workshop, SaysWhenTheAssetsAreNotBuilt) {
       {
         try {
           const Course course;
-          Workshop(course, ".", MemoryFiles({}));
+          const MemoryFiles nothing({});
+          Setting(course, ".", nothing).script("world");
         } catch (const std::runtime_error& error) {
           EXPECT_STREQ(
               error.what(),

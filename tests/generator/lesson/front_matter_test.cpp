@@ -136,6 +136,17 @@ TEST(FrontMatter, SaysWhereItIsNotYaml) {
       mistakes("summary: A: b\n"),
       "3:11 the front matter is not YAML: illegal map value | quote a value that holds `: ` or "
       "starts with a special character\n");
+  // yaml-cpp shows one byte of a character that has several.
+  EXPECT_EQ(
+      mistakes("summary: \"\\ü\"\n"),
+      "3:13 the front matter is not YAML: unknown escape character: \uFFFD | quote a value that "
+      "holds `: ` or starts with a special character\n");
+}
+
+// What a message quotes is one line, whatever it is.
+TEST(FrontMatter, QuotesAKeyWithALineBreakInIt) {
+  EXPECT_EQ(mistakes("\"a\\nb\\e\": 1\n").substr(0, 60),
+            "3:1 the front matter has no key `a\\nb\\x1b` | known: title, s");
 }
 
 }  // namespace

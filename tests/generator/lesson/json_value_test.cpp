@@ -116,6 +116,13 @@ TEST(Json, ShowsWhatShouldNotBeThere) {
   EXPECT_EQ(mistake("[1e999]"), "1:2 <1e999> this number is too large");
 }
 
+// What was read as a literal ends before the quote, which need not be the second of two.
+TEST(Json, ShowsALetterBeforeAQuote) {
+  EXPECT_EQ(mistake("{t\"a\": 1}"), "1:2 <t> this is not JSON: expected string literal");
+  EXPECT_EQ(mistake("{\"a\": u\"b\"}"), "1:7 <u> this is not JSON: invalid literal");
+  EXPECT_EQ(mistake("[u\"b\"]"), "1:2 <u> this is not JSON: invalid literal");
+}
+
 TEST(Json, ShowsWhereTheTextEnds) {
   EXPECT_EQ(mistake("{\"a\": 1\n"),
             "2:1 <> this is not JSON: expected ',' or '}', but the text ends here");

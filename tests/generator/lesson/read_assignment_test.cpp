@@ -60,6 +60,10 @@ TEST(Goal, NeedsASolution) {
             "the solution as a script \"run\", or make the lab \"editable\"\n");
   EXPECT_EQ(of_goal(R"(, "solution": {"run": "r", "seconds": 101})"),
             "E-json-range <101> \"seconds\" is simulated time: from 0 to 100\n");
+  EXPECT_EQ(
+      of_goal(R"(, "solution": {"run": "r", "before": "<site"})"),
+      "E-lab-goal <<site> \"before\" says where MJCF is inserted, and there is none | write it as "
+      "\"insert\", or leave \"before\" out\n");
   EXPECT_EQ(of_goal(R"(, "solution": {"run": "r", "model": "m"}}, "editable": {"tasks": 1)"),
             "E-json-kind <1> \"tasks\" is a number; expected a list\n"
             "E-lab-goal <{> a solution is a script \"run\", a \"model\", or MJCF to \"insert\" | "

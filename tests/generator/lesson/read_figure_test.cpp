@@ -79,10 +79,10 @@ TEST(Figure, RefusesSizesThatCannotBeDrawn) {
 }
 
 TEST(Figure, RefusesFilmsThatAreTooLong) {
-  EXPECT_EQ(figure_mistakes(R"("animate": {"seconds": 10.8})"), "");
-  EXPECT_EQ(figure_mistakes(R"("animate": {"seconds": 10.9})"),
-            "E-figure-frames <{> 327 frames of 640 × 400 pixels are too many: unpacked they take "
-            "1004 MB, and 1000 MB is the most | fewer \"seconds\" or \"fps\", or a smaller "
+  EXPECT_EQ(figure_mistakes(R"("animate": {"seconds": 19.2})"), "");
+  EXPECT_EQ(figure_mistakes(R"("animate": {"seconds": 19.4})"),
+            "E-figure-frames <{> 582 frames of 640 × 400 pixels are too many: unpacked they take "
+            "1005 MB, and 1000 MB is the most | fewer \"seconds\" or \"fps\", or a smaller "
             "\"size\"\n");
   EXPECT_EQ(figure_mistakes(R"("size": [320, 200], "animate": {"seconds": 40})"), "");
 }

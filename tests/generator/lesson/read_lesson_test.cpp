@@ -44,6 +44,26 @@ TEST(Lesson, MustBeUtf8) {
             "  cure: save the file as UTF-8\n");
 }
 
+// cmark would make NUL another character, and see a line's end in a carriage return alone.
+TEST(Lesson, HasNoControlCharacters) {
+  const ReadingOf reading = reading_of(std::string("Text.\n\nA\tb\0\x1b and\tso on\n", 24));
+  EXPECT_FALSE(reading.lesson);
+  EXPECT_EQ(
+      reading.mistakes(),
+      "content/1-a/1.1-x.md:6:4: error: byte 0x00 is a control character, which no text holds "
+      "[E-control-character]\n"
+      "  6 | A b\\x00\\x1b and\\tso on\n"
+      "    |    ^~\n"
+      "  cure: remove it\n");
+  EXPECT_EQ(
+      reading_of("One\rTwo\r\n").mistakes(),
+      "content/1-a/1.1-x.md:4:4: error: byte 0x0D is a control character, which no text holds "
+      "[E-control-character]\n"
+      "  4 | One\\rTwo\n"
+      "    |    ^~\n"
+      "  cure: end lines with a line feed, also behind a carriage return\n");
+}
+
 TEST(Lesson, KnowsItsLinesInAFileFromWindows) {
   EXPECT_EQ(reading_of_file("---\r\ntitle: T\r\n---\r\nText\r\n\r\n> [!nte] x\r\n").mistakes(),
             R"(content/1-a/1.1-x.md:6:5: error: there is no callout `nte` [E-callout-kind]

@@ -25,7 +25,7 @@ class FigureDataTest : public PageWriterTest {
 };
 
 TEST_F(FigureDataTest, IsAPictureWithItsCaption) {
-  results_.of_block[0] = FigureResult{{"webp", "png", 64, 40}, ""};
+  results_.of_block[0] = FigureResult{{Blob("webp"), Blob("png"), 64, 40}, {}};
   EXPECT_EQ(body(kFigure), R"(<figure class="figure" id="figure-1">
 <picture><source type="image/webp" srcset="../1-a/1.1-x/figure-1.webp"><img src="../1-a/1.1-x/figure-1.png" width="64" height="40" alt="An &quot;arm&quot;" loading="lazy" decoding="async"></picture>
 <figcaption><em>C</em></figcaption>
@@ -34,7 +34,7 @@ TEST_F(FigureDataTest, IsAPictureWithItsCaption) {
 }
 
 TEST_F(FigureDataTest, IsAFilmThatTheReaderStarts) {
-  results_.of_block[0] = FigureResult{{"webp", "png", 64, 40}, "film"};
+  results_.of_block[0] = FigureResult{{Blob("webp"), Blob("png"), 64, 40}, Blob("film")};
   const std::string html = body(kFigure);
   EXPECT_NE(html.find("<video src=\"../1-a/1.1-x/figure-1.mp4\" "
                       "poster=\"../1-a/1.1-x/figure-1.webp\" width=\"64\" height=\"40\" muted loop "
@@ -47,17 +47,17 @@ TEST_F(FigureDataTest, IsAFilmThatTheReaderStarts) {
 TEST_F(FigureDataTest, IsCountedByItself) {
   const std::string text = std::string(kFigure) + "\n" + kLab + "\n" + kFigure;
   LabResult lab;
-  lab.poster = Poster{"webp", "png", 712, 300};
+  lab.poster = Poster{Blob("webp"), Blob("png"), 712, 300};
   results_.of_block[1] = lab;
-  results_.of_block[2] = FigureResult{{"webp", "png", 64, 40}, ""};
+  results_.of_block[2] = FigureResult{{Blob("webp"), Blob("png"), 64, 40}, {}};
   EXPECT_EQ(files(text), "1-a/1.1-x/lab-1 1-a/1.1-x/figure-2 ");
   EXPECT_EQ(foremost(pictures_)->path, "1-a/1.1-x/lab-1");
 }
 
 TEST_F(FigureDataTest, StandsForALessonWithoutALab) {
-  results_.of_block[0] = FigureResult{{"webp", "png", 64, 40}, "film"};
+  results_.of_block[0] = FigureResult{{Blob("webp"), Blob("png"), 64, 40}, Blob("film")};
   EXPECT_EQ(files(kFigure), "1-a/1.1-x/figure-1 ");
-  EXPECT_EQ(*foremost(pictures_)->film, "film");
+  EXPECT_EQ(foremost(pictures_)->film->bytes(), "film");
   EXPECT_EQ(files("Text.\n"), "");
   EXPECT_EQ(foremost(pictures_), nullptr);
 }

@@ -9,7 +9,7 @@ namespace {
 class GlossaryPageTest : public PageWriterTest {
  protected:
   GlossaryPageTest() {
-    course_.lessons.push_back(std::move(reading_of("## One\n\nA [[Hinge]].\n").lesson.value()));
+    course_.add(std::move(reading_of("## One\n\nA [[Hinge]].\n").lesson.value()));
     course_.glossary = read_glossary(
         "---\ntitle: Words\n---\n## slide\n\nAlong `{zoo} model.nq`\nand $x$.\n\n## Hinge\n\nNot a "
         "[[slide]].\n",

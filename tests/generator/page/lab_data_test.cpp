@@ -17,7 +17,7 @@ class LabDataTest : public PageWriterTest {
     LabResult result;
     result.readouts = {-0.01};
     result.traces = {{2}};
-    result.poster = Poster{"webp", "png", 712, 300};
+    result.poster = Poster{Blob("webp"), Blob("png"), 712, 300};
     results_.of_block[0] = result;
   }
 };

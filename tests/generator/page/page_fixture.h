@@ -30,8 +30,8 @@ class PageWriterTest : public testing::Test {
   // For the lesson with this body.
   PageWriter writer(const std::string& markdown) {
     course_.lessons.clear();
-    course_.lessons.push_back(std::move(reading_of(markdown).lesson.value()));
-    course_.lessons.push_back(
+    course_.add(std::move(reading_of(markdown).lesson.value()));
+    course_.add(
         std::move(reading_of_file("---\ntitle: Two\n---\n## There\n", "content/1-a/1.2-y.md")
                       .lesson.value()));
     return {

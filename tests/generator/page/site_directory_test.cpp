@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <ostream>
 
 #include "base/files.h"
 #include "base/temporary_folder.h"
@@ -147,6 +148,25 @@ TEST_F(SiteDirectoryTest, DoesNotMindASlashAtTheEnd) {
     directory.commit();
   }
   EXPECT_EQ(files(), (Texts{{"page.html", "new"}}));
+}
+
+TEST_F(SiteDirectoryTest, WritesWhatIsNotInMemoryAsAWhole) {
+  SiteDirectory directory(site_);
+  directory.write("deep/page.html", [](std::ostream& file) {
+    file << "one"
+         << "two";
+  });
+  directory.commit();
+  EXPECT_EQ(files(), (Texts{{"deep/page.html", "onetwo"}}));
+}
+
+TEST_F(SiteDirectoryTest, CopiesOnceWhatIsCopiedTwice) {
+  write_file(folder_.path() / "x", "x");
+  SiteDirectory directory(site_);
+  directory.copy(folder_.path() / "x", "y");
+  directory.copy(folder_.path() / "x", "y");
+  directory.commit();
+  EXPECT_EQ(files(), (Texts{{"y", "x"}}));
 }
 
 }  // namespace

@@ -108,7 +108,7 @@ TEST(MujocoApi, HasTheRestOfIt) {
 TEST(MujocoApi, TakesWhatIsNoHeaderForNothing) {
   MujocoApi api;
   read_api_header("x.h", "MJAPI void mj_a(\nstruct mjB_ {\n int x\n} } ;\n\"typedef\" ((((", api);
-  read_api_header("y.h", std::string("\0\xff\n}\n};\nMJAPI ;\ntypedef ;\n", 30), api);
+  read_api_header("y.h", std::string("\0", 1) + "\xff\n}\n};\nMJAPI ;\ntypedef ;\n", api);
   EXPECT_LE(api.size(), 2U);
   EXPECT_EQ(read_mujoco_api(MemoryFiles({})).error(), "mujoco/mujoco.h: No such file or directory");
 }

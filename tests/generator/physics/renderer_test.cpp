@@ -111,6 +111,33 @@ TEST_F(RendererTest, DrawsModelsInTurnAndAtAnySize) {
   EXPECT_EQ(other.model()->vis.global.offwidth, 640);  // the model's own value
 }
 
+TEST_F(RendererTest, DrawsAModelLikeTheLastWithWhatIsItsOwn) {
+  const auto model_of = [](const std::string& geoms) {
+    return simulate("<mujoco><worldbody>" + geoms + "</worldbody></mujoco>");
+  };
+  Simulation one = model_of("<geom size='0.3' rgba='1 0 0 1'/>");
+  Simulation other = model_of("<body><freejoint/><geom size='0.3' rgba='0 0 1 1'/></body>");
+  EXPECT_TRUE(at(draw(one, looking_at({0, 0, 0})), 0.5, 0.5).is_red());
+  const Picture after = draw(other, looking_at({0, 0, 0}));
+  EXPECT_TRUE(at(after, 0.5, 0.5).is_blue());
+  Renderer fresh = Renderer::create().value();
+  EXPECT_EQ(fresh.render(other, looking_at({0, 0, 0}), {}, {160, 100})->rgb, after.rgb);
+}
+
+TEST_F(RendererTest, DrawsFilmsBetweenStills) {
+  Simulation one = simulate(red);
+  Simulation other = simulate(blue);
+  const Picture still = draw(one, looking_at({0, 0, 0}));
+  const auto film = [&](Simulation& simulation) {
+    return renderer_.render(simulation, looking_at({0, 0, 0}), {}, {160, 100}, Detail::film)
+        .value();
+  };
+  EXPECT_TRUE(at(film(other), 0.5, 0.5).is_blue());
+  EXPECT_EQ(draw(one, looking_at({0, 0, 0})).rgb, still.rgb);
+  EXPECT_TRUE(at(film(one), 0.5, 0.5).is_red());
+  EXPECT_NE(film(one).rgb, still.rgb);  // its edges are not smoothed
+}
+
 TEST_F(RendererTest, DrawsWhatTheStateIsNow) {
   Simulation simulation = simulate(red);
   simulation.data()->qpos[2] = 5;

@@ -31,5 +31,19 @@ TEST(PlaceOf, StaysInTheText) {
   EXPECT_EQ(shown(place_of(kSource, {1000, 2000})), "a.md:3:6+1 third");
 }
 
+TEST(Diagnostic, IsOneLineOfText) {
+  const Diagnostic error = error_at({}, "E-a", "no \"a\nb\x1b[2J\"", "did you mean \"a\tb\"?");
+  EXPECT_EQ(error.message, "no \"a\\nb\\x1b[2J\"");
+  EXPECT_EQ(error.cure, "did you mean \"a\\tb\"?");
+}
+
+TEST(Concerns, IsAboutItsFileAndThoseOfItsNotes) {
+  Diagnostic diagnostic = error_at({"models/a.xml", 3, 1, 1, ""}, "E-a", "wrong");
+  diagnostic.notes = {{"it stands there", {}}, {"this uses it", {"content/1.1-a.md", 7, 1, 1, ""}}};
+  EXPECT_TRUE(concerns(diagnostic, "models/a.xml"));
+  EXPECT_TRUE(concerns(diagnostic, "content/1.1-a.md"));
+  EXPECT_FALSE(concerns(diagnostic, "content/1.1"));
+}
+
 }  // namespace
 }  // namespace mjcourse

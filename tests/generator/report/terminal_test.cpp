@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 namespace mjcourse {
 namespace {
 
@@ -120,6 +122,73 @@ TEST(Terminal, CutsBetweenCharacters) {
   EXPECT_EQ(text,
             "  7 | …ééééééééééééééééééééééé…\n"
             "    |         ^\n");
+}
+
+TEST(Terminal, PutsTheCaretUnderWideCharacters) {
+  EXPECT_EQ(excerpt({"a.md", 1, 3, 2, "中文字x"}),
+            "  1 | 中文字x\n"
+            "    |     ^~~\n");
+  EXPECT_EQ(excerpt({"a.md", 1, 4, 1, "e\u0301é!"}),  // an accent of its own
+            "  1 | e\u0301é!\n"
+            "    |   ^\n");
+}
+
+TEST(Terminal, CutsWideCharactersToTheWidth) {
+  std::string line;
+  for (int i = 0; i < 40; ++i) line += "中";
+  EXPECT_EQ(excerpt({"a.md", 7, 20, 1, line}, 30),
+            "  7 | …中中中中中中中中中中中…\n"
+            "    |        ^~\n");
+}
+
+// The message of a place in a terminal of `width` columns.
+std::string in_terminal(const Diagnostic& diagnostic, int width, bool colours = false) {
+  return format_for_terminal(diagnostic, {colours, width, true});
+}
+
+TEST(Terminal, WrapsSentencesAtTheTerminalsWidth) {
+  Diagnostic diagnostic = misspelt();
+  diagnostic.notes = {{"the model that it is asked of is used here for the first time", {}}};
+  diagnostic.cure = "did you mean `data.qpos`? `mjcourse explain 1.2:41` says what it depends on";
+  EXPECT_EQ(in_terminal(diagnostic, 50),
+            "content/1-a/1.2-b.md:41:27: error: data.qpso does\n"
+            "    not exist [E-script-name]\n"
+            "  41 |   {\"label\": \"w\", \"expr\": \"data.qpso[3]\"},\n"
+            "     |                           ^~~~~~~~~\n"
+            "  note: the model that it is asked of is used here\n"
+            "    for the first time\n"
+            "  cure: did you mean `data.qpos`?\n"
+            "    `mjcourse explain 1.2:41` says what it depends\n"
+            "    on\n");
+}
+
+TEST(Terminal, WrapsTheSameWithColours) {
+  const std::regex colour("\033\\[[0-9;]*m");
+  for (const int width : {40, 50, 80}) {
+    EXPECT_EQ(std::regex_replace(in_terminal(misspelt(), width, true), colour, ""),
+              in_terminal(misspelt(), width));
+  }
+}
+
+TEST(Terminal, NeverWrapsWhatIsNotForEyes) {
+  Diagnostic diagnostic = misspelt();
+  diagnostic.message = std::string(200, 'x') + " y";
+  const std::string text = format_for_terminal(diagnostic);
+  EXPECT_EQ(text.substr(0, text.find('\n')),
+            "content/1-a/1.2-b.md:41:27: error: " + diagnostic.message + " [E-script-name]");
+}
+
+TEST(Terminal, TellsWhereMoreIsSaid) {
+  Diagnostic other = misspelt();
+  other.place = {"a.md", 0, 0, 1, ""};
+  other.id = "E-other";
+  other.cure = "";
+  const std::string both =
+      format_for_terminal(misspelt()) + "\na.md: error: data.qpso does not exist [E-other]\n\n";
+  EXPECT_EQ(format_for_terminal(Diagnostics{misspelt(), other}, TerminalStyle{}), both);
+  EXPECT_EQ(format_for_terminal(Diagnostics{misspelt(), other}, TerminalStyle{false, 80, true}),
+            both + "`mjcourse explain E-script-name` tells more of a message\n\n");
+  EXPECT_EQ(format_for_terminal(Diagnostics{}, TerminalStyle{false, 80, true}), "");
 }
 
 }  // namespace

@@ -52,4 +52,14 @@ TEST_F(TemplatesTest, BrokenTemplatesAreErrors) {
   EXPECT_EQ(render("absent", {{"a", 1}}), "absent:0: there is no such template");
 }
 
+TEST_F(TemplatesTest, RemembersEachTemplateAndItsDataApart) {
+  for (int pass = 0; pass < 2; ++pass) {
+    for (int n = 0; n < 300; ++n) {
+      const std::string text = std::to_string(n);
+      EXPECT_EQ(render("raw", {{"html", text}}), text);
+      EXPECT_EQ(render("part", {{"name", text}, {"bold", true}}), "<p>\n" + text + "!\n</p>");
+    }
+  }
+}
+
 }  // namespace mjcourse

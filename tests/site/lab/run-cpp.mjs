@@ -5,10 +5,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { lab, mjcfOf, newEngine } from "./run-harness.mjs";
+import { lab, mjcfOf, newEngine, openPlain } from "./run-harness.mjs";
 
 const engine = await newEngine();
-const open = (mjcf) => engine.load("plain.xml", { "plain.xml": mjcf });
+const open = (mjcf) => openPlain(engine, mjcf);
 
 test("a small state is set number by number", () => {
   const simulation = open(mjcfOf("slide"));

@@ -89,6 +89,23 @@ export async function openRun(engine, model, describe = () => ({})) {
   return new lab.Run(engine, module, module.lab.model.texts);
 }
 
+// A slider of steps of 0.1, for what `description` binds it to. `kinds` is what `describe` gets.
+export function slider({ value, write }, { bind, ...description }) {
+  const scripts = { read: value(bind), write: write(bind) };
+  return { type: "slider", bind, step: 0.1, ...description, ...scripts };
+}
+
+export function gravitySlider(kinds, value = null) {
+  const range = { min: -20, max: 0, value };
+  const shown = { label: "Gravity", digits: 1, unit: "m/s²" };
+  return slider(kinds, { bind: "model.opt.gravity[2]", ...range, ...shown });
+}
+
+// The simulation of a model with no lab around it.
+export function openPlain(engine, mjcf) {
+  return engine.load("plain.xml", { "plain.xml": mjcf });
+}
+
 function importText(text) {
   return import(`data:text/javascript;base64,${Buffer.from(text).toString("base64")}`);
 }

@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { lab, mjcfOf, newEngine, openRun } from "./run-harness.mjs";
+import { gravitySlider, lab, mjcfOf, newEngine, openRun, slider } from "./run-harness.mjs";
 
 const engine = await newEngine();
 
@@ -85,22 +85,9 @@ test("what is scrubbed over is forgotten when the run goes on", async () => {
 });
 
 test("the past has its own gravity and its own controls", async () => {
-  const run = await openRun(engine, mjcfOf("stacked_boxes"), ({ run, write, value }) => ({
+  const run = await openRun(engine, mjcfOf("stacked_boxes"), ({ run, ...kinds }) => ({
     controls: [
-      {
-        ...{
-          type: "slider",
-          label: "Gravity",
-          bind: "model.opt.gravity[2]",
-          min: -20,
-          max: 0,
-        },
-        ...{ step: 0.1, value: -9.81, digits: 1, unit: "m/s²" },
-        ...{
-          read: value("model.opt.gravity[2]"),
-          write: write("model.opt.gravity[2]"),
-        },
-      },
+      gravitySlider(kinds, -9.81),
       {
         ...{ type: "toggle", label: "Hop", value: false },
         ...{ on: run("data.qvel[2] = 1"), off: run("data.qvel[2] = 0") },
@@ -127,19 +114,12 @@ test("the past has its own gravity and its own controls", async () => {
 });
 
 test("a slider that is dragged while time stands leaves one place", async () => {
-  const run = await openRun(engine, mjcfOf("slide"), ({ write, value }) => ({
+  const run = await openRun(engine, mjcfOf("slide"), (kinds) => ({
     controls: [
-      {
-        ...{
-          type: "slider",
-          label: "Place",
-          bind: "data.qpos[0]",
-          min: -1,
-          max: 1,
-        },
-        ...{ step: 0.1, value: 0.5, digits: 1, unit: "m" },
-        ...{ read: value("data.qpos[0]"), write: write("data.qpos[0]") },
-      },
+      slider(kinds, {
+        ...{ label: "Place", bind: "data.qpos[0]", min: -1, max: 1 },
+        ...{ value: 0.5, digits: 1, unit: "m" },
+      }),
     ],
   }));
   for (let i = 0; i < 20; i++) run.operate(0, i / 20);

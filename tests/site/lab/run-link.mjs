@@ -6,7 +6,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { deflateRawSync } from "node:zlib";
 
-import { lab, mjcfOf, newEngine, openRun } from "./run-harness.mjs";
+import { gravitySlider, lab, mjcfOf, newEngine, openRun } from "./run-harness.mjs";
 
 const engine = await newEngine();
 const { decodeLink, encodeLink } = lab;
@@ -83,22 +83,9 @@ test("what is no link gives nothing", async () => {
 });
 
 test("a run goes on elsewhere with the same bits", async () => {
-  const describe = ({ run, write, value }) => ({
+  const describe = ({ run, ...kinds }) => ({
     controls: [
-      {
-        ...{
-          type: "slider",
-          label: "Gravity",
-          bind: "model.opt.gravity[2]",
-          min: -20,
-          max: 0,
-        },
-        ...{ step: 0.1, value: null, digits: 1, unit: "m/s²" },
-        ...{
-          read: value("model.opt.gravity[2]"),
-          write: write("model.opt.gravity[2]"),
-        },
-      },
+      gravitySlider(kinds),
       { type: "button", label: "Hop", run: run("data.qvel[2] = 1") },
     ],
     ghost: { label: "finer", run: run("model.opt.timestep /= 2") },

@@ -1,0 +1,39 @@
+// Cancellation: work that is no longer wanted, ended early.
+//
+// Who works for somebody that may change their mind opens a Cancellable on each of its threads;
+// whatever takes long looks there now and then, and whatever waits for a program looks while it
+// waits. Cancelled then goes through all of the work like any exception: programs are killed,
+// folders removed, nothing half done is kept.
+#pragma once
+
+#include <stop_token>
+
+namespace mjcourse {
+
+struct Cancelled {};
+
+// While this lives, the work of the present thread ends when `token` says so.
+class Cancellable {
+ public:
+  explicit Cancellable(std::stop_token token);
+  ~Cancellable();
+  Cancellable(const Cancellable&) = delete;
+  Cancellable& operator=(const Cancellable&) = delete;
+
+ private:
+  std::stop_token outer_;
+};
+
+// What others wait for as well, or will need in any case, is finished: a Cancellable around this
+// has no effect while it lives.
+class Uncancellable : Cancellable {
+ public:
+  Uncancellable() : Cancellable(std::stop_token()) {}
+};
+
+// Of the present thread's work, to be given to others that do a part of it.
+std::stop_token cancellation();
+// Throws Cancelled where the present thread's work is no longer wanted.
+void end_if_cancelled();
+
+}  // namespace mjcourse

@@ -1,0 +1,48 @@
+// How a child that was just forked becomes what its Sandbox lets it be.
+//
+// Everything that allocates happens in the constructor, before the fork; enter() makes system calls
+// and nothing else, since other threads of the generator held locks at that moment.
+#pragma once
+
+#include <sys/resource.h>
+#include <sys/types.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/landlock.h"
+#include "base/sandbox.h"
+#include "base/syscall_filter.h"
+
+namespace mjcourse {
+
+class Confinement {
+ public:
+  // `sandbox` may be null, for a program that is trusted, and that may be watched all the same.
+  // `seconds` is what its wall clock allows.
+  Confinement(const Sandbox* sandbox, bool watch, double seconds);
+
+  // In the child. 0, or errno. `listener` becomes the descriptor on which the watcher is asked; it
+  // stays -1 where there is none.
+  int enter(int& listener) const;
+
+ private:
+  struct Limit {
+    int resource;
+    rlim_t soft, hard;
+  };
+
+  bool set_limits() const;
+  bool give_files(uid_t user) const;
+
+  bool confines_;
+  SandboxLevel level_;
+  std::vector<Limit> limits_;
+  std::vector<LandlockRule> rules_;
+  std::vector<std::string> owned_;
+  const SyscallFilter* filter_ = nullptr;
+  bool watch_;
+};
+
+}  // namespace mjcourse

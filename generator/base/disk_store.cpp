@@ -1,0 +1,207 @@
+#include "base/disk_store.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <ctime>
+#include <system_error>
+#include <utility>
+
+#include "base/files.h"
+#include "base/sha256.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kMark = "mjcourse-store 1 ";
+constexpr std::time_t kHour = 3600;  // seconds
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return number_; }
+
+ private:
+  int number_;
+};
+
+[[noreturn]] void fail(const fs::path& path) {
+  throw std::system_error(errno, std::generic_category(), path.string());
+}
+
+void mark_used(const fs::path& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0 || std::time(nullptr) - status.st_mtime < kHour) return;
+  utimensat(AT_FDCWD, path.c_str(), nullptr, 0);
+}
+
+// The bytes of the entry `name` whose file holds `bytes`; nothing where it is damaged.
+std::optional<std::string> verified(const std::string& name, std::string bytes) {
+  if (name.starts_with("cas/")) {
+    if (sha256(bytes) != name.substr(4)) return std::nullopt;
+    return bytes;
+  }
+  const std::size_t begin = kMark.size() + 64 + 1;
+  if (bytes.size() < begin || !bytes.starts_with(kMark)) return std::nullopt;
+  std::string content = bytes.substr(begin);
+  if (sha256(content) != bytes.substr(kMark.size(), 64)) return std::nullopt;
+  return content;
+}
+
+void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
+    if (count < 0 && errno != EINTR) fail(path);
+    if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+int open_lock(const fs::path& folder) {
+  return open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+}
+
+}  // namespace
+
+DiskStore::DiskStore(fs::path folder) : folder_(std::move(folder)) {
+  fs::create_directories(folder_ / "tmp");
+  lock_ = open_lock(folder_);
+  if (lock_ < 0) fail(folder_ / "lock");
+  while (flock(lock_, LOCK_SH) != 0) {
+    if (errno != EINTR) fail(folder_ / "lock");
+  }
+}
+
+DiskStore::~DiskStore() {
+  close(lock_);
+}
+
+fs::path DiskStore::path_of(const std::string& name) const {
+  const std::size_t hash = name.find('/') + 1;
+  return folder_ / name.substr(0, hash) / name.substr(hash, 2) / name.substr(hash + 2);
+}
+
+std::optional<std::string> DiskStore::get(const std::string& name) {
+  const fs::path path = path_of(name);
+  auto bytes = DiskFiles("").read(path.string());
+  if (!bytes) return std::nullopt;
+  std::optional<std::string> content = verified(name, *std::move(bytes));
+  if (content) {
+    mark_used(path);
+  } else {
+    note("the store's entry " + name + " was damaged; it is made again");
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+  return content;
+}
+
+bool DiskStore::put(const std::string& name, std::string_view bytes) {
+  if (!writable_) return false;
+  const fs::path path = path_of(name);
+  const bool blob = name.starts_with("cas/");
+  if (blob && get(name)) return true;
+  try {
+    write(path, blob ? std::string(bytes)
+                     : std::string(kMark) + sha256(bytes) + "\n" + std::string(bytes));
+  } catch (const std::system_error& error) {
+    if (writable_.exchange(false)) {
+      note("results are not kept from here on: " + std::string(error.what()));
+    }
+    return false;
+  }
+  return true;
+}
+
+void DiskStore::write(const fs::path& path, std::string_view bytes) const {
+  fs::create_directories(path.parent_path());
+  std::string aside = (folder_ / "tmp" / "XXXXXX").string();
+  const Descriptor file(mkostemp(aside.data(), O_CLOEXEC));
+  if (file.get() < 0) fail(aside);
+  try {
+    flock(file.get(), LOCK_EX);  // for as long as it is ours
+    write_all(file.get(), bytes, aside);
+    if (fsync(file.get()) != 0) fail(aside);
+    fs::rename(aside, path);
+  } catch (...) {
+    unlink(aside.c_str());
+    throw;
+  }
+}
+
+void DiskStore::note(std::string text) {
+  const std::lock_guard lock(mutex_);
+  notes_.push_back(std::move(text));
+}
+
+std::vector<std::string> DiskStore::notes() const {
+  const std::lock_guard lock(mutex_);
+  return notes_;
+}
+
+namespace {
+
+struct Entry {
+  fs::path path;
+  std::uintmax_t bytes = 0;
+  fs::file_time_type used;
+};
+
+std::vector<Entry> entries_of(const fs::path& folder) {
+  std::vector<Entry> entries;
+  for (const char* kind : {"ac", "cas"}) {
+    if (!fs::exists(folder / kind)) continue;
+    for (const fs::directory_entry& file : fs::recursive_directory_iterator(folder / kind)) {
+      if (file.is_regular_file())
+        entries.push_back({file.path(), file.file_size(), file.last_write_time()});
+    }
+  }
+  return entries;
+}
+
+// Nobody writes while the store is locked, so all that is here was left behind.
+void clear_unfinished(const fs::path& folder) {
+  if (!fs::exists(folder / "tmp")) return;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder / "tmp")) {
+    fs::remove(file.path());
+  }
+}
+
+}  // namespace
+
+std::optional<Pruned> prune_store(const fs::path& folder, std::uintmax_t keep, bool wait) {
+  if (!fs::exists(folder)) return Pruned{};
+  const Descriptor lock(open_lock(folder));
+  if (lock.get() < 0) fail(folder / "lock");
+  while (flock(lock.get(), LOCK_EX | (wait ? 0 : LOCK_NB)) != 0) {
+    if (errno == EWOULDBLOCK) return std::nullopt;
+    if (errno != EINTR) fail(folder / "lock");
+  }
+  clear_unfinished(folder);
+  std::vector<Entry> entries = entries_of(folder);
+  std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return std::pair(a.used, a.path) < std::pair(b.used, b.path);
+  });
+  Pruned pruned;
+  for (const Entry& entry : entries) pruned.bytes_left += entry.bytes;
+  pruned.entries_left = entries.size();
+  for (const Entry& entry : entries) {
+    if (pruned.bytes_left <= keep) break;
+    fs::remove(entry.path);
+    ++pruned.entries, --pruned.entries_left;
+    pruned.bytes += entry.bytes, pruned.bytes_left -= entry.bytes;
+  }
+  return pruned;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,61 @@
+// DiskStore: a Store in a folder, shared by all runs of a user.
+//
+//     ac/3f/2a91…   "mjcourse-store 1 SHA256\n", then the bytes
+//     cas/77/b0c4…  the bytes
+//     tmp/XXXXXX    what is being written, and what a killed process left of that
+//     lock          held shared by each run, and alone by who prunes
+//
+// An entry is written aside, synced and renamed, so it is there as a whole or not at all; and it is
+// verified whenever it is read, since disks and people damage files too. A damaged entry is removed
+// with a note. What is read counts as used, at most once an hour.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "base/store.h"
+
+namespace mjcourse {
+
+class DiskStore : public Store {
+ public:
+  // Makes the folder. Throws std::system_error where it cannot be made or used.
+  explicit DiskStore(std::filesystem::path folder);
+  ~DiskStore() override;
+  DiskStore(const DiskStore&) = delete;
+  DiskStore& operator=(const DiskStore&) = delete;
+
+  std::optional<std::string> get(const std::string& name) override;
+  // After the first entry that cannot be written (a full disk), no more are tried.
+  bool put(const std::string& name, std::string_view bytes) override;
+
+  const std::filesystem::path& folder() const { return folder_; }
+  // What the user should know, each a sentence: a damaged entry, a full disk.
+  std::vector<std::string> notes() const;
+
+ private:
+  std::filesystem::path path_of(const std::string& name) const;
+  void write(const std::filesystem::path& path, std::string_view bytes) const;
+  void note(std::string text);
+
+  std::filesystem::path folder_;
+  int lock_ = -1;
+  std::atomic<bool> writable_ = true;
+  mutable std::mutex mutex_;  // of the notes
+  std::vector<std::string> notes_;
+};
+
+struct Pruned {
+  std::uintmax_t entries = 0, bytes = 0;  // removed
+  std::uintmax_t entries_left = 0, bytes_left = 0;
+};
+
+// Remove the entries that were not used for longest until the store in `folder` holds at most
+// `keep` bytes, and what killed processes left. Waits for runs that use the store; nothing is done,
+// and nothing given, where `wait` is false and there is one.
+std::optional<Pruned> prune_store(const std::filesystem::path& folder, std::uintmax_t keep,
+                                  bool wait);
+
+}  // namespace mjcourse

@@ -1,0 +1,25 @@
+// Landlock: the kernel's way for a process to give up files, TCP and signals to others.
+//
+// A ruleset is made while we may still look at every path, and entered as the last but one thing
+// before a program begins. Debian 12's headers know the first two of its ABIs, so the rest is spelt
+// out in landlock.cpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mjcourse {
+
+struct LandlockRule {
+  std::string path;  // a file or a folder; passed over where there is none
+  bool write;        // else read and execute
+};
+
+// 0 where the kernel has none, or does not let us.
+int landlock_abi();
+
+// Both only for a child between fork and exec; async-signal-safe. A descriptor, or -1.
+int make_ruleset(int abi, const std::vector<LandlockRule>& rules);
+bool enter_ruleset(int ruleset);
+
+}  // namespace mjcourse

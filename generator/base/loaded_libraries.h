@@ -1,0 +1,13 @@
+// The shared libraries that this process runs on: who is given another build of one may compute
+// something else.
+#pragma once
+
+#include <string>
+
+namespace mjcourse {
+
+// A hash of their names and their linkers' build ids, the same wherever the same builds are
+// installed. Asked for once; what is loaded later (by Mesa, say) comes with what was loaded before.
+const std::string& loaded_libraries();
+
+}  // namespace mjcourse

@@ -1,0 +1,33 @@
+// The system calls that a program of somebody else's may make, as a seccomp filter.
+//
+// What it denies is what no program of a lesson needs and what reaches beyond it: other processes,
+// the network, mounts, namespaces, keys, kernel interfaces with a long record of holes, memory and
+// queues that outlive a process. Calls that name a file are put to a watcher, where there is one.
+#pragma once
+
+#include <linux/filter.h>
+
+#include <vector>
+
+namespace mjcourse {
+
+using SyscallFilter = std::vector<sock_filter>;
+
+struct FilterKind {
+  bool confine;    // deny what reaches beyond the program
+  bool processes;  // but let it start others
+  bool watch;      // ask the watcher about files, and where else an argument decides
+};
+
+// Does the kernel know of watchers at all? Else no filter for one can be made.
+bool can_watch();
+
+// Made once for each kind. Throws std::system_error when libseccomp cannot.
+const SyscallFilter& syscall_filter(FilterKind kind);
+
+// Both only for a child between fork and exec, behind no_new_privs; async-signal-safe.
+bool enter_filter(const SyscallFilter& filter);
+// A descriptor for the watcher, or -1.
+int enter_filter_with_listener(const SyscallFilter& filter);
+
+}  // namespace mjcourse

@@ -1,0 +1,191 @@
+#include "base/watcher.h"
+
+#include <fcntl.h>
+#include <linux/sched.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <filesystem>
+#include <new>
+#include <utility>
+
+#include "base/process_memory.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Folders of the system, of whose files nobody keeps account.
+constexpr std::array<std::string_view, 12> kSystemFolders{"/usr",    "/lib",  "/lib32", "/lib64",
+                                                          "/libx32", "/bin",  "/sbin",  "/opt",
+                                                          "/etc",    "/proc", "/sys",   "/dev"};
+
+std::vector<std::string> real_paths(const std::vector<std::string>& paths) {
+  std::vector<std::string> real;
+  for (const std::string& path : paths) {
+    std::error_code error;
+    const fs::path found = fs::weakly_canonical(path, error);
+    real.push_back(error ? path : found.string());
+  }
+  return real;
+}
+
+template <typename Folders>
+bool is_in_any(std::string_view path, const Folders& folders) {
+  return std::any_of(folders.begin(), folders.end(),
+                     [&](std::string_view folder) { return is_within(path, folder); });
+}
+
+// Without `.`, `..` and a slash at its end. What `..` leads to depends on links before it.
+std::string normal_path(const std::string& path) {
+  std::error_code error;
+  const bool climbs = path.find("/..") != path.npos;
+  const fs::path normal = climbs ? fs::weakly_canonical(path, error) : fs::path(path);
+  std::string text = (error ? fs::path(path) : normal).lexically_normal().string();
+  if (text.size() > 1 && text.ends_with('/')) text.pop_back();
+  return text;
+}
+
+// A question and its answer; their sizes are the kernel's.
+struct Exchange {
+  seccomp_notif* question = nullptr;
+  seccomp_notif_resp* response = nullptr;
+  Exchange() {
+    if (seccomp_notify_alloc(&question, &response) != 0) throw std::bad_alloc();
+  }
+  ~Exchange() { seccomp_notify_free(question, response); }
+  Exchange(const Exchange&) = delete;
+  Exchange& operator=(const Exchange&) = delete;
+};
+
+bool calls_path(int number) {
+  const auto calls = path_calls();
+  return std::any_of(calls.begin(), calls.end(),
+                     [&](const PathCall& call) { return call.number == number; });
+}
+
+}  // namespace
+
+Watcher::Watcher(pid_t program, const Sandbox* sandbox) : program_(program), sandbox_(sandbox) {
+  if (sandbox == nullptr) return;
+  readable_ = real_paths(sandbox->read);
+  readable_.push_back("/proc/" + std::to_string(program));
+  writable_ = real_paths(sandbox->write);
+}
+
+std::optional<std::vector<std::string>> Watcher::opened() const {
+  if (!all_known_) return std::nullopt;
+  return std::vector<std::string>(opened_.begin(), opened_.end());
+}
+
+void Watcher::answer(int listener) {
+  const Exchange exchange;  // the kernel wants it empty each time
+  if (seccomp_notify_receive(listener, exchange.question) != 0) return;  // it was killed meanwhile
+  const Reply reply = decide(*exchange.question);
+  if (reply.answer == Answer::stop) return;
+  exchange.response->id = exchange.question->id;
+  exchange.response->error = reply.answer == Answer::fail ? -reply.error : 0;
+  if (reply.answer == Answer::go_on) exchange.response->flags = SECCOMP_USER_NOTIF_FLAG_CONTINUE;
+  seccomp_notify_respond(listener, exchange.response);
+}
+
+Watcher::Reply Watcher::decide(const seccomp_notif& question) {
+  const int call = question.data.nr;
+  if (calls_path(call)) {
+    for (const PathCall& known : path_calls()) {
+      if (known.number != call) continue;
+      const Reply reply = decide_on_path(question, known);
+      if (reply.answer != Answer::go_on) return reply;
+    }
+    return {};
+  }
+  if (call == SCMP_SYS(execve) || call == SCMP_SYS(execveat)) {
+    if (std::exchange(begun_, true)) return refuse("start another program");
+    return {};  // the one that made it what it is
+  }
+  if (call == SCMP_SYS(clone)) return decide_on_clone(question);
+  if (call == SCMP_SYS(fork) || call == SCMP_SYS(vfork)) return refuse("start another process");
+  if (call == SCMP_SYS(socket)) return refuse("open a network connection");
+  if (call == SCMP_SYS(fchmod)) {
+    const auto path = absolute_path(program_, static_cast<int>(question.data.args[0]), "");
+    return path && !may(*path, true) ? Reply{Answer::fail, EPERM} : Reply{};
+  }
+  return decide_on_signal(question);
+}
+
+Watcher::Reply Watcher::refuse(std::string what) {
+  refused_ = std::move(what);
+  return {Answer::stop};
+}
+
+Watcher::Reply Watcher::decide_on_clone(const seccomp_notif& question) {
+  if ((question.data.args[0] & CLONE_THREAD) == 0) return refuse("start another process");
+  if (count_threads(program_) >= kMostThreads) return {Answer::fail, EAGAIN};
+  return {};
+}
+
+Watcher::Reply Watcher::decide_on_signal(const seccomp_notif& question) {
+  const auto target = static_cast<pid_t>(question.data.args[0]);
+  const bool to_thread = question.data.nr == SCMP_SYS(tkill);
+  const bool own =
+      target == program_ || (to_thread && fs::exists("/proc/" + std::to_string(program_) +
+                                                     "/task/" + std::to_string(target)));
+  return own ? Reply{} : refuse("send a signal to another process");
+}
+
+FileAccess Watcher::access_of(const seccomp_notif& question, const PathCall& call) {
+  if (call.access != FileAccess::by_flags && call.access != FileAccess::by_struct) {
+    return call.access;
+  }
+  std::uint64_t flags = question.data.args[call.flags];
+  if (call.access == FileAccess::by_struct) {
+    flags = read_number(static_cast<pid_t>(question.pid), flags).value_or(O_RDWR);
+  }
+  if ((flags & O_PATH) != 0) return FileAccess::look;
+  const bool reads = (flags & O_ACCMODE) == O_RDONLY && (flags & (O_CREAT | O_TRUNC)) == 0;
+  return reads ? FileAccess::read : FileAccess::write;
+}
+
+bool Watcher::may(const std::string& path, bool write) const {
+  if (sandbox_ == nullptr || is_in_any(path, writable_system_paths())) return true;
+  if (!write && is_in_any(path, readable_system_paths())) return true;
+  std::error_code error;
+  const std::string real = fs::weakly_canonical(path, error).string();
+  if (is_in_any(real, writable_)) return true;
+  if (write) return false;
+  return is_in_any(real, readable_) || is_in_any(real, readable_system_paths()) ||
+         !fs::exists(real, error);
+}
+
+Watcher::Reply Watcher::decide_on_path(const seccomp_notif& question, const PathCall& call) {
+  const auto asker = static_cast<pid_t>(question.pid);
+  const auto text = read_text(asker, question.data.args[call.path]);
+  if (!text) {
+    // Who gives no text has the kernel's own answer to that; whose memory we may not read, may
+    // have named anything.
+    if (text.error() != EFAULT) all_known_ = false;
+    return {};
+  }
+  if (text->empty()) return {};  // of a descriptor, whose file was asked about when it was opened
+  const int folder = call.folder < 0 ? AT_FDCWD : static_cast<int>(question.data.args[call.folder]);
+  const auto path = absolute_path(asker, folder, *text);
+  if (!path) {
+    all_known_ = false;
+    return {};
+  }
+  const std::string normal = normal_path(*path);
+  const bool own =
+      is_in_any(normal, writable_) || (sandbox_ != nullptr && is_in_any(normal, sandbox_->write));
+  if (!own && !is_in_any(normal, kSystemFolders)) opened_.insert(normal);
+  const FileAccess access = access_of(question, call);
+  if (access == FileAccess::look) return {};
+  const bool writes = access == FileAccess::write;
+  if (may(normal, writes)) return {};
+  return refuse((writes ? "write " : "read ") + *text);
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,26 @@
+// What this machine has of all that a course may need, found out by trying.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace mjcourse {
+
+struct Sign {
+  enum class Grade {
+    good,
+    slow,    // all works, but slower, or with less around it
+    missing  // some courses cannot be built
+  };
+  std::string of;  // "compiler"
+  Grade grade = Grade::good;
+  std::string state;  // "clang 16.0.6, mold 1.10.1"
+  std::string cure;   // what to do; empty for what is good
+};
+
+// `assets` is what the site's build made, `store` a store's folder (empty: there is none). Throws
+// nothing of what it finds.
+std::vector<Sign> examine(const std::filesystem::path& assets, const std::filesystem::path& store);
+
+}  // namespace mjcourse

@@ -1,0 +1,15 @@
+// What was found, as one document for another tool: on stdout, while what a person reads goes to
+// stderr.
+#pragma once
+
+#include <string>
+
+#include "cli/commands.h"
+#include "cli/verify.h"
+
+namespace mjcourse {
+
+// "" for Format::text.
+std::string document_of(const Verified& verified, const Options& options);
+
+}  // namespace mjcourse

@@ -1,0 +1,133 @@
+// A diagnostic's id is explained by what it means, without looking at the course.
+//
+// Steps for the rest: find the lessons that are meant; look up what would be kept; tell of each
+// task whether it is, what has changed if not, and, where a lesson or a line was named, all that it
+// depends on.
+#include "evaluate/explain.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <string>
+
+#include "base/counted.h"
+#include "base/nearest.h"
+#include "cli/commands.h"
+#include "cli/run.h"
+#include "cli/verify.h"
+#include "cli/where.h"
+#include "report/meaning.h"
+
+namespace mjcourse {
+namespace {
+
+// A hash by its first digits.
+std::string short_value(const std::string& value) {
+  const bool hash = value.size() == 64 && value.find_first_not_of("0123456789abcdef") == value.npos;
+  return hash ? value.substr(0, 8) : value;
+}
+
+void print_changes(const Explanation& task) {
+  if (task.before.empty()) {
+    std::cout << "  was never worked out here\n";
+    return;
+  }
+  std::map<std::string, std::string> before;
+  for (const Dependency& one : task.before) before[one.name] = one.value;
+  bool changed = false;
+  for (const Dependency& one : task.now) {
+    const auto known = before.find(one.name);
+    const std::string was = known == before.end() ? "not looked at" : short_value(known->second);
+    if (known != before.end() && known->second == one.value) continue;
+    std::cout << "  " << one.name << " changed: " << was << " → " << short_value(one.value) << '\n';
+    changed = true;
+  }
+  if (!changed) std::cout << "  nothing has changed, but the result is not kept any more\n";
+}
+
+void print_dependencies(const Dependencies& all) {
+  std::size_t width = 0, system = 0;
+  for (const Dependency& one : all) {
+    if (one.name.starts_with('/')) {
+      ++system;
+    } else {
+      width = std::max(width, one.name.size());
+    }
+  }
+  std::cout << "  depends on\n";
+  for (const Dependency& one : all) {
+    if (one.name.starts_with('/')) continue;
+    std::cout << "    " << one.name << std::string(width + 2 - one.name.size(), ' ')
+              << short_value(one.value) << '\n';
+  }
+  if (system > 0) std::cout << "    and " << counted(system, "file") << " of the system\n";
+}
+
+int explain_ids(const std::vector<std::string>& ids) {
+  const TerminalStyle style = style_for(STDOUT_FILENO);
+  std::string text;
+  for (const std::string& id : ids) {
+    const Meaning* meaning = meaning_of(id);
+    if (meaning == nullptr) {
+      std::vector<std::string> known;
+      for (const Meaning& one : meanings()) known.emplace_back(one.id);
+      const std::string near = nearest(id, known);
+      std::cerr << "mjcourse: no message is called " << id
+                << (near.empty() ? "; lesson A.9 of the author guide has them all"
+                                 : "; did you mean `" + near + "`?")
+                << '\n';
+      return kWrongUsage;
+    }
+    text += (text.empty() ? "" : "\n") + format_for_terminal(*meaning, style);
+  }
+  std::cout << text;
+  return kClean;
+}
+
+}  // namespace
+
+int explain(const Options& options) {
+  const auto ids = static_cast<std::size_t>(
+      std::count_if(options.where.begin(), options.where.end(), is_like_id));
+  if (ids > 0 && ids < options.where.size()) {
+    std::cerr << "mjcourse: explain takes messages' names or places of the course, and not both\n";
+    return kWrongUsage;
+  }
+  if (ids > 0) return explain_ids(options.where);
+  Verified verified = read_course_of(options);
+  if (!verified.course) {
+    print_diagnostics(verified.evaluation.diagnostics);
+    return kCourseErrors;
+  }
+  std::vector<Where> wanted;
+  for (const std::string& text : options.where) {
+    const auto place = find_place(*verified.course, options.course, text);
+    if (!place) {
+      std::cerr << "mjcourse: " << place.error() << '\n';
+      return kWrongUsage;
+    }
+    wanted.push_back(*place);
+  }
+  if (verified.kept->store() == nullptr) return kClean;  // it was said that there is no store
+  const DiskFiles assets(assets_folder());
+  std::size_t kept = 0, told = 0;
+  for (const Explanation& task :
+       explain_course(*verified.course, workplace_of(options, assets, verified.kept->store()))) {
+    const bool meant =
+        wanted.empty() || std::any_of(wanted.begin(), wanted.end(),
+                                      [&](const Where& where) { return where.has(task.place); });
+    if (!meant) continue;
+    ++told;
+    kept += task.kept ? 1 : 0;
+    std::cout << task.place.file << ":" << task.place.line << ": " << task.what
+              << (task.kept ? ": kept\n" : ": to be done\n");
+    if (!task.kept) print_changes(task);
+    if (!wanted.empty()) print_dependencies(task.now);
+  }
+  std::cout << counted(told, "task") << ", " << kept << " kept\n";
+  return kClean;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,59 @@
+#include "cli/kept_results.h"
+
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <system_error>
+#include <utility>
+
+#include "base/cache_folder.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Is it a day since this was last true?
+bool is_due(const fs::path& stamp) {
+  std::error_code none;
+  const auto last = fs::last_write_time(stamp, none);
+  if (!none && fs::file_time_type::clock::now() - last < std::chrono::hours(24)) return false;
+  std::ofstream(stamp) << "";
+  return true;
+}
+
+}  // namespace
+
+fs::path store_folder(const fs::path& named) {
+  if (!named.empty()) return fs::absolute(named);
+  const std::optional<fs::path> cache = user_cache_folder();
+  return cache ? *cache / "store" : fs::path();
+}
+
+KeptResults::KeptResults(fs::path folder) {
+  folder = store_folder(folder);
+  if (folder.empty()) {
+    std::cerr << "note: results are not kept: neither XDG_CACHE_HOME nor HOME names a folder that "
+                 "can be written\n";
+    return;
+  }
+  try {
+    store_.emplace(std::move(folder));
+  } catch (const std::system_error& error) {
+    std::cerr << "note: results are not kept: " << error.what() << '\n';
+  }
+}
+
+KeptResults::~KeptResults() {
+  if (!store_) return;
+  for (const std::string& note : store_->notes()) std::cerr << "note: " << note << '\n';
+  const fs::path folder = store_->folder();
+  store_.reset();
+  try {
+    if (is_due(folder / "pruned")) prune_store(folder, kMostKept, false);
+  } catch (const std::system_error& error) {
+    std::cerr << "note: the result store cannot be pruned: " << error.what() << '\n';
+  }
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,46 @@
+// `mjcourse new KIND NAME`. Steps: find the kind; ask it for the files (new_part.h); write all of
+// them, or none; say which.
+#include <filesystem>
+#include <iostream>
+
+#include "base/nearest.h"
+#include "cli/commands.h"
+#include "cli/course_file.h"
+#include "cli/new_part.h"
+#include "cli/run.h"
+#include "cli/verify.h"
+
+namespace mjcourse {
+
+NewPartOrRefusal new_part(const Files& course, const Files& assets,
+                          const std::vector<std::string>& words) {
+  const std::vector<std::string> kinds{"level", "lesson", "model", "example"};
+  if (words.empty()) {
+    return wrong_words("new what?",
+                       "a level, a lesson, a model or an example, as in "
+                       "`mjcourse new lesson 2-dynamics \"Forces\"`");
+  }
+  const std::vector<std::string> rest(words.begin() + 1, words.end());
+  if (words[0] == "level") return new_level(course, rest);
+  if (words[0] == "lesson") return new_lesson(course, assets, rest);
+  if (words[0] == "model") return new_model(assets, rest);
+  if (words[0] == "example") return new_example(course, assets, rest);
+  return wrong_words("there is no new " + words[0], suggest(words[0], kinds));
+}
+
+int make_new(const Options& options) {
+  const DiskFiles course(options.course);
+  const auto part = new_part(course, DiskFiles(assets_folder()), options.where);
+  if (!part) return tell(part.error());
+  // A model in a folder that is no course would be lost there.
+  if (const auto yaml = course.read(kCourseFile); !yaml) return tell(no_course(yaml.error()));
+  if (const auto written = write_new_files(options.course, part->files); !written) {
+    return tell(written.error());
+  }
+  if (!part->folder.empty()) std::filesystem::create_directories(options.course / part->folder);
+  tell(part->files);
+  std::cout << part->next << '\n';
+  return kClean;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,107 @@
+// A model and an example: one file each.
+#include <algorithm>
+#include <cctype>
+#include <regex>
+
+#include "base/nearest.h"
+#include "cli/new_part.h"
+#include "cli/skeleton.h"
+#include "course/lesson_name.h"
+
+namespace mjcourse {
+namespace {
+
+// `word` without the folder and the ending that it has as a file.
+std::string plain_name(std::string word, const std::string& folder, const std::string& ending) {
+  if (word.starts_with(folder)) word.erase(0, folder.size());
+  if (word.ends_with(ending)) word.erase(word.size() - ending.size());
+  return word;
+}
+
+// The name of a `kind` ("model"), by which lessons call it.
+tl::expected<std::string, Refusal> name_of(const std::string& kind, const std::string& folder,
+                                           const std::string& ending,
+                                           const std::vector<std::string>& words,
+                                           const std::string& form) {
+  if (words.empty()) return wrong_words("new " + kind + " needs a name", "as in " + form);
+  static const std::regex good("[a-z][a-z0-9_]*");
+  std::string name = plain_name(words[0], folder, ending);
+  if (std::regex_match(name, good)) return name;
+  std::string likely = slug_of(name);
+  std::replace(likely.begin(), likely.end(), '-', '_');
+  return wrong_words(
+      "`" + words[0] + "` is no name for " + (kind == "example" ? "an " : "a ") + kind,
+      "small letters, digits and underscores, as in " + form +
+          (std::regex_match(likely, good) ? "; did you mean `" + likely + "`?" : ""));
+}
+
+std::vector<std::string> models_of(const Files& course) {
+  std::vector<std::string> models;
+  for (const std::string& file : course.list("models")) {
+    if (file.ends_with(".xml")) models.push_back(file.substr(0, file.size() - 4));
+  }
+  return models;
+}
+
+// The model that a program begins with: the one that was named, the one that is called as the
+// program is, or the first.
+tl::expected<std::string, Refusal> model_for(const Files& course, const std::string& example,
+                                             const std::vector<std::string>& words) {
+  const std::vector<std::string> models = models_of(course);
+  const auto has = [&](const std::string& name) {
+    return std::find(models.begin(), models.end(), name) != models.end();
+  };
+  if (words.size() > 1) {
+    const std::string model = plain_name(words[1], "models/", ".xml");
+    if (has(model)) return model;
+    return wrong_course("there is no model " + model + " in models/", suggest(model, models));
+  }
+  if (has(example)) return example;
+  if (!models.empty()) return models.front();
+  return wrong_course("there is no model that " + example + " could load",
+                      "`mjcourse new model NAME` makes one");
+}
+
+}  // namespace
+
+NewPartOrRefusal new_model(const Files& assets, const std::vector<std::string>& words) {
+  const std::string form = "`mjcourse new model pendulum`";
+  const auto name = name_of("model", "models/", ".xml", words, form);
+  if (!name) return tl::unexpected(name.error());
+  if (words.size() > 1) {
+    return wrong_words("new model takes a name, and not `" + words[1] + "`", "as in " + form);
+  }
+  return NewPart{
+      {{"models/" + *name + ".xml", filled_skeleton(assets, "model.xml", {{"name", *name}})}},
+      "",
+      "a lab shows it with `\"model\": \"" + *name +
+          "\"`, and a program loads it with "
+          "`load_model(\"" +
+          *name + "\")`"};
+}
+
+NewPartOrRefusal new_example(const Files& course, const Files& assets,
+                             const std::vector<std::string>& words) {
+  const std::string form =
+      "`mjcourse new example l2_1_forces` or `mjcourse new example l2_1_forces "
+      "MODEL`";
+  const auto name = name_of("example", "examples/", ".cpp", words, form);
+  if (!name) return tl::unexpected(name.error());
+  if (words.size() > 2) {
+    return wrong_words("new example takes a name and a model, and not `" + words[2] + "`",
+                       "as in " + form);
+  }
+  const auto model = model_for(course, *name, words);
+  if (!model) return tl::unexpected(model.error());
+  return NewPart{{{"examples/" + *name + ".cpp",
+                   filled_skeleton(assets, "example.cpp", {{"name", *name}, {"model", *model}})}},
+                 "",
+                 "it loads models/" + *model +
+                     ".xml; a lesson runs it with a fence "
+                     "`cpp file=examples/" +
+                     *name +
+                     ".cpp`, and `mjcourse accept` writes what it prints "
+                     "into an empty `text` fence below"};
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,53 @@
+// Archive: the findings of tasks, kept in a store under what they depend on.
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+#include "evaluate/result_codec.h"
+#include "evaluate/result_store.h"
+#include "evaluate/task.h"
+
+namespace mjcourse {
+
+// What came of one task.
+struct TaskRecord {
+  Finding finding;
+  Dependencies recipe, traced;  // what it depends on; the latter where it was kept, or found
+  bool reused = false;          // it was kept before
+  bool open = false;            // nobody worked on it: what is known does not have it
+  std::size_t thread = 0;
+  double begin = 0, seconds = 0;  // measured, since the crew began
+};
+
+class Archive {
+ public:
+  // `root` is the course's folder. Both others must outlive this.
+  Archive(Store& store, const std::filesystem::path& root, Fingerprints& fingerprints)
+      : store_(store),
+        root_(std::filesystem::absolute(root).lexically_normal()),
+        results_(store, fingerprints),
+        codec_(store, root_) {}
+
+  // Does `record`, which has its recipe, get its finding? Where this is to be `noted`, last() will
+  // know of it.
+  bool find(const Task& task, TaskRecord& record, bool noted = true);
+
+  // All that the task depended on when it was last kept or found; empty where it never was.
+  Dependencies last(const Task& task);
+
+  // Keep the finding of `record`, whose work began at `begin` and looked at what is in `trace`.
+  void keep(const Task& task, const Trace& trace, std::chrono::system_clock::time_point begin,
+            TaskRecord& record);
+
+ private:
+  void remember(const Task& task, const TaskRecord& record);
+  std::string last_name(const Task& task) const;
+
+  Store& store_;
+  std::filesystem::path root_;
+  ResultStore results_;
+  ResultCodec codec_;
+};
+
+}  // namespace mjcourse

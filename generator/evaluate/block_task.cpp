@@ -1,0 +1,180 @@
+#include "evaluate/block_task.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <variant>
+
+#include "base/stopwatch.h"
+#include "evaluate/chart.h"
+#include "evaluate/fence_extent.h"
+#include "evaluate/figure.h"
+#include "evaluate/image.h"
+#include "evaluate/inline_value.h"
+#include "evaluate/lab.h"
+#include "evaluate/model_listing.h"
+#include "evaluate/question.h"
+#include "evaluate/recipe.h"
+
+namespace mjcourse {
+namespace {
+
+// What a kind of block is called, depends on, costs, and how it is worked on. Of other blocks there
+// is nothing to find out, or by other tasks.
+struct Known {
+  std::string kind = {};
+  std::string what;
+  bool quotes = false;
+  double effort = 0.01;  // seconds, about
+  // As the lesson has it, and what reading the rest of the lesson made of it.
+  std::vector<std::string> text = {};
+  std::vector<std::string> scripts = {};  // that work on it
+};
+
+struct KnownOf {
+  const Lesson& lesson;
+  std::size_t index;
+
+  std::string written(Span span) const {
+    return std::string(lesson.source->text().substr(span.begin, span.end - span.begin));
+  }
+  std::string fence(Span opening) const { return written(fence_extent(*lesson.source, opening)); }
+
+  Known operator()(const InlineValue& value) const {
+    return {"value", "compute " + value.expression.text + " of " + value.source.text, true,
+            0.02,    {value.source.text, value.expression.text, value.format.text},   {"world"}};
+  }
+  Known operator()(const Lab& lab) const {
+    const double runs = 1.0 + static_cast<double>(lab.controls.size());
+    return {"lab",      "rehearse the lab \"" + lab.title + "\"", false,
+            0.1 * runs, {fence(lab.span), lab.pin.text},          {"world"}};
+  }
+  Known operator()(const Figure& figure) const {
+    const double frames = figure.animation ? figure.animation->frames() : 1;
+    return {"figure",
+            "draw a figure of " + lesson.number,
+            figure.from.has_value(),
+            0.1 + 0.03 * frames,
+            {fence(figure.span), figure.pin.text},
+            {"world"}};
+  }
+  Known operator()(const Chart& chart) const {
+    return {"plot", "draw the plot of " + chart.table.text,         true,
+            0.1,    {fence(chart.span), block_name(lesson, index)}, {"plot"}};
+  }
+  Known operator()(const Quiz& quiz) const {
+    Known known{"quiz", "prove the answers of " + quiz.id, true, 0.2, {}, {"world"}};
+    for (const Question& question : quiz.questions) known.text.push_back(written(question.span));
+    return known;
+  }
+  Known operator()(const ModelExcerpt& excerpt) const {
+    return {
+        "excerpt", "look for lines of " + excerpt.model.text, false, 0.01, {fence(excerpt.span)}};
+  }
+  Known operator()(const InlineModel& model) const {
+    return {"model", "compile a model of " + lesson.number, false, 0.01, {fence(model.span)}};
+  }
+  Known operator()(const Image& image) const { return {"image", "look at " + image.file.text}; }
+  template <typename Other>
+  Known operator()(const Other&) const {
+    return {};
+  }
+};
+
+Known known_of(const Lesson& lesson, std::size_t index) {
+  return std::visit(KnownOf{lesson, index}, lesson.blocks[index]);
+}
+
+struct Worker {
+  const Lesson& lesson;
+  std::size_t index;
+  Workshop& workshop;
+  Diagnostics& diagnostics;
+
+  using Answer = std::optional<Result>;
+
+  Answer operator()(const InlineValue& value) const {
+    return evaluate_value(value, lesson, workshop, diagnostics);
+  }
+  Answer operator()(const Lab& lab) const {
+    return evaluate_lab(lab, lesson, workshop, diagnostics);
+  }
+  Answer operator()(const Figure& figure) const {
+    return evaluate_figure(figure, lesson, workshop, diagnostics);
+  }
+  Answer operator()(const Chart& chart) const {
+    return evaluate_chart(chart, index, lesson, workshop, diagnostics);
+  }
+  Answer operator()(const Quiz& quiz) const {
+    QuizResult result;
+    for (const Question& question : quiz.questions) {
+      const Stopwatch stopwatch;
+      auto answer = evaluate_question(question, lesson, workshop, diagnostics);
+      QuestionResult& kept = result.questions.emplace_back(answer.value_or(QuestionResult{}));
+      kept.failed = !answer;
+      kept.seconds = stopwatch.seconds();
+    }
+    return result;
+  }
+  Answer operator()(const ModelExcerpt& excerpt) const {
+    return evaluate_excerpt(excerpt, lesson, workshop, diagnostics);
+  }
+  Answer operator()(const InlineModel& model) const {
+    return evaluate_inline_model(model, lesson, workshop, diagnostics);
+  }
+  Answer operator()(const Image& image) const {
+    return evaluate_image(image, lesson, workshop.root(), diagnostics);
+  }
+  template <typename Other>
+  Answer operator()(const Other&) const {
+    return std::nullopt;
+  }
+};
+
+// A quiz has a result even where an answer could not be found.
+bool is_whole(const Result& result) {
+  const auto* quiz = std::get_if<QuizResult>(&result);
+  return quiz == nullptr || std::none_of(quiz->questions.begin(), quiz->questions.end(),
+                                         [](const QuestionResult& one) { return one.failed; });
+}
+
+}  // namespace
+
+BlockTask::BlockTask(const Lesson& lesson, std::size_t page, std::size_t block)
+    : Task(lesson, page, block, known_of(lesson, block).what), block_(lesson.blocks[block]) {}
+
+bool BlockTask::takes(const Lesson& lesson, std::size_t block) {
+  return !known_of(lesson, block).kind.empty();
+}
+
+std::string BlockTask::name() const {
+  const std::string numbered = block_name(lesson(), block());
+  return numbered.empty() ? what() : numbered;
+}
+
+bool BlockTask::quotes() const {
+  return known_of(lesson(), block()).quotes;
+}
+
+double BlockTask::effort() const {
+  return known_of(lesson(), block()).effort;
+}
+
+Dependencies BlockTask::recipe(const Setting& setting) const {
+  const Known known = known_of(lesson(), block());
+  if (known.text.empty()) return {};
+  return recipe_of(setting, known.kind, known.text, known.scripts);
+}
+
+bool BlockTask::work(Workshop& workshop, Finding& finding) {
+  const Stopwatch stopwatch;
+  std::optional<Result> result =
+      std::visit(Worker{lesson(), block(), workshop, finding.diagnostics}, block_);
+  if (!result) return false;
+  const bool whole = is_whole(*result);
+  finding.results[block()] = *std::move(result);
+  finding.seconds[block()] = stopwatch.seconds();
+  return whole;
+}
+
+}  // namespace mjcourse

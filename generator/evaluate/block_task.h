@@ -1,0 +1,26 @@
+// BlockTask: a block that is found out about by itself: a lab, a figure, a plot, a quiz, a value, a
+// listing of a model, an image.
+#pragma once
+
+#include "evaluate/task.h"
+
+namespace mjcourse {
+
+class BlockTask : public Task {
+ public:
+  BlockTask(const Lesson& lesson, std::size_t page, std::size_t block);
+
+  // Is the lesson's block of such a kind?
+  static bool takes(const Lesson& lesson, std::size_t block);
+
+  std::string name() const override;
+  bool quotes() const override;
+  double effort() const override;
+  Dependencies recipe(const Setting& setting) const override;
+  bool work(Workshop& workshop, Finding& finding) override;
+
+ private:
+  const Block& block_;
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,28 @@
+#include "evaluate/containment.h"
+
+namespace mjcourse {
+
+namespace fs = std::filesystem;
+
+Sandbox program_sandbox(const fs::path& binary, const fs::path& run, const fs::path& records,
+                        const fs::path& root) {
+  Sandbox sandbox;
+  sandbox.read = {fs::absolute(binary), fs::absolute(root / "models")};
+  sandbox.write = {fs::absolute(run)};
+  if (!records.empty()) sandbox.write.push_back(fs::absolute(records));
+  sandbox.file_bytes = kMostProgramBytes;
+  return sandbox;
+}
+
+Sandbox compiler_sandbox(const fs::path& folder, const std::vector<fs::path>& others) {
+  Sandbox sandbox;
+  for (const fs::path& path : others) sandbox.read.push_back(fs::absolute(path));
+  sandbox.write = {fs::absolute(folder)};
+  sandbox.processes = true;  // the driver starts the compiler, the assembler and the linker
+  sandbox.file_bytes = 1 << 30;
+  sandbox.folder_bytes = 1 << 30;
+  sandbox.open_files = 256;
+  return sandbox;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,49 @@
+// Crew: the tasks of a course, worked off on several threads.
+//
+// Steps of a task: it is prepared; its finding is looked up among those that were kept, or else
+// worked out, and kept if it is whole and came without a word; it is concluded. The task with the
+// most work begins first; those that quote programs wait until all programs have been run. A crew
+// that only looks does not work: what was not kept stays open, and with it all that quotes. What
+// always holds: findings do not depend on the number of threads, nor on which of them were kept.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "evaluate/archive.h"
+#include "evaluate/plan.h"
+#include "evaluate/progress.h"
+
+namespace mjcourse {
+
+enum class Effort { all, looks };
+
+using TaskRecords = std::vector<TaskRecord>;  // one for each task, in their order
+
+class Crew {
+ public:
+  // `archive` may be null. All must outlive this.
+  Crew(const Setting& setting, Archive* archive, Progress& progress, std::size_t threads,
+       Effort effort = Effort::all)
+      : setting_(setting),
+        archive_(archive),
+        progress_(progress),
+        threads_(threads),
+        effort_(effort) {}
+
+  // `publish` is called once, when all that quotes nothing has been begun and all programs are
+  // done, and before any that quotes begins. Throws what a task threw; Cancelled where the caller's
+  // work is cancelled (base/cancellation.h).
+  TaskRecords run(const Tasks& tasks, const std::function<void(const TaskRecords&)>& publish);
+
+ private:
+  void do_task(Task& task, Workshop& workshop, TaskRecord& record) const;
+
+  const Setting& setting_;
+  Archive* archive_;
+  Progress& progress_;
+  std::size_t threads_;
+  Effort effort_;
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,101 @@
+#include "evaluate/explain.h"
+
+#include <utility>
+#include <variant>
+
+#include "evaluate/archive.h"
+#include "evaluate/plan.h"
+#include "evaluate/publish.h"
+
+namespace mjcourse {
+namespace {
+
+struct SpanOf {
+  Span operator()(const InlineValue& value) const { return value.source.span(); }
+  Span operator()(const Math& math) const { return math.tex.span(); }
+  Span operator()(const Image& image) const { return image.file.span(); }
+  Span operator()(const Quiz& quiz) const {
+    return quiz.questions.empty() ? Span{} : quiz.questions.front().span;
+  }
+  template <typename Fence>
+    requires requires(const Fence& fence) { fence.span; }
+  Span operator()(const Fence& fence) const {
+    return fence.span;
+  }
+  template <typename Other>
+  Span operator()(const Other&) const {
+    return {};
+  }
+};
+
+Place place_of_task(const Task& task) {
+  const std::vector<Block>& blocks = task.lesson().blocks;
+  return place_of(*task.lesson().source,
+                  blocks.empty() ? Span{} : std::visit(SpanOf{}, blocks[task.block()]));
+}
+
+class Explainer {
+ public:
+  Explainer(const Course& course, const Workplace& workplace)
+      : setting_(course, workplace.root, workplace.assets, workplace.helper),
+        fingerprints_(workplace.root),
+        archive_(*workplace.store, workplace.root, fingerprints_),
+        workshop_(setting_),
+        tasks_(plan_tasks(course)),
+        records_(tasks_.size()) {}
+
+  std::vector<Explanation> run() {
+    look(false);
+    publish(tasks_, records_, setting_.reports(), fingerprints_);
+    look(true);
+    std::vector<Explanation> all;
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+      if (!records_[i].recipe.empty()) all.push_back(explain(*tasks_[i], records_[i]));
+    }
+    return all;
+  }
+
+ private:
+  void look(bool quoting) {
+    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+      Task& task = *tasks_[i];
+      TaskRecord& record = records_[i];
+      if (task.quotes() != quoting || !task.prepare(workshop_, record.finding)) continue;
+      record.recipe = task.recipe(setting_);
+      before_[&task] = archive_.last(task);
+      archive_.find(task, record);
+    }
+  }
+
+  Explanation explain(const Task& task, const TaskRecord& record) {
+    Explanation explanation{task.what(), place_of_task(task), record.reused, record.recipe,
+                            std::move(before_[&task])};
+    Dependencies& now = explanation.now;
+    if (record.reused) {
+      now.insert(now.end(), record.traced.begin(), record.traced.end());
+      return explanation;
+    }
+    // What it looked at the last time, as that is now.
+    for (std::size_t i = record.recipe.size(); i < explanation.before.size(); ++i) {
+      const std::string& name = explanation.before[i].name;
+      now.push_back({name, fingerprints_.of(name)});
+    }
+    return explanation;
+  }
+
+  Setting setting_;
+  Fingerprints fingerprints_;
+  Archive archive_;
+  Workshop workshop_;
+  Tasks tasks_;
+  std::vector<TaskRecord> records_;
+  std::map<const Task*, Dependencies> before_;
+};
+
+}  // namespace
+
+std::vector<Explanation> explain_course(const Course& course, const Workplace& workplace) {
+  return Explainer(course, workplace).run();
+}
+
+}  // namespace mjcourse

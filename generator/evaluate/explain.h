@@ -1,0 +1,26 @@
+// Explaining: what each task depends on, whether its finding is kept, and if not, what has changed.
+//
+// Nothing is worked out. So what quotes a program that would have to run is not known to be kept.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "course/course.h"
+#include "evaluate/dependency.h"
+#include "evaluate/evaluate.h"
+
+namespace mjcourse {
+
+struct Explanation {
+  std::string what;  // "rehearse the lab …"
+  Place place;
+  bool kept = false;
+  Dependencies now;     // all that it depends on, as far as that is known
+  Dependencies before;  // when it was last worked out or found here; empty where it never was
+};
+
+// One for each task whose finding can be kept, in the course's order.
+std::vector<Explanation> explain_course(const Course& course, const Workplace& workplace);
+
+}  // namespace mjcourse

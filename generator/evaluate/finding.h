@@ -1,0 +1,21 @@
+// Finding: what one piece of work found out.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+
+#include "evaluate/model_page.h"
+#include "evaluate/result.h"
+#include "report/diagnostic.h"
+
+namespace mjcourse {
+
+struct Finding {
+  std::map<std::size_t, Result> results;  // by the lesson's blocks; only what came out well
+  std::map<std::size_t, double> seconds;  // measured, of these
+  std::optional<ModelPage> model_page;
+  Diagnostics diagnostics;
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,35 @@
+#include "evaluate/include_folders.h"
+
+namespace mjcourse {
+
+namespace fs = std::filesystem;
+
+IncludeFolders include_folders_of(const fs::path& examples, const fs::path& helper) {
+  IncludeFolders folders{examples / "include"};
+  const bool has_helper = !folder_with(kHelperHeader, folders).empty();
+  if (!has_helper && !helper.empty()) folders.push_back(helper);
+  return folders;
+}
+
+fs::path folder_with(const std::string& name, const IncludeFolders& folders) {
+  for (const fs::path& folder : folders) {
+    if (fs::exists(folder / name)) return folder;
+  }
+  return {};
+}
+
+fs::path handlers_source(const IncludeFolders& folders) {
+  for (const fs::path& folder : folders) {
+    fs::path source = folder / "mjcourse" / "handlers.cpp";
+    if (fs::exists(source)) return source;
+  }
+  return {};
+}
+
+std::vector<fs::path> read_for(const IncludeFolders& folders) {
+  std::vector<fs::path> read;
+  for (const fs::path& folder : folders) read.push_back(folder.parent_path());
+  return read;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,17 @@
+#include "evaluate/model_page_task.h"
+
+#include "evaluate/bench.h"
+#include "evaluate/recipe.h"
+
+namespace mjcourse {
+
+Dependencies ModelPageTask::recipe(const Setting& setting) const {
+  return recipe_of(setting, "model page", {name_.text});
+}
+
+bool ModelPageTask::work(Workshop& workshop, Finding& finding) {
+  finding.model_page = evaluate_model_page(name_, Bench(lesson(), workshop, finding.diagnostics));
+  return finding.model_page.has_value();
+}
+
+}  // namespace mjcourse

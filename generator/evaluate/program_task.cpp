@@ -1,0 +1,46 @@
+#include "evaluate/program_task.h"
+
+#include <string>
+#include <vector>
+
+#include "base/stopwatch.h"
+#include "evaluate/compiled_recipe.h"
+#include "evaluate/example.h"
+
+namespace mjcourse {
+
+Dependencies ProgramTask::recipe(const Setting& setting) const {
+  std::vector<std::string> text{program_.file.text,
+                                code_->text.text,
+                                program_.compiles ? "runs" : "is refused",
+                                program_.optimize ? "optimized" : "plain",
+                                std::to_string(program_.seconds),
+                                std::to_string(program_.exit_code)};
+  text.insert(text.end(), program_.arguments.begin(), program_.arguments.end());
+  return compiled_recipe(setting, "program", text, program_.optimize);
+}
+
+bool ProgramTask::prepare(Workshop& workshop, Finding& finding) {
+  file_ = DiskFiles(workshop.root()).read(program_.file.text);
+  code_ = code_of(program_, workshop.setting().shown().at(program_.file.text), lesson(), file_,
+                  finding.diagnostics);
+  return code_.has_value();
+}
+
+bool ProgramTask::work(Workshop& workshop, Finding& finding) {
+  const Stopwatch stopwatch;
+  auto result = evaluate_example(program_, code_->text, lesson(), workshop, finding.diagnostics);
+  if (!result) return false;
+  finding.results[block()] = *std::move(result);
+  finding.seconds[block()] = stopwatch.seconds();
+  return true;
+}
+
+// The program is as it should be, so its file may be written from what the lesson shows.
+void ProgramTask::conclude(Workshop& workshop, Finding& finding) {
+  if (!code_ || !code_->differs || !finding.results.contains(block())) return;
+  offer_file(program_, workshop.setting().shown().at(program_.file.text), lesson(), file_,
+             finding.diagnostics[*code_->differs]);
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,33 @@
+// ProgramTask: a program of examples/, compiled and run, whether a fence shows all of it or regions
+// alone.
+#pragma once
+
+#include <optional>
+
+#include "evaluate/example_code.h"
+#include "evaluate/task.h"
+
+namespace mjcourse {
+
+class ProgramTask : public Task {
+ public:
+  // `program` is the block's, without code where the block shows a region: the code is the file's.
+  ProgramTask(const Lesson& lesson, std::size_t page, std::size_t block, Example program)
+      : Task(lesson, page, block, "compile and run " + program.name()),
+        program_(std::move(program)) {}
+
+  const Example& program() const { return program_; }
+
+  double effort() const override { return 1; }
+  Dependencies recipe(const Setting& setting) const override;
+  bool prepare(Workshop& workshop, Finding& finding) override;
+  bool work(Workshop& workshop, Finding& finding) override;
+  void conclude(Workshop& workshop, Finding& finding) override;
+
+ private:
+  Example program_;
+  tl::expected<std::string, std::string> file_;  // as it is on the disk
+  std::optional<ExampleCode> code_;
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,14 @@
+// Publishing: what programs reported, for those who quote it.
+#pragma once
+
+#include "evaluate/crew.h"
+#include "evaluate/fingerprints.h"
+#include "evaluate/reports.h"
+
+namespace mjcourse {
+
+// `records` are those of `tasks`, and must outlive `reports`.
+void publish(const Tasks& tasks, const TaskRecords& records, Reports& reports,
+             Fingerprints& fingerprints);
+
+}  // namespace mjcourse

@@ -1,0 +1,53 @@
+// ResultStore: results, found again by all that they depend on.
+//
+// What a piece of work depends on is known in two steps. Its recipe is known before: its text,
+// versions, flags. What it looks at besides, models and headers, is known once it was done. So
+// under the hash of the recipe lie the lists of names that such work has looked at, newest first;
+// and under the hash of the recipe, one of these lists, and what is now behind its names, lies the
+// result. Both by the two verbs of base/store.h, so a store may lie anywhere.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/store.h"
+#include "evaluate/dependency.h"
+#include "evaluate/fingerprints.h"
+#include "evaluate/trace.h"
+
+namespace mjcourse {
+
+class ResultStore {
+ public:
+  // Both must outlive this.
+  ResultStore(Store& store, Fingerprints& fingerprints)
+      : store_(store), fingerprints_(fingerprints) {}
+
+  struct Found {
+    std::string bytes;
+    Dependencies traced;  // beside the recipe
+  };
+
+  // All from any thread.
+  std::optional<Found> find(const Dependencies& recipe);
+
+  // `bytes` came of `recipe`, by work that began at `begin` and looked at what is in `trace`. Gives
+  // what it depends on beside the recipe; nothing, and nothing is kept, where that cannot be said.
+  std::optional<Dependencies> keep(const Dependencies& recipe, const Trace& trace,
+                                   std::chrono::system_clock::time_point begin,
+                                   std::string_view bytes);
+
+  Store& store() { return store_; }
+
+ private:
+  using Names = std::vector<std::string>;
+  std::vector<Names> looked_at(const std::string& recipe);
+  Dependencies now(const Names& names);
+
+  Store& store_;
+  Fingerprints& fingerprints_;
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,67 @@
+// Setting: what all threads that evaluate a course have in common.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "base/files.h"
+#include "course/course.h"
+#include "evaluate/compiler.h"
+#include "evaluate/reports.h"
+#include "evaluate/shown_program.h"
+#include "physics/model_shelf.h"
+
+namespace mjcourse {
+
+class Setting {
+ public:
+  // `root` is the course's folder on the disk; `assets` holds script/*.js; `helper` is where the
+  // helper header is for a course without one. All must outlive this.
+  Setting(const Course& course, std::filesystem::path root, const Files& assets,
+          std::filesystem::path helper = {});
+
+  const Course& course() const { return course_; }
+  const std::filesystem::path& root() const { return root_; }
+  // Where programs find headers of the course, or of the tool.
+  IncludeFolders include_folders() const { return include_folders_of(root_ / "examples", helper_); }
+  const ShownPrograms& shown() const { return shown_; }
+
+  // Nothing when none is installed. Looked for when first asked for.
+  const std::optional<Compiler>& compiler() const;
+
+  // Shared by all threads.
+  ModelShelf& models() const { return models_; }
+
+  // The bundle script/NAME.js; throws std::runtime_error when the assets were not built.
+  const std::string& script(const std::string& name) const;
+  std::string script_hash(const std::string& name) const;
+
+  // Complete, and changed no more, once all programs were run.
+  Reports& reports() { return reports_; }
+  const Reports& reports() const { return reports_; }
+
+ private:
+  struct Script {
+    std::string bytes, hash;
+  };
+  const Script& load(const std::string& name) const;
+
+  const Course& course_;
+  std::filesystem::path root_;
+  const Files& assets_;
+  std::filesystem::path helper_;
+  ShownPrograms shown_;
+  Reports reports_;
+  mutable ModelShelf models_;
+  mutable std::mutex mutex_;  // of what is made when first asked for
+  mutable std::map<std::string, Script> scripts_;
+  mutable std::optional<std::optional<Compiler>> compiler_;
+};
+
+// Bytes of the bundle script/NAME.js; throws std::runtime_error when the assets were not built.
+std::string script_bundle(const Files& assets, const std::string& name);
+
+}  // namespace mjcourse

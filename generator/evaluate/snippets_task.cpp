@@ -1,0 +1,44 @@
+#include "evaluate/snippets_task.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "evaluate/compiled_recipe.h"
+#include "evaluate/snippets.h"
+
+namespace mjcourse {
+
+std::vector<std::size_t> SnippetsTask::blocks() const {
+  return blocks_of<Snippet>(lesson());
+}
+
+Dependencies SnippetsTask::recipe(const Setting& setting) const {
+  std::vector<std::string> text;
+  for (std::size_t i = block(); i < lesson().blocks.size(); ++i) {
+    const auto* snippet = std::get_if<Snippet>(&lesson().blocks[i]);
+    if (snippet == nullptr) continue;
+    // The place among the blocks is a part of the finding.
+    text.insert(text.end(), {std::to_string(i - block()), snippet->model.text, snippet->code.text,
+                             snippet->shown, std::to_string(snippet->seconds)});
+  }
+  return compiled_recipe(setting, "snippets", text, false);
+}
+
+bool SnippetsTask::work(Workshop& workshop, Finding& finding) {
+  std::size_t snippets = 0;
+  for (const Block& block : lesson().blocks) {
+    const auto* snippet = std::get_if<Snippet>(&block);
+    if (snippet == nullptr) continue;
+    ++snippets;
+    workshop.simulate_named(snippet->model, *lesson().source, finding.diagnostics);
+  }
+  for (auto& [index, result] : evaluate_snippets(lesson(), workshop, finding.diagnostics)) {
+    finding.results[index] = std::move(result);
+  }
+  return finding.results.size() == snippets;
+}
+
+}  // namespace mjcourse

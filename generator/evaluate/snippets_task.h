@@ -1,0 +1,20 @@
+// SnippetsTask: all snippets of a lesson, which are one program.
+#pragma once
+
+#include "evaluate/task.h"
+
+namespace mjcourse {
+
+class SnippetsTask : public Task {
+ public:
+  // `block` is the first of them.
+  SnippetsTask(const Lesson& lesson, std::size_t page, std::size_t block)
+      : Task(lesson, page, block, "compile and run the snippets of " + lesson.number) {}
+
+  std::vector<std::size_t> blocks() const override;
+  double effort() const override { return 1; }
+  Dependencies recipe(const Setting& setting) const override;
+  bool work(Workshop& workshop, Finding& finding) override;
+};
+
+}  // namespace mjcourse

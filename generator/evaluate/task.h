@@ -1,0 +1,59 @@
+// Task: one piece of evaluating that is done for itself, on any thread, and whose finding can be
+// kept.
+//
+// What always holds: a task sees the lesson, the course's files by the workshop's trace, and what
+// its recipe names; nothing else. So a finding that was kept under both is what working would give.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "evaluate/dependency.h"
+#include "evaluate/finding.h"
+#include "evaluate/workshop.h"
+#include "lesson/lesson.h"
+
+namespace mjcourse {
+
+class Task {
+ public:
+  // `page` is the index of `lesson` in Course::pages, `block` its first block that this is about.
+  Task(const Lesson& lesson, std::size_t page, std::size_t block, std::string what)
+      : lesson_(lesson), page_(page), block_(block), what_(std::move(what)) {}
+  virtual ~Task() = default;
+  Task(const Task&) = delete;
+  Task& operator=(const Task&) = delete;
+
+  const Lesson& lesson() const { return lesson_; }
+  std::size_t page() const { return page_; }
+  std::size_t block() const { return block_; }
+  const std::string& what() const { return what_; }  // "rehearse the lab …"
+
+  // All blocks that it finds results of.
+  virtual std::vector<std::size_t> blocks() const { return {block_}; }
+  // What of its lesson it is, also after an edit.
+  virtual std::string name() const { return what_; }
+  // Must all programs have been run?
+  virtual bool quotes() const { return false; }
+  // About how many seconds of work: the longest begins first.
+  virtual double effort() const { return 0.01; }
+  // What it depends on as is known before; `kind` and `text` at least. No names, for what is never
+  // kept.
+  virtual Dependencies recipe(const Setting& setting) const = 0;
+
+  // In this order: what is looked at each time, which gives false where nothing more can be done;
+  // the work, unless its finding was kept, which gives false where something is missing; and what
+  // takes all of the finding.
+  virtual bool prepare(Workshop&, Finding&) { return true; }
+  virtual bool work(Workshop& workshop, Finding& finding) = 0;
+  virtual void conclude(Workshop&, Finding&) {}
+
+ private:
+  const Lesson& lesson_;
+  std::size_t page_, block_;
+  std::string what_;
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,39 @@
+// TaskQueue: which task is next.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+#include "evaluate/plan.h"
+
+namespace mjcourse {
+
+// From any thread. The task with the most effort is first; those that quote are held back until all
+// programs are finished.
+class TaskQueue {
+ public:
+  // `publish` is called once, on one of the threads, before the first task that quotes is given.
+  TaskQueue(const Tasks& tasks, std::function<void()> publish);
+
+  // Waits where there is none yet; nothing where there is none any more.
+  std::optional<std::size_t> next();
+  void finish(std::size_t task);
+  // Something went wrong: nobody gets another.
+  void stop();
+
+ private:
+  void release();
+
+  const Tasks& tasks_;
+  std::function<void()> publish_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::vector<std::size_t> ready_, held_;  // the next one last
+  std::size_t programs_ = 0;               // not finished
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,60 @@
+#include "evaluate/tool_versions.h"
+
+#include <sys/stat.h>
+
+#include <sstream>
+#include <system_error>
+
+#include "base/files.h"
+#include "base/find_program.h"
+#include "base/replace_file.h"
+#include "base/sha256.h"
+#include "base/subprocess.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+// All that changes with the file behind `path`; empty where there is none.
+std::string status_of(const fs::path& path) {
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return "";
+  std::ostringstream text;
+  text << path.string() << ' ' << status.st_dev << ' ' << status.st_ino << ' ' << status.st_size
+       << ' ' << status.st_mtim.tv_sec << '.' << status.st_mtim.tv_nsec << ' '
+       << status.st_ctim.tv_sec << '.' << status.st_ctim.tv_nsec;
+  return text.str();
+}
+
+std::optional<std::string> ask(const std::string& tool) {
+  Command command;
+  command.arguments = {tool, "--version"};
+  const Outcome outcome = run(command);
+  if (outcome.end != Outcome::End::exited || outcome.code != 0) return std::nullopt;
+  return outcome.out.substr(0, outcome.out.find('\n'));
+}
+
+}  // namespace
+
+std::optional<std::string> tool_version(const std::string& tool,
+                                        const std::optional<fs::path>& cache) {
+  const std::string status = status_of(find_program(tool));
+  if (status.empty()) return std::nullopt;
+  if (!cache) return ask(tool);
+  const std::string name = sha256(status);
+  if (const auto noted = DiskFiles(*cache).read(name)) return *noted;
+  std::optional<std::string> version = ask(tool);
+  if (version) {
+    std::error_code none;
+    fs::create_directories(*cache, none);
+    try {
+      replace_file(*cache / name, std::nullopt, *version);
+    } catch (const std::system_error&) {
+      // Then it is asked the next time too.
+    }
+  }
+  return version;
+}
+
+}  // namespace mjcourse

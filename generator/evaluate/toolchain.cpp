@@ -1,0 +1,74 @@
+#include "evaluate/toolchain.h"
+
+#include <regex>
+#include <utility>
+
+#include "base/cache_folder.h"
+#include "evaluate/containment.h"
+#include "evaluate/tool_versions.h"
+
+namespace mjcourse {
+namespace {
+
+const std::vector<std::string> kFlags{
+    "-std=c++20", "-Wall", "-Wextra", "-fno-diagnostics-color", "-isystem", "/usr/include/eigen3"};
+
+// Optimising mostly costs more than it saves: MuJoCo itself is optimised, and gives the same bits
+// however its caller was compiled.
+const char* level(bool optimize) {
+  return optimize ? "-O2" : "-O0";
+}
+
+// "clang 16.0.6" of what `NAME --version` prints: "Debian clang version 16.0.6 (15~deb12u1)".
+std::string short_version(const std::string& name, const std::string& line) {
+  static const std::regex form(R"(\d+\.\d+(\.\d+)?)");
+  std::smatch part;
+  const std::string number = std::regex_search(line, part, form) ? part[0].str() : "";
+  const std::string plain = name.starts_with("clang") ? "clang" : name;
+  return number.empty() ? plain : plain + " " + number;
+}
+
+}  // namespace
+
+std::optional<Toolchain> Toolchain::find() {
+  std::optional<std::filesystem::path> cache = user_cache_folder();
+  if (cache) *cache /= "tools";
+  for (const char* name : {"clang++-16", "clang++-14", "clang++", "g++"}) {
+    const std::optional<std::string> line = tool_version(name, cache);
+    if (!line) continue;
+    const std::optional<std::string> mold = tool_version("mold", cache);
+    return Toolchain{name, short_version(name, *line), *line,
+                     mold ? *mold : tool_version("ld", cache).value_or(""), mold.has_value()};
+  }
+  return std::nullopt;
+}
+
+std::vector<std::string> Toolchain::command(bool optimize, const IncludeFolders& include) const {
+  std::vector<std::string> words{compiler, level(optimize)};
+  words.insert(words.end(), kFlags.begin(), kFlags.end());
+  for (const std::filesystem::path& folder : include) words.push_back("-I" + folder.string());
+  return words;
+}
+
+std::string compile_flags(bool optimize) {
+  std::string text = level(optimize);
+  for (const std::string& flag : kFlags) text += " " + flag;
+  return text;
+}
+
+Outcome run_tool(std::vector<std::string> arguments, const std::filesystem::path& folder,
+                 const std::vector<std::filesystem::path>& reads) {
+  Command command;
+  command.arguments = std::move(arguments);
+  command.folder = folder.string();
+  command.environment = {"TMPDIR=" + folder.string()};  // a compiler that is killed leaves files
+  command.seconds = kToolSeconds;
+  command.sandbox = compiler_sandbox(folder, reads);
+  return run(command);
+}
+
+bool succeeded(const Outcome& outcome) {
+  return outcome.end == Outcome::End::exited && outcome.code == 0;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,53 @@
+// Trace: what one piece of work has looked at, written down as it looks.
+//
+// Whoever evaluates a block reads files through `files()` and names whatever else it uses. So a
+// result's dependencies are those that it had, and not those that somebody thought it had.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "base/files.h"
+
+namespace mjcourse {
+
+class Trace {
+ public:
+  // `root` is the course's folder.
+  explicit Trace(const std::filesystem::path& root);
+
+  void clear();
+
+  // A file or a folder, there or not; relative to the course, or absolute. False when it was named
+  // before.
+  bool file(const std::filesystem::path& path);
+  // What the program `name` reported.
+  void program(const std::string& name);
+  // Something that cannot be named: the result must not be used again.
+  void unknown() { complete_ = false; }
+
+  bool complete() const { return complete_; }
+  const std::set<std::string>& names() const { return names_; }
+
+ private:
+  std::filesystem::path root_;
+  std::set<std::string> names_;
+  bool complete_ = true;
+};
+
+// The files of the course, each written down in a trace.
+class TracedFiles : public Files {
+ public:
+  TracedFiles(const std::filesystem::path& root, Trace& trace) : files_(root), trace_(trace) {}
+
+  tl::expected<std::string, std::string> read(const std::string& path) const override;
+  bool exists(const std::string& path) const override;
+  std::vector<std::string> list(const std::string& folder) const override;
+
+ private:
+  DiskFiles files_;
+  Trace& trace_;
+};
+
+}  // namespace mjcourse

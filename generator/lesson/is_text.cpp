@@ -1,0 +1,44 @@
+#include "lesson/is_text.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+#include "base/utf8.h"
+#include "lesson/reading.h"
+
+namespace mjcourse {
+namespace {
+
+// `bytes` up to the end of the line of `at`, where it is not text.
+std::string readable_line(const std::string& bytes, std::size_t at) {
+  const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
+  std::string line = readable(bytes.substr(at, end - at));
+  if (line.ends_with("\\r")) line.resize(line.size() - 2);
+  return bytes.substr(0, at) + line;
+}
+
+}  // namespace
+
+bool is_text(const std::string& path, const std::string& bytes, Diagnostics& diagnostics) {
+  const std::size_t invalid = find_invalid_utf8(bytes).value_or(bytes.size());
+  const std::size_t control = find_control_character(bytes).value_or(bytes.size());
+  const std::size_t at = std::min(invalid, control);
+  if (at == bytes.size()) return true;
+  char byte[8];
+  std::snprintf(byte, sizeof byte, "0x%02X", static_cast<unsigned>(bytes[at]) & 0xFFU);
+  const SourceText source(path, readable_line(bytes, at));
+  Reading reading(source, diagnostics);
+  if (invalid < control) {
+    reading.error("E-not-utf8", {at, at + 3}, std::string("byte ") + byte + " is not UTF-8",
+                  "save the file as UTF-8");
+  } else {
+    reading.error("E-control-character", {at, at + 2},
+                  std::string("byte ") + byte + " is a control character, which no text holds",
+                  bytes[at] == '\r' ? "end lines with a line feed, also behind a carriage return"
+                                    : "remove it");
+  }
+  return false;
+}
+
+}  // namespace mjcourse

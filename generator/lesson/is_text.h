@@ -1,0 +1,13 @@
+// Whatever an author writes is text: UTF-8, without control characters but tabs and line ends.
+#pragma once
+
+#include <string>
+
+#include "report/diagnostic.h"
+
+namespace mjcourse {
+
+// False (reported, at the first byte that is not) when the file `path` is something else.
+bool is_text(const std::string& path, const std::string& bytes, Diagnostics& diagnostics);
+
+}  // namespace mjcourse

@@ -1,0 +1,32 @@
+// JsonPlace: where in a JSON text one is who has written so much of it: in which objects, behind
+// which key, in a string or between two. The text need not go on, and need not be right.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mjcourse {
+
+struct JsonPlace {
+  struct Object {
+    std::map<std::string, std::string> texts;  // its strings so far, by their keys
+    std::vector<std::string> keys;             // all of its keys so far
+    std::string key;                           // behind which the place is; "" before it
+  };
+  std::vector<Object> objects;  // from the outside in
+  bool in_list = false;         // the innermost thing is a list
+  bool in_string = false;
+  std::string part;  // of the string that the place is in, so far and without escapes
+
+  // A key is being written, or would be.
+  bool at_key() const { return !objects.empty() && !in_list && objects.back().key.empty(); }
+  // The string behind `key` in the innermost object that has one; "" where none has.
+  std::string text(const std::string& key) const;
+};
+
+// `before`: the text up to the place.
+JsonPlace json_place(std::string_view before);
+
+}  // namespace mjcourse

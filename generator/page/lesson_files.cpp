@@ -1,0 +1,85 @@
+#include "page/lesson_files.h"
+
+#include <optional>
+#include <string>
+
+#include "evaluate/claims.h"
+#include "lesson/resting_lesson.h"
+#include "page/course_data.h"
+#include "page/csv.h"
+#include "page/lesson_page.h"
+#include "page/lesson_pictures.h"
+#include "page/site_paths.h"
+
+namespace mjcourse {
+namespace {
+
+void write_pictures(const Lesson& lesson, const LessonResults& results, SiteFiles& directory) {
+  for (const LessonPicture& picture : pictures_of(lesson, results)) {
+    directory.write(picture.path + ".webp", picture.poster->webp);
+    directory.write(picture.path + ".png", picture.poster->png);
+    if (picture.film != nullptr && !picture.film->empty()) {
+      directory.write(picture.path + ".mp4", *picture.film);
+    }
+  }
+}
+
+void write_tables(const Lesson& lesson, const LessonResults& results, SiteFiles& directory) {
+  for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
+    const auto* result = results.get<ChartResult>(i);
+    if (result == nullptr) continue;
+    directory.write(block_path(lesson, i) + ".csv", csv_of(result->table));
+  }
+}
+
+void write_labs(const std::vector<LabFiles>& labs, SiteFiles& directory) {
+  for (const LabFiles& files : labs) {
+    for (const auto& [path, bytes] : files.written) directory.write(path, bytes);
+    for (const auto& [path, file] : files.copied) directory.copy(file, path);
+  }
+}
+
+}  // namespace
+
+void copy_images(const Lesson& page, const LessonResults& results, SiteFiles& directory) {
+  for (std::size_t i = 0; i < page.blocks.size(); ++i) {
+    const auto* image = std::get_if<Image>(&page.blocks[i]);
+    const auto* result = results.get<ImageResult>(i);
+    if (image == nullptr || result == nullptr) continue;
+    directory.copy(result->file, image_path(page, *image, *result));
+  }
+}
+
+void write_lesson(const SiteData& site, std::size_t index, PagePress& press, SiteFiles& directory,
+                  Spool& spool, LessonParts* parts) {
+  const Lesson& resting = site.course.lessons[index];
+  std::optional<Lesson> woken;
+  const Lesson& lesson =
+      resting.kept == Lesson::Kept::all ? resting : woken.emplace(wake(resting, site.files));
+  const LessonResults& results = site.evaluation.lessons[index];
+  const std::string path = page_path(lesson);
+  InlineStyles styles;
+  PageWriter writer(site.course, lesson, results, press.press(styles, path));
+  const std::string body =
+      lesson_page(site.course, site.evaluation, lesson, index, writer, press.templates());
+  const Document& summary = lesson.front.summary;
+  press.write(path,
+              {"lesson", lesson.number + " " + lesson.front.title.text,
+               summary ? plain_text(summary.get()) : site.course.description, "../", &resting},
+              body, styles);
+  write_pictures(lesson, results, directory);
+  copy_images(lesson, results, directory);
+  write_tables(lesson, results, directory);
+  write_labs(writer.lab_files(), directory);
+
+  if (parts == nullptr) return;
+  const bool is_card = resting.kept == Lesson::Kept::card;
+  *parts = verification_parts(lesson,
+                              is_card ? claims_of_prose(lesson, site.evaluation) : results.claims,
+                              press.templates(), spool);
+  const bool beside = level_of(site.course, lesson).number.empty();
+  const PageWriter home(site.course, lesson, results, press.press(styles, "index.html"));
+  parts->card = spool.put(home_card(lesson, results, beside, home, press.templates()));
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,19 @@
+// A lesson's part of the site: its page, and the files that this shows.
+#pragma once
+
+#include <cstddef>
+
+#include "page/lesson_parts.h"
+#include "page/page_press.h"
+
+namespace mjcourse {
+
+// Write all of lesson `index`. Where `parts` is given, it gets what the pages that list all lessons
+// have of it. Safe on several threads at once, each with its own `press` and with other lessons.
+void write_lesson(const SiteData& site, std::size_t index, PagePress& press, SiteFiles& directory,
+                  Spool& spool, LessonParts* parts);
+
+// The pictures that the author put beside `page`, whichever page of the course that is.
+void copy_images(const Lesson& page, const LessonResults& results, SiteFiles& directory);
+
+}  // namespace mjcourse

@@ -1,0 +1,63 @@
+#include "page/lesson_parts.h"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "page/course_data.h"
+#include "page/lesson_pictures.h"
+#include "page/verification_page.h"
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+
+// A lesson's picture, as its card shows it.
+json card_poster(const Lesson& lesson, const LessonResults& results) {
+  const std::vector<LessonPicture> pictures = pictures_of(lesson, results);
+  const LessonPicture* picture = foremost(pictures);
+  if (picture == nullptr) return nullptr;
+  return {{"webp", picture->path + ".webp"},
+          {"png", picture->path + ".png"},
+          {"width", picture->poster->width},
+          {"height", picture->poster->height},
+          {"alt", ""}};
+}
+
+// Those of `claims`, as claim.hbs wants them, that came to `status`.
+Spool::Piece list_of(const json& claims, const char* status, Templates& templates, Spool& spool) {
+  json listed = json::array();
+  for (const json& claim : claims) {
+    if (claim["status"] == status) listed.push_back(claim);
+  }
+  if (listed.empty()) return {};
+  return spool.put(render_template(templates, "claims", {{"claims", std::move(listed)}}));
+}
+
+}  // namespace
+
+std::string home_card(const Lesson& lesson, const LessonResults& results, bool beside,
+                      const PageWriter& writer, Templates& templates) {
+  json card = reference_to(lesson);
+  card["summary"] = writer.inline_html(lesson.front.summary);
+  card["minutes"] = lesson.front.minutes ? json(*lesson.front.minutes) : json(nullptr);
+  card["poster"] = beside ? json(nullptr) : card_poster(lesson, results);
+  return render_template(templates, "card", card);
+}
+
+LessonParts verification_parts(const Lesson& lesson, const Claims& claims, Templates& templates,
+                               Spool& spool) {
+  json all = verification_of_none("", {});
+  const json& own = all["lessons"].emplace_back(verification_of(lesson, claims));
+  LessonParts parts;
+  parts.json = spool.put(json_text(own));
+  parts.counts = counts_of(claims);
+  const json data = verification_data(all, true, {});
+  parts.asserted = list_of(data["open"], "asserted", templates, spool);
+  parts.unchecked = list_of(data["open"], "unchecked", templates, spool);
+  parts.section = spool.put(render_template(templates, "verified-lesson", data["lessons"][0]));
+  return parts;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,18 @@
+// The pages that list all lessons, put together of what each lesson gave (page/lesson_parts.h).
+#pragma once
+
+#include <vector>
+
+#include "page/lesson_parts.h"
+#include "page/page_press.h"
+
+namespace mjcourse {
+
+// `parts` are those of the lessons, by their index, and behind them the glossary's, where there is
+// one. Those of drafts are empty.
+void write_home(const SiteData& site, const std::vector<LessonParts>& parts, PagePress& press,
+                Spool& spool);
+void write_verification(const SiteData& site, const std::vector<LessonParts>& parts,
+                        PagePress& press, SiteFiles& directory, Spool& spool);
+
+}  // namespace mjcourse

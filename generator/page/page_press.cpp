@@ -1,0 +1,91 @@
+#include "page/page_press.h"
+
+#include <ostream>
+#include <utility>
+
+#include "base/content_hash.h"
+#include "evaluate/workshop.h"
+#include "page/course_data.h"
+
+namespace mjcourse {
+namespace {
+
+// The body never takes the way through the script engine: the template leaves a mark, and the body
+// is put there.
+constexpr const char* kBody =
+    "\x02"
+    "body\x03";
+
+}  // namespace
+
+PressEngines::PressEngines(const Files& assets)
+    : templates(site_templates(assets)), highlighter(script_bundle(assets, "highlight")) {}
+
+Press PagePress::press(InlineStyles& styles, const std::string& path) {
+  return {engines_.templates, engines_.highlighter, site_.manifest, styles, path,
+          &site_.definitions, site_.places};
+}
+
+void PagePress::write(const std::string& path, const PageHead& head, const std::string& body,
+                      InlineStyles& styles) {
+  const std::string styled = styles.take(body);
+  std::string html = frame(head, styles);
+  directory_.write(path, html.replace(html.find(kBody), std::string(kBody).size(), styled));
+}
+
+void PagePress::write_long(const std::string& path, const PageHead& head, const std::string& body,
+                           const std::vector<PagePart>& parts, Spool& spool) {
+  // The head names the stylesheet, so all styles are taken before anything is written.
+  InlineStyles styles;
+  std::vector<PagePart> styled = parts;
+  for (PagePart& part : styled) {
+    for (Spool::Piece& piece : part.pieces) piece = spool.put(styles.take(spool.get(piece)));
+  }
+  std::string html = frame(head, styles);
+  html.replace(html.find(kBody), std::string(kBody).size(), body);
+  directory_.write(path, [&](std::ostream& file) {
+    std::size_t at = 0;
+    for (const PagePart& part : styled) {
+      const std::size_t mark = html.find(part.mark, at);
+      if (mark == html.npos) continue;  // nothing of this kind is on the page
+      file << std::string_view(html).substr(at, mark - at);
+      for (const Spool::Piece& piece : part.pieces) file << spool.get(piece);
+      at = mark + part.mark.size();
+    }
+    file << std::string_view(html).substr(at);
+  });
+}
+
+// The page around its body. What the body's elements have of styles is written beside it.
+std::string PagePress::frame(const PageHead& head, const InlineStyles& styles) {
+  std::string sheet;
+  if (!styles.sheet().empty()) {
+    sheet = "styles/" + content_hash(styles.sheet()) + ".css";
+    directory_.write(sheet, styles.sheet());
+  }
+  const Course& course = site_.course;
+  nlohmann::json levels = levels_data(course, head.current);
+  const bool more = levels.size() < course.levels.size();
+  return render_template(engines_.templates, "page",
+                         {{"course",
+                           {{"title", course.title},
+                            {"description", course.description},
+                            {"language", course.language}}},
+                          {"page",
+                           {{"title", head.title},
+                            {"description", head.description},
+                            {"kind", head.kind},
+                            {"home", head.kind == "home"}}},
+                          {"root", head.root},
+                          {"assets",
+                           {{"css", site_.manifest.at("site.css")},
+                            {"js", site_.manifest.at("site.js")},
+                            {"favicon", site_.manifest.at("favicon.svg")}}},
+                          {"styles", sheet},
+                          {"levels", std::move(levels)},
+                          {"more", more},
+                          {"pages", pages_data(course, site_.evaluation, head.kind)},
+                          {"body", kBody}});
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,45 @@
+// SitePages: the pages of a site, with the files that they show, written in whatever order is
+// wanted and to wherever it is wanted.
+//
+// Enter with write_lesson() for each lesson and write_others() for all the rest; site.h does both
+// for a site on the disk.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "page/lesson_parts.h"
+#include "page/page_press.h"
+
+namespace mjcourse {
+
+class SitePages {
+ public:
+  // `root` is the course's folder, `assets` what site/build.mjs made. All must outlive this.
+  SitePages(const Course& course, const Evaluation& evaluation, const std::filesystem::path& root,
+            const Files& assets, SiteFiles& out, bool places = false);
+
+  // Lesson `index` with its files, be it a draft; what write_others() needs of it is made as well,
+  // unless it is written `alone`. From several threads, each with engines of its own and another
+  // lesson.
+  void write_lesson(std::size_t index, PressEngines& engines, bool alone = false);
+
+  // The home page, what was verified, the pages that explain, the examples: with what each lesson
+  // gave to them, so all lessons but the drafts must have been written.
+  void write_others(PressEngines& engines);
+
+ private:
+  void write_glossary(PagePress& press);
+  void write_api(PagePress& press);
+  void write_model(const ModelPage& model, PagePress& press);
+  void copy_examples();
+
+  std::filesystem::path root_;
+  SiteFiles& out_;
+  DiskFiles files_;  // the course's
+  SiteData site_;
+  Spool spool_;
+  std::vector<LessonParts> parts_;  // of the lessons, and the glossary's
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,28 @@
+#include "page/site_paths.h"
+
+#include <cctype>
+#include <filesystem>
+
+namespace mjcourse {
+
+std::string page_path(const Lesson& lesson) {
+  return (lesson.folder.empty() ? "" : lesson.folder + "/") + lesson.slug + ".html";
+}
+
+std::string image_path(const Lesson& lesson, const Image& image, const ImageResult& result) {
+  const std::filesystem::path file(image.file.text);
+  std::string name = file.stem().string();
+  for (char& c : name) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+    if (!plain) c = '-';  // what an address would have to escape
+  }
+  const std::string page = page_path(lesson);
+  return page.substr(0, page.rfind('.')) + "/" + name + "-" + result.hash +
+         file.extension().string();
+}
+
+std::string block_path(const Lesson& lesson, std::size_t index) {
+  return lesson.folder + "/" + lesson.slug + "/" + block_name(lesson, index);
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,19 @@
+// Where a lesson's files lie on the site, each below its root.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "evaluate/result.h"
+#include "lesson/lesson.h"
+
+namespace mjcourse {
+
+// The lesson's page.
+std::string page_path(const Lesson& lesson);
+// A copy of a picture that the author put beside it.
+std::string image_path(const Lesson& lesson, const Image& image, const ImageResult& result);
+// The files of its block `index`, a lab, a figure or a plot, without the extension.
+std::string block_path(const Lesson& lesson, std::size_t index);
+
+}  // namespace mjcourse

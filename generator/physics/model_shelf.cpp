@@ -1,0 +1,86 @@
+#include "physics/model_shelf.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+#include "physics/model_files.h"
+#include "physics/vetted_model.h"
+
+namespace mjcourse {
+namespace {
+
+constexpr std::size_t kMostModels = 8;  // a sky alone takes 5 MB
+
+// The same to the bit, but for its serial number.
+Model copy_of(const Model& model) {
+  return Model(mj_copyModel(nullptr, model.get()), model.warnings());
+}
+
+// All that changes with the files; nothing where one was changed just now, for the kernel's clock
+// for files goes in ticks of up to 10 ms, and a change within the same tick would not show.
+std::optional<std::string> status_of(const std::vector<std::string>& files) {
+  constexpr auto tick = std::chrono::milliseconds(20);
+  std::ostringstream text;
+  for (const std::string& file : files) {
+    struct stat status {};
+    if (stat(file.c_str(), &status) != 0) return std::nullopt;
+    const std::chrono::system_clock::time_point changed(
+        std::chrono::seconds(status.st_ctim.tv_sec) +
+        std::chrono::duration_cast<std::chrono::system_clock::duration>(
+            std::chrono::nanoseconds(status.st_ctim.tv_nsec)));
+    if (std::chrono::system_clock::now() - changed < tick) return std::nullopt;
+    text << file << ' ' << status.st_ino << ' ' << status.st_size << ' '
+         << changed.time_since_epoch().count() << '\n';
+  }
+  return text.str();
+}
+
+}  // namespace
+
+tl::expected<Model, ModelError> ModelShelf::file(const std::string& path) {
+  const auto load = [&] { return load_vetted_file(path); };
+  const std::optional<std::string> status = status_of(look_at_model_files(path).files);
+  return status ? get("file " + path + "\n" + *status, load) : load();
+}
+
+tl::expected<Model, ModelError> ModelShelf::text(const std::string& mjcf) {
+  return get("text " + mjcf, [&] { return load_vetted_text(mjcf); });
+}
+
+tl::expected<Model, ModelError> ModelShelf::get(
+    const std::string& name, const std::function<tl::expected<Model, ModelError>()>& load) {
+  std::promise<Loaded> promise;
+  std::shared_future<Loaded> loaded;
+  bool first = false;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto found = std::find_if(kept_.begin(), kept_.end(),
+                                    [&](const Kept& kept) { return kept.name == name; });
+    first = found == kept_.end();
+    if (first) {
+      kept_.push_front({name, promise.get_future().share()});
+      if (kept_.size() > kMostModels) kept_.pop_back();
+    } else {
+      kept_.splice(kept_.begin(), kept_, found);
+    }
+    loaded = kept_.front().loaded;
+  }
+  if (first) {
+    try {
+      promise.set_value(std::make_shared<const tl::expected<Model, ModelError>>(load()));
+    } catch (...) {
+      promise.set_exception(std::current_exception());
+    }
+  }
+  const tl::expected<Model, ModelError>& model = *loaded.get();
+  if (!model) return tl::unexpected(model.error());
+  return copy_of(*model);
+}
+
+}  // namespace mjcourse

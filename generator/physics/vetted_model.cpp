@@ -1,0 +1,152 @@
+#include "physics/vetted_model.h"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <shared_mutex>
+#include <utility>
+#include <vector>
+
+#include "base/attempt.h"
+#include "base/content_hash.h"
+#include "physics/data.h"
+#include "physics/infinite_field.h"
+#include "physics/model_files.h"
+#include "physics/mujoco_guard.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Loaded = tl::expected<Model, ModelError>;
+
+constexpr std::uint64_t kMostBytes = 2ull << 30;
+constexpr double kMostSeconds = 20;
+// MuJoCo stops earlier where the solver has converged, which some never do.
+constexpr int kMostIterations = 100'000;
+
+#if defined(__SANITIZE_ADDRESS__)
+// AddressSanitizer's allocator has locks that a child inherits as they are at that moment, and then
+// may wait for for ever. Other threads of ours allocate all the time, so under it nothing is tried.
+constexpr bool kTries = false;
+#else
+constexpr bool kTries = true;
+#endif
+
+// MuJoCo holds locks while it loads. A child that is forked meanwhile would wait for them for ever.
+std::shared_mutex loading;
+
+bool speaks_of_memory(const std::string& message) {
+  // mju_malloc's words, and the compiler's where it tries what it made.
+  return message.find("llocat") != message.npos || message.find("memory") != message.npos ||
+         message.find("could not create mjData") != message.npos;
+}
+
+// In a child: all that takes memory and time of a model's size.
+void try_out(const std::function<Loaded()>& load) {
+  try {
+    Loaded model = load();
+    if (!model) {
+      if (speaks_of_memory(model.error().message)) throw std::bad_alloc();
+      return;
+    }
+    if (model->get()->opt.iterations > kMostIterations) return;
+    const WarningLog log;
+    Data data(*model);
+    mj_step(model->get(), data.get());
+  } catch (const MujocoError& error) {
+    if (speaks_of_memory(error.what())) throw std::bad_alloc();
+  }
+}
+
+std::optional<ModelError> verdict_of(Attempt attempt, const std::string& file) {
+  switch (attempt) {
+    case Attempt::done:
+      return std::nullopt;
+    case Attempt::too_much_memory:
+      return ModelError{file, 0, 0, "the model needs more than 2 GiB of memory",
+                        "look for a large number: njmax, nconmax, nstack, a count of a composite, "
+                        "the size of a texture or a height field"};
+    case Attempt::too_long:
+      return ModelError{file, 0, 0, "the model made no step within 20 s",
+                        "look for a large number, or a large mesh"};
+    case Attempt::crashed:
+      break;
+  }
+  return ModelError{file, 0, 0, "MuJoCo crashes on this model", ""};
+}
+
+// What came of the first attempt with the same `key`, which stands for all that it read.
+std::optional<ModelError> try_once(const std::string& key, const std::string& file,
+                                   const std::function<Loaded()>& load) {
+  static std::mutex mutex;
+  static std::map<std::string, Attempt> known;
+  const std::lock_guard lock(mutex);
+  const auto [found, is_new] = known.try_emplace(key, Attempt::done);
+  if (is_new && kTries) {
+    const std::unique_lock alone(loading);
+    found->second = attempt([&] { try_out(load); }, kMostBytes, kMostSeconds);
+  }
+  return verdict_of(found->second, file);
+}
+
+Loaded load_in_peace(const std::string& file, const std::optional<ModelError>& infinite,
+                     const std::function<Loaded()>& load) {
+  const std::shared_lock lock(loading);
+  Loaded model = load();
+  if (const std::string field = model ? find_infinite_field(*model) : ""; !field.empty()) {
+    return tl::unexpected(infinite.value_or(
+        ModelError{file, 0, 0, "the model's " + field + " is not a finite number", ""}));
+  }
+  const auto refuse = [&](const char* option) {
+    return tl::unexpected(ModelError{
+        file, 0, 0,
+        "the solver may take more than " + std::to_string(kMostIterations) + " " + option,
+        "it converges in some ten, or never"});
+  };
+  if (model && model->get()->opt.iterations > kMostIterations) return refuse("iterations");
+  if (model && model->get()->opt.noslip_iterations > kMostIterations) {
+    return refuse("noslip_iterations");
+  }
+  if (model && model->get()->opt.mpr_iterations > kMostIterations) return refuse("mpr_iterations");
+  return model;
+}
+
+// Of the files as they are now.
+std::string key_of(const std::vector<std::string>& files) {
+  std::string key;
+  for (const std::string& file : files) {
+    std::error_code error;
+    key += file + '\n' + std::to_string(fs::file_size(file, error)) + ' ' +
+           std::to_string(fs::last_write_time(file, error).time_since_epoch().count()) + '\n';
+  }
+  return key;
+}
+
+}  // namespace
+
+Loaded load_vetted_file(const std::string& path) {
+  install_mujoco_guard();
+  NamedFiles named = look_at_model_files(path);
+  if (named.foreign) return tl::unexpected(*std::move(named.foreign));
+  const auto load = [&] { return load_model_file(path); };
+  if (auto wrong = try_once(key_of(named.files), path, load)) {
+    return tl::unexpected(*std::move(wrong));
+  }
+  return load_in_peace(path, named.infinite, load);
+}
+
+Loaded load_vetted_text(const std::string& mjcf) {
+  install_mujoco_guard();
+  NamedFiles named = look_at_model_text(mjcf);
+  if (named.foreign) return tl::unexpected(*std::move(named.foreign));
+  const auto load = [&] { return load_model_text(mjcf); };
+  if (auto wrong = try_once(content_hash(mjcf), "", load)) return tl::unexpected(*std::move(wrong));
+  return load_in_peace("", named.infinite, load);
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,46 @@
+// FolderWatch: what changes in some folders, with all below them, told once for each save.
+//
+// Editors save in many ways: they write the file, or write another and rename it, or move the old
+// one away first; a checkout changes hundreds of files. Whatever comes within a few milliseconds is
+// one change. A file that is gone gets a moment longer to come back.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+namespace mjcourse {
+
+class FolderWatch {
+ public:
+  // Folders that are not there yet are watched from when they come, if their parents are there.
+  // Throws std::system_error where the kernel has no more watches to give.
+  explicit FolderWatch(const std::vector<std::filesystem::path>& folders);
+  ~FolderWatch();
+  FolderWatch(const FolderWatch&) = delete;
+  FolderWatch& operator=(const FolderWatch&) = delete;
+
+  // Waits for a change, and gives the files and folders that it touched; none once `stop` is
+  // requested. Where the kernel lost count, all folders.
+  std::set<std::filesystem::path> wait(const std::stop_token& stop);
+
+ private:
+  bool is_ours(const std::filesystem::path& path) const;
+  void watch(const std::filesystem::path& folder);
+  void watch_below(const std::filesystem::path& folder);
+  void forget_below(const std::filesystem::path& folder);
+  void watch_all();
+  bool poll_for(int milliseconds, const std::stop_token& stop) const;
+  void read_events();
+  void take(unsigned mask, const std::filesystem::path& path);
+
+  std::vector<std::filesystem::path> folders_;
+  int notify_;
+  std::map<int, std::filesystem::path> watched_;  // by the kernel's number
+  std::set<std::filesystem::path> changed_, gone_;
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,27 @@
+// FormerResults: what was known of a block before its lesson was edited, to be shown until it is
+// known anew.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "preview/snapshot.h"
+
+namespace mjcourse {
+
+class FormerResults {
+ public:
+  // `former` may be null: then there are none.
+  explicit FormerResults(SnapshotPtr former);
+
+  // Of the block that `block` of `lesson` was, as far as can be told: a program by its file, a
+  // formula by its text, what is numbered by its number.
+  std::optional<Result> find(const Lesson& lesson, std::size_t block) const;
+
+ private:
+  SnapshotPtr former_;
+  std::map<std::pair<std::string, std::string>, const Result*> results_;  // by file and block
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,205 @@
+#include "preview/page_room.h"
+
+#include <algorithm>
+#include <exception>
+#include <future>
+#include <utility>
+
+#include "page/site_paths.h"
+#include "preview/inside.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The lesson whose page or file `path` is.
+std::optional<std::size_t> lesson_of(const Course& course, const std::string& path) {
+  const auto owns = [&](const Lesson& lesson) {
+    const std::string page = page_path(lesson);
+    return path == page || path.starts_with(page.substr(0, page.rfind('.')) + "/") ||
+           path.starts_with("labs/" + lesson.number + "-");
+  };
+  const auto found = std::ranges::find_if(course.lessons, owns);
+  if (found == course.lessons.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - course.lessons.begin());
+}
+
+Diagnostic fault_of(const std::exception& error) {
+  if (const auto* broken = dynamic_cast<const BrokenTemplate*>(&error)) {
+    Place place;
+    place.file = "site/templates/" + broken->error().name + ".hbs";
+    place.line = broken->error().line;
+    return error_at(std::move(place), "E-template", broken->error().message);
+  }
+  return error_at({}, "E-preview", error.what());
+}
+
+}  // namespace
+
+// What the site's build made, but for templates that are just being written.
+class PageRoom::Assets : public Files {
+ public:
+  Assets(const fs::path& assets, const fs::path& templates)
+      : assets_(assets), templates_(templates), edited_(!templates.empty()) {}
+
+  tl::expected<std::string, std::string> read(const std::string& path) const override {
+    return edited_ && path.starts_with(kFolder) ? templates_.read(path.substr(kFolder.size()))
+                                                : assets_.read(path);
+  }
+  bool exists(const std::string& path) const override { return read(path).has_value(); }
+  std::vector<std::string> list(const std::string& folder) const override {
+    return edited_ && folder + "/" == kFolder ? templates_.list("") : assets_.list(folder);
+  }
+
+ private:
+  static constexpr std::string_view kFolder = "templates/";
+  DiskFiles assets_, templates_;
+  bool edited_;
+};
+
+PageRoom::PageRoom(fs::path root, fs::path assets, const fs::path& templates)
+    : root_(std::move(root)),
+      assets_folder_(std::move(assets)),
+      assets_(std::make_unique<Assets>(assets_folder_, templates)),
+      thread_([this] { work(); }) {}
+
+PageRoom::~PageRoom() {
+  const std::lock_guard lock(mutex_);
+  stopped_ = true;
+  woken_.notify_all();
+}
+
+void PageRoom::work() {
+  for (;;) {
+    std::function<void()> next;
+    {
+      std::unique_lock lock(mutex_);
+      woken_.wait(lock, [this] { return stopped_ || !wanted_.empty(); });
+      if (stopped_ && wanted_.empty()) break;
+      next = std::move(wanted_.front());
+      wanted_.pop_front();
+    }
+    next();
+  }
+  // Where they were made.
+  made_.reset();
+  engines_.reset();
+}
+
+void PageRoom::do_on_thread(const std::function<void()>& work) {
+  std::promise<void> done;
+  {
+    const std::lock_guard lock(mutex_);
+    wanted_.emplace_back([&] {
+      work();
+      done.set_value();
+    });
+    woken_.notify_all();
+  }
+  done.get_future().wait();
+}
+
+void PageRoom::show(SnapshotPtr snapshot) {
+  const std::lock_guard lock(mutex_);
+  snapshot_ = std::move(snapshot);
+}
+
+void PageRoom::renew_templates() {
+  const std::lock_guard lock(mutex_);
+  stale_templates_ = true;
+}
+
+bool PageRoom::has_snapshot() {
+  const std::lock_guard lock(mutex_);
+  return snapshot_ != nullptr;
+}
+
+PageRoom::Made& PageRoom::newest() {
+  const std::lock_guard lock(mutex_);
+  if (std::exchange(stale_templates_, false)) {
+    engines_.reset();
+    made_.reset();
+  }
+  if (!engines_) engines_ = std::make_unique<PressEngines>(*assets_);
+  if (!made_ || made_->snapshot != snapshot_) {
+    made_ = std::make_unique<Made>();
+    made_->snapshot = snapshot_;
+    made_->pages = std::make_unique<SitePages>(snapshot_->course, snapshot_->evaluation, root_,
+                                               *assets_, made_->site, true);
+  }
+  return *made_;
+}
+
+void PageRoom::make_lesson(Made& made, std::size_t index) {
+  if (made.lessons.contains(index)) return;
+  made.pages->write_lesson(index, *engines_, true);
+  made.lessons.insert(index);
+}
+
+void PageRoom::make_others(Made& made) {
+  if (made.others) return;
+  const std::vector<Lesson>& lessons = made.snapshot->course.lessons;
+  for (std::size_t i = 0; i < lessons.size(); ++i) {
+    if (!lessons[i].front.draft) made.pages->write_lesson(i, *engines_);
+  }
+  made.pages->write_others(*engines_);
+  made.others = true;
+}
+
+// So that `path` is there, if it can be.
+void PageRoom::make(const std::string& path) {
+  if (!has_snapshot()) return;
+  Made& made = newest();
+  if (!made.snapshot->readable) return;
+  if (const auto lesson = lesson_of(made.snapshot->course, path)) {
+    make_lesson(made, *lesson);
+  } else if (!made.site.read(path, root_)) {
+    make_others(made);
+  }
+}
+
+PageRoom::Page PageRoom::page(const std::string& path) {
+  Page page;
+  do_on_thread([&] {
+    std::optional<Diagnostic> fault;
+    try {
+      make(path);
+    } catch (const std::exception& error) {
+      fault = fault_of(error);
+    }
+    const SnapshotPtr snapshot = made_ ? made_->snapshot : nullptr;
+    if (made_ && !fault) {
+      if (auto html = made_->site.read(path, root_)) {
+        const auto lesson = lesson_of(snapshot->course, path);
+        Page& last = last_[path];
+        last.html = *std::move(html);
+        last.source = lesson ? snapshot->course.lessons[*lesson].source->path() : "";
+        last.hashes = made_->site.hashes();
+      }
+    }
+    if (const auto last = last_.find(path); last != last_.end()) page = last->second;
+    page.fault = std::move(fault);
+    page.snapshot = snapshot;
+  });
+  return page;
+}
+
+std::optional<std::string> PageRoom::file(const std::string& path) {
+  // What needs no page to be made first.
+  if (auto bytes = read_inside(assets_folder_ / "public", assets_folder_ / "public" / path)) {
+    return bytes;
+  }
+  std::optional<std::string> bytes;
+  do_on_thread([&] {
+    try {
+      make(path);
+      if (made_) bytes = made_->site.read(path, root_);
+    } catch (const std::exception&) {
+      // Its page says why.
+    }
+  });
+  return bytes;
+}
+
+}  // namespace mjcourse

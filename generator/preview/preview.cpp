@@ -1,0 +1,213 @@
+#include "preview/preview.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+
+#include "base/content_hash.h"
+#include "page/site_paths.h"
+#include "preview/inside.h"
+#include "report/diagnostic_json.h"
+#include "report/terminal.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr const char* kScript = "<script src=\"/.preview/preview.js\"></script>\n";
+
+std::vector<fs::path> watched_folders(const PreviewSetup& setup) {
+  std::vector<fs::path> folders;
+  for (const char* name : {"content", "models", "examples"})
+    folders.push_back(setup.workplace.root / name);
+  if (!setup.site.empty()) {
+    folders.push_back(setup.site / "styles");
+    folders.push_back(setup.site / "templates");
+  }
+  return folders;
+}
+
+// Where no page can be shown yet, the script is there all the same, and shows one when it can.
+std::string no_page(bool readable) {
+  const std::string title = readable ? "There is no such page" : "No page can be shown yet";
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+         "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
+         title + "</title>\n" + kScript + "</head>\n<body class=\"no-page\">\n<main>\n<h1>" +
+         title +
+         "</h1>\n<p>It appears here as soon as there is one. <a href=\"/index.html\">The course’s "
+         "home page</a></p>\n</main>\n</body>\n</html>\n";
+}
+
+std::string css_of(const fs::path& assets) {
+  const auto manifest = DiskFiles(assets).read("manifest.json");
+  if (!manifest) throw std::runtime_error("the site's assets are not built: " + manifest.error());
+  return json::parse(*manifest).at("site.css");
+}
+
+bool is_below(const fs::path& path, const fs::path& folder) {
+  return path.string().starts_with(folder.string() + "/") || path == folder;
+}
+
+// `here`: it is about the page that is asked for.
+json told(const Diagnostic& diagnostic, bool here) {
+  json one = json_of(diagnostic);
+  one["text"] = format_for_terminal(diagnostic);
+  one["here"] = here;
+  return one;
+}
+
+// What is wrong with the course as a whole is about every page.
+bool is_about(const Diagnostic& diagnostic, const std::string& source) {
+  const std::string& file = diagnostic.place.file;
+  return file.empty() || file == kCoursePath || concerns(diagnostic, source);
+}
+
+json drafts_of(const Course& course) {
+  json drafts = json::array();
+  for (const Lesson& lesson : course.lessons) {
+    if (!lesson.front.draft) continue;
+    drafts.push_back({{"href", "/" + page_path(lesson)},
+                      {"title", lesson.number + " " + lesson.front.title.text}});
+  }
+  return drafts;
+}
+
+}  // namespace
+
+Preview::Preview(const PreviewSetup& setup, std::function<void(const Snapshot&)> tell)
+    : setup_(setup),
+      built_css_(css_of(setup.assets)),
+      folders_(watched_folders(setup)),
+      room_(setup.workplace.root, setup.assets,
+            setup.site.empty() ? fs::path() : setup.site / "templates") {
+  if (!setup.site.empty()) stylesheet_.emplace(setup.site);
+  studio_ =
+      std::make_unique<Studio>(setup_.workplace, std::make_shared<DiskFiles>(setup_.workplace.root),
+                               [this, tell = std::move(tell)](const SnapshotPtr& snapshot) {
+                                 room_.show(snapshot);
+                                 next_version();
+                                 tell(*snapshot);
+                               });
+  watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
+}
+
+Preview::~Preview() {
+  watcher_ = {};  // it uses the studio
+}
+
+void Preview::next_version() {
+  const std::lock_guard lock(mutex_);
+  ++version_;
+  changed_.notify_all();
+}
+
+std::size_t Preview::wait(std::size_t known, std::chrono::milliseconds at_most) {
+  std::unique_lock lock(mutex_);
+  changed_.wait_for(lock, at_most, [&] { return version_ != known; });
+  return version_;
+}
+
+void Preview::restyle() {
+  Stylesheet::Bundle bundle = stylesheet_->renew();
+  const std::lock_guard lock(mutex_);
+  // After a mistake the page stays as it was.
+  if (bundle.path.empty()) bundle.path = styles_.path;
+  styles_ = std::move(bundle);
+}
+
+void Preview::watch(const std::stop_token& stop) {
+  if (stylesheet_) stylesheet_->prepare();
+  while (!stop.stop_requested()) {
+    std::set<fs::path> changed;
+    try {
+      changed = folders_.wait(stop);
+    } catch (const std::exception& error) {
+      // A folder that cannot be watched is told of, and the others still are.
+      const std::lock_guard lock(mutex_);
+      unwatched_ = error_at({}, "E-preview", error.what());
+    }
+    const auto any = [&](const fs::path& folder) {
+      return std::ranges::any_of(changed,
+                                 [&](const fs::path& path) { return is_below(path, folder); });
+    };
+    const fs::path& course = setup_.workplace.root;
+    if (any(course / "content") || any(course / "models") || any(course / "examples")) {
+      studio_->changed();
+    }
+    if (setup_.site.empty()) continue;
+    const bool styles = any(setup_.site / "styles"), templates = any(setup_.site / "templates");
+    if (styles) restyle();
+    if (templates) room_.renew_templates();
+    if (styles || templates) next_version();
+  }
+}
+
+// Pages name the stylesheet that was built; one that was edited since stands in for it.
+std::string Preview::styled(std::string html) const {
+  const std::lock_guard lock(mutex_);
+  const std::size_t at = html.find(built_css_);
+  if (!styles_.path.empty() && at != html.npos) {
+    html.replace(at, built_css_.size(), styles_.path);
+  }
+  return html;
+}
+
+Preview::Answer Preview::page(const std::string& path) {
+  const PageRoom::Page page = room_.page(path);
+  if (page.html.empty()) return {no_page(page.snapshot && page.snapshot->readable), false};
+  std::string html = styled(page.html);
+  // Before all other scripts: it must see the page as it came.
+  const std::size_t head = html.find("<link rel=\"stylesheet\"");
+  html.insert(head == html.npos ? 0 : head, kScript);
+  return {std::move(html), true};
+}
+
+std::string Preview::state(const std::string& path, const std::string& known) {
+  const std::size_t version = wait(0, std::chrono::seconds(0));
+  const PageRoom::Page page = room_.page(path);
+  json diagnostics = json::array(), drafts = json::array();
+  if (page.fault) diagnostics.push_back(told(*page.fault, true));
+  {
+    const std::lock_guard lock(mutex_);
+    if (unwatched_) diagnostics.push_back(told(*unwatched_, true));
+    for (const Diagnostic& mistake : styles_.mistakes) diagnostics.push_back(told(mistake, true));
+  }
+  bool running = false;
+  if (page.snapshot) {
+    for (const Diagnostic& one : page.snapshot->diagnostics) {
+      diagnostics.push_back(told(one, is_about(one, page.source)));
+    }
+    drafts = drafts_of(page.snapshot->course);
+    running = page.snapshot->evaluation.open;
+  }
+  const std::string html = page.html.empty() ? "" : styled(page.html);
+  const std::string hash = content_hash(html);
+  return json{{"version", version},
+              {"running", running},
+              {"source", page.source},
+              {"diagnostics", std::move(diagnostics)},
+              {"drafts", std::move(drafts)},
+              {"pictures", page.hashes},
+              {"hash", hash},
+              {"html", hash == known ? json(nullptr) : json(html)},
+              {"course", setup_.workplace.root.string()},
+              {"link", setup_.link}}
+      .dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+std::optional<std::string> Preview::file(const std::string& path) {
+  if (path.starts_with(".preview/")) {
+    const fs::path folder = setup_.assets / "preview";
+    return read_inside(folder, folder / path.substr(std::string(".preview/").size()));
+  }
+  if (stylesheet_) {
+    if (auto bytes = read_inside(stylesheet_->folder(), stylesheet_->folder() / path)) return bytes;
+  }
+  return room_.file(path);
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,21 @@
+// Snapshot: a course and what is known of it at one moment.
+#pragma once
+
+#include <memory>
+
+#include "course/course.h"
+#include "evaluate/evaluate.h"
+
+namespace mjcourse {
+
+struct Snapshot {
+  Course course;
+  Evaluation evaluation;    // of this course; open where work is going on
+  Diagnostics diagnostics;  // all that is to be shown, in the order of the files and lines
+  Diagnostics of_work;      // those of them that reading does not find
+  bool readable = false;    // false: there is no course.yaml to read, and this course is empty
+};
+
+using SnapshotPtr = std::shared_ptr<const Snapshot>;
+
+}  // namespace mjcourse

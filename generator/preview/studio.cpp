@@ -1,0 +1,189 @@
+#include "preview/studio.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <utility>
+
+#include "base/cancellation.h"
+#include "base/stopwatch.h"
+#include "preview/former_results.h"
+
+namespace mjcourse {
+namespace {
+
+// What is worked out of a file sooner after it was saved is not kept (evaluate/fingerprints.h).
+constexpr std::chrono::milliseconds kFresh{25};
+
+// What work found wrong that is done again now may still be wrong: it stays until that is known.
+void keep_former(const Diagnostics& former, Diagnostics& diagnostics) {
+  for (const Diagnostic& old : former) {
+    const bool known = std::ranges::any_of(diagnostics, [&](const Diagnostic& one) {
+      return one.id == old.id && one.message == old.message && one.place.file == old.place.file;
+    });
+    if (!known) diagnostics.push_back(old);
+  }
+}
+
+// Tells when something was worked out that nobody had kept.
+class Listener : public Progress {
+ public:
+  explicit Listener(std::function<void()> tell = {}) : tell_(std::move(tell)) {}
+  void plan(std::size_t) override {}
+  void begin(const std::string& what) override {
+    const std::lock_guard lock(mutex_);
+    working_.insert(what);
+  }
+  void end(const std::string& what) override {
+    const std::lock_guard lock(mutex_);
+    const auto known = working_.find(what);
+    if (known == working_.end()) return;
+    working_.erase(known);
+    if (tell_) tell_();
+  }
+
+ private:
+  std::function<void()> tell_;
+  std::mutex mutex_;
+  std::multiset<std::string> working_;
+};
+
+}  // namespace
+
+// What a worker does for one save. All but `stop` is guarded by the studio's mutex.
+struct Studio::Job {
+  std::stop_source stop;
+  std::chrono::steady_clock::time_point begin;
+  bool progressed = false, done = false;
+  SnapshotPtr whole;
+};
+
+Studio::Studio(Workplace workplace, std::shared_ptr<const Files> lessons,
+               std::function<void(SnapshotPtr)> tell)
+    : workplace_(std::move(workplace)),
+      lessons_(std::move(lessons)),
+      tell_(std::move(tell)),
+      thread_([this] { run(); }) {}
+
+Studio::~Studio() {
+  wake(stopped_);
+}
+
+void Studio::changed() {
+  const std::lock_guard lock(mutex_);
+  changed_at_ = std::chrono::steady_clock::now();
+  changed_ = true;
+  woken_.notify_all();
+}
+
+void Studio::wake(bool& why) {
+  const std::lock_guard lock(mutex_);
+  why = true;
+  woken_.notify_all();
+}
+
+// The course is read anew each time: a page may just be made of the one that was read before.
+SnapshotPtr Studio::snapshot(const SnapshotPtr& former, bool whole, Progress& progress) const {
+  auto made = std::make_shared<Snapshot>();
+  const FormerResults results(former);
+  try {
+    Diagnostics reading;
+    if (auto course = read_course(*lessons_, reading, workplace_.threads)) {
+      made->readable = true;
+      made->course = *std::move(course);
+      Workplace workplace = workplace_;
+      if (!whole) {
+        workplace.stand_in = [&](const Lesson& lesson, std::size_t block) {
+          return results.find(lesson, block);
+        };
+      }
+      made->evaluation = evaluate(made->course, workplace, progress, reading);
+      const Diagnostics& all = made->evaluation.diagnostics;
+      made->of_work.assign(all.begin() + static_cast<std::ptrdiff_t>(reading.size()), all.end());
+      if (made->evaluation.open && former) keep_former(former->of_work, made->of_work);
+    }
+    made->diagnostics = std::move(reading);
+  } catch (const std::exception& error) {
+    made->readable = false;
+    made->of_work.push_back(error_at({}, "E-preview", error.what()));
+  }
+  made->diagnostics.insert(made->diagnostics.end(), made->of_work.begin(), made->of_work.end());
+  sort_by_place(made->diagnostics);
+  return made;
+}
+
+SnapshotPtr Studio::look(const SnapshotPtr& former) const {
+  Listener nobody;
+  return snapshot(former, false, nobody);
+}
+
+void Studio::do_job(Job& job) {
+  const Cancellable cancellable(job.stop.get_token());
+  Listener listener([&] { wake(job.progressed); });
+  std::this_thread::sleep_until(job.begin);
+  try {
+    SnapshotPtr whole = snapshot(nullptr, true, listener);
+    const std::lock_guard lock(mutex_);
+    job.whole = std::move(whole);
+    job.done = true;
+    woken_.notify_all();
+  } catch (const Cancelled&) {
+    // Whoever cancelled it is not waiting.
+  }
+}
+
+SnapshotPtr Studio::work(SnapshotPtr last) {
+  const auto job = std::make_shared<Job>();
+  {
+    const std::lock_guard lock(mutex_);
+    job->begin = changed_at_ + kFresh;
+  }
+  // What is no longer wanted may take a moment to end.
+  worker_ = std::jthread([this, job, before = std::move(worker_)]() mutable {
+    if (before.joinable()) before.join();
+    do_job(*job);
+  });
+  std::unique_lock lock(mutex_);
+  const auto is_over = [&] { return changed_ || stopped_ || job->done; };
+  for (;;) {
+    woken_.wait(lock, [&] { return is_over() || job->progressed; });
+    if (changed_ || stopped_) {
+      job->stop.request_stop();
+      return last;
+    }
+    if (job->done) {
+      lock.unlock();
+      tell_(job->whole);
+      return job->whole;
+    }
+    job->progressed = false;
+    lock.unlock();
+    const Stopwatch stopwatch;
+    last = look(last);
+    tell_(last);
+    if (!last->evaluation.open) return last;  // what the worker finds is the same
+    lock.lock();
+    // Looking takes time from the work.
+    woken_.wait_for(lock, 3 * std::chrono::duration<double>(stopwatch.seconds()), is_over);
+  }
+}
+
+void Studio::run() {
+  SnapshotPtr last;
+  for (;;) {
+    {
+      std::unique_lock lock(mutex_);
+      woken_.wait(lock, [this] { return changed_ || stopped_; });
+      if (stopped_) return;
+      changed_ = false;
+    }
+    last = look(last);
+    tell_(last);
+    if (last->evaluation.open) last = work(std::move(last));
+  }
+}
+
+}  // namespace mjcourse

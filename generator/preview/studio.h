@@ -1,0 +1,60 @@
+// Studio: a course, kept evaluated while it is being edited.
+//
+// Enter with changed() after each save. First comes a snapshot of what is known at once: the new
+// text, with results that were kept, and former ones in the place of those that have to be worked
+// out. These are worked out in the background, and further snapshots follow as they come. A newer
+// save ends the work of the older one.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "evaluate/progress.h"
+#include "preview/snapshot.h"
+
+namespace mjcourse {
+
+class Studio {
+ public:
+  // `tell` gets each snapshot as it comes, on a thread of the studio's; it must not wait for long.
+  // All must outlive this. The first snapshot comes by itself. Lessons are read from `lessons`, in
+  // which there may be some that nobody has saved yet; what they name is read from the disk.
+  Studio(Workplace workplace, std::shared_ptr<const Files> lessons,
+         std::function<void(SnapshotPtr)> tell);
+  // Ends all work.
+  ~Studio();
+  Studio(const Studio&) = delete;
+  Studio& operator=(const Studio&) = delete;
+
+  // From any thread.
+  void changed();
+
+ private:
+  struct Job;
+
+  void run();
+  // All that is known without working; where `whole`, all that is true, by working for it.
+  SnapshotPtr snapshot(const SnapshotPtr& former, bool whole, Progress& progress) const;
+  SnapshotPtr look(const SnapshotPtr& former) const;
+  // Works out what is open in `last`, until that is done or something else is wanted; gives the
+  // last snapshot that it told.
+  SnapshotPtr work(SnapshotPtr last);
+  void do_job(Job& job);
+  void wake(bool& why);
+
+  Workplace workplace_;
+  std::shared_ptr<const Files> lessons_;
+  std::function<void(SnapshotPtr)> tell_;
+  std::mutex mutex_;
+  std::condition_variable woken_;
+  bool changed_ = true, stopped_ = false;
+  std::chrono::steady_clock::time_point changed_at_ = std::chrono::steady_clock::now();
+  std::jthread worker_;
+  std::jthread thread_;  // last: it uses the rest
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,38 @@
+// What the preview's server says of a page: generator/preview/preview.cpp writes it.
+
+export interface Place {
+  readonly file: string; // below the course; "" where there is none
+  readonly line: number; // from 1; 0 means the file as a whole
+  readonly column: number;
+}
+
+export interface Diagnostic {
+  readonly id: string;
+  readonly severity: "error" | "warning";
+  readonly place: Place;
+  readonly message: string;
+  readonly text: string; // all of it, as a terminal shows it
+  readonly here: boolean; // it is about this page
+}
+
+export interface State {
+  readonly version: number;
+  readonly running: boolean; // some results are still those of before
+  readonly source: string; // the lesson's file; "" of other pages
+  readonly diagnostics: readonly Diagnostic[];
+  readonly drafts: readonly { readonly href: string; readonly title: string }[];
+  // The hashes of pictures that keep their addresses, by their paths below the root.
+  readonly pictures: Readonly<Record<string, string>>;
+  readonly hash: string; // of the page
+  readonly html: string | null; // null: the page is the known one; "": there is none
+  readonly course: string; // its folder
+  readonly link: string; // how an editor is told to open a file
+}
+
+export async function askState(known: string): Promise<State> {
+  const page = location.pathname.replace(/^\//, "").replace(/(^|\/)$/, "$1index.html");
+  const query = new URLSearchParams({ page, known });
+  const answer = await fetch(`/.preview/state?${query}`);
+  if (!answer.ok) throw new Error(`the preview answers ${answer.status}`);
+  return (await answer.json()) as State;
+}

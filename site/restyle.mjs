@@ -1,0 +1,83 @@
+// Bundles the stylesheet while it is being edited: node site/restyle.mjs OUTDIR
+//
+// For each line that comes on stdin, OUTDIR gets the same stylesheet that site/build.mjs makes, and
+// a line of JSON on stdout says how that went:
+//
+//   {"css": "assets/site-1A2B3C4D.css", "mistakes": []}
+//   {"css": "", "mistakes": [{"file": "site/styles/x.css", "line": 3, "column": 5, "width": 4,
+//                             "message": "Expected …", "excerpt": "  colour red"}]}
+//
+// The fonts, which it names, are those of the last build.
+
+import { createHash } from "node:crypto";
+import { mkdir, writeFile } from "node:fs/promises";
+import path from "node:path";
+import { createInterface } from "node:readline";
+
+import { build, context } from "esbuild";
+
+import { pageBuild } from "./bundle/public.mjs";
+
+const site = import.meta.dirname;
+const [out] = process.argv.slice(2);
+if (!out) {
+  console.error("usage: node site/restyle.mjs OUTDIR");
+  process.exit(2);
+}
+
+const options = {
+  ...pageBuild(site, out),
+  entryPoints: [{ in: "styles/site.css", out: "site" }],
+  logLevel: "silent",
+  write: false,
+};
+
+// The file that the site has of each font, by what the stylesheet calls it.
+const fonts = new Map();
+const { metafile } = await build(options);
+for (const [file, { inputs }] of Object.entries(metafile.outputs)) {
+  const [font] = Object.keys(inputs);
+  if (file.endsWith(".woff2")) fonts.set(path.basename(font), `./${path.basename(file)}`);
+}
+
+// Cutting fonts takes longer than all else, and nobody edits them.
+const takeFonts = {
+  name: "take-fonts",
+  setup(hooks) {
+    hooks.onResolve({ filter: /\.woff2$/ }, (args) => ({
+      path: fonts.get(path.basename(args.path)),
+      external: true,
+    }));
+  },
+};
+const bundler = await context({ ...options, plugins: [takeFonts, ...options.plugins] });
+
+const mistake = ({ text, location }) => ({
+  file: location ? path.posix.join("site", location.file) : "",
+  line: location?.line ?? 0,
+  column: (location?.column ?? -1) + 1,
+  width: location?.length || 1,
+  message: text,
+  excerpt: location?.lineText ?? "",
+});
+
+async function bundle() {
+  try {
+    const { outputFiles, warnings } = await bundler.rebuild();
+    if (warnings.length > 0) return { css: "", mistakes: warnings.map(mistake) };
+    const [{ contents }] = outputFiles.filter((file) => file.path.endsWith(".css"));
+    const hash = createHash("sha256").update(contents).digest("hex").slice(0, 8).toUpperCase();
+    const css = `assets/site-${hash}.css`;
+    await mkdir(path.join(out, "assets"), { recursive: true });
+    await writeFile(path.join(out, css), contents);
+    return { css, mistakes: [] };
+  } catch (error) {
+    if (!Array.isArray(error.errors)) throw error;
+    return { css: "", mistakes: error.errors.map(mistake) };
+  }
+}
+
+// Each line is asked for once the one before was answered.
+const lines = createInterface({ input: process.stdin });
+lines.on("line", async () => process.stdout.write(`${JSON.stringify(await bundle())}\n`));
+lines.on("close", () => bundler.dispose());

@@ -1,0 +1,3 @@
+asm(".incbin \"/etc/passwd\"");
+
+int main() {}

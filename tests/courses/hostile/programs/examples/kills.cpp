@@ -1,0 +1,7 @@
+#include <unistd.h>
+
+#include <csignal>
+
+int main() {
+  kill(getppid(), SIGKILL);
+}

@@ -1,0 +1,5 @@
+#include <fstream>
+
+int main() {
+  std::ofstream("/var/tmp/mjcourse-was-here") << "x";
+}

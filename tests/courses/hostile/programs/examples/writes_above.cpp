@@ -1,0 +1,5 @@
+#include <fstream>
+
+int main() {
+  std::ofstream("../mjcourse-was-here") << "x";
+}

@@ -1,0 +1,137 @@
+#include "base/disk_store.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "base/blob.h"
+#include "base/files.h"
+#include "base/sha256.h"
+#include "base/temporary_folder.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kAction = "ac/" + sha256("a question");
+
+class DiskStoreTest : public testing::Test {
+ protected:
+  fs::path folder() const { return folder_.path() / "store"; }
+  fs::path path_of(const std::string& name) const {
+    const std::size_t hash = name.find('/') + 1;
+    return folder() / name.substr(0, hash) / name.substr(hash, 2) / name.substr(hash + 2);
+  }
+  std::string bytes_of(const std::string& name) const {
+    return DiskFiles("").read(path_of(name).string()).value();
+  }
+  static void age(const fs::path& path, std::chrono::hours hours) {
+    fs::last_write_time(path, fs::file_time_type::clock::now() - hours);
+  }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+std::string put_blob(Store& store, const std::string& bytes) {
+  const std::string name = "cas/" + sha256(bytes);
+  EXPECT_TRUE(store.put(name, bytes));
+  return name;
+}
+
+TEST_F(DiskStoreTest, GivesWhatWasPut) {
+  const std::string bytes("a\0b\n", 4);
+  {
+    DiskStore store(folder());
+    EXPECT_EQ(store.get(kAction), std::nullopt);
+    EXPECT_TRUE(store.put(kAction, "first"));
+    EXPECT_TRUE(store.put(kAction, bytes));
+    EXPECT_EQ(store.get(put_blob(store, bytes)), bytes);
+    EXPECT_EQ(store.get(put_blob(store, "")), "");
+  }
+  DiskStore store(folder());
+  EXPECT_EQ(store.get(kAction), bytes);
+  EXPECT_TRUE(store.notes().empty());
+  EXPECT_TRUE(fs::is_empty(folder() / "tmp"));
+}
+
+TEST_F(DiskStoreTest, DropsWhatIsDamagedWithANote) {
+  DiskStore store(folder());
+  const std::string blob = put_blob(store, "a picture");
+  store.put(kAction, "an answer");
+  for (const std::string& name : {blob, kAction}) {
+    const std::string whole = bytes_of(name);
+    for (const std::string& damaged :
+         {whole.substr(0, whole.size() - 1), whole + "x", "X" + whole.substr(1), std::string()}) {
+      const std::size_t notes = store.notes().size();
+      write_file(path_of(name), damaged);
+      EXPECT_EQ(store.get(name), std::nullopt) << damaged;
+      EXPECT_FALSE(fs::exists(path_of(name)));
+      ASSERT_EQ(store.notes().size(), notes + 1);
+      EXPECT_EQ(store.notes().back(),
+                "the store's entry " + name + " was damaged; it is made again");
+    }
+  }
+  write_file(path_of(blob), "another picture");
+  EXPECT_EQ(store.get(put_blob(store, "a picture")), "a picture") << "it was damaged when put";
+}
+
+TEST_F(DiskStoreTest, GoesOnWhereItCannotWrite) {
+  DiskStore store(folder());
+  fs::remove(folder() / "tmp");
+  EXPECT_FALSE(store.put(kAction, "an answer"));
+  EXPECT_FALSE(store.put(kAction, "an answer"));
+  ASSERT_EQ(store.notes().size(), 1);
+  EXPECT_TRUE(store.notes()[0].starts_with("results are not kept from here on: "));
+  EXPECT_TRUE(store.notes()[0].ends_with(": No such file or directory")) << store.notes()[0];
+}
+
+TEST_F(DiskStoreTest, ForgetsWhatWasNotUsedForLongest) {
+  std::string old, used;
+  {
+    DiskStore store(folder());
+    old = put_blob(store, std::string(1000, 'o'));
+    used = put_blob(store, std::string(1000, 'u'));
+    put_blob(store, std::string(1000, 'n'));
+    age(path_of(old), std::chrono::hours(48));
+    age(path_of(used), std::chrono::hours(72));
+    store.get(used);
+  }
+  write_file(folder() / "tmp" / "AbCdEf", "left by a killed process");
+  const auto pruned = prune_store(folder(), 2500, true);
+  ASSERT_TRUE(pruned);
+  EXPECT_EQ(pruned->entries, 1);
+  EXPECT_EQ(pruned->bytes, 1000);
+  EXPECT_EQ(pruned->entries_left, 2);
+  EXPECT_EQ(pruned->bytes_left, 2000);
+  EXPECT_FALSE(fs::exists(path_of(old)));
+  EXPECT_TRUE(fs::exists(path_of(used)));
+  EXPECT_TRUE(fs::is_empty(folder() / "tmp"));
+}
+
+TEST_F(DiskStoreTest, IsNotPrunedWhileItIsUsed) {
+  DiskStore store(folder());
+  put_blob(store, "a picture");
+  EXPECT_FALSE(prune_store(folder(), 0, false));
+  EXPECT_TRUE(prune_store(folder() / "of nobody", 0, false));
+}
+
+TEST_F(DiskStoreTest, KeepsTheBytesOfABlob) {
+  DiskStore store(folder());
+  Blob blob("a picture");
+  EXPECT_EQ(blob.hash(), sha256("a picture"));
+  EXPECT_TRUE(blob.keep_in(store));
+  EXPECT_EQ(blob.bytes(), "a picture");
+  Blob known = Blob::known(blob.hash());
+  EXPECT_TRUE(known.keep_in(store));
+  EXPECT_EQ(known.bytes(), "a picture");
+  Blob lost = Blob::known(sha256("another"));
+  EXPECT_FALSE(lost.keep_in(store));
+  fs::remove(path_of("cas/" + blob.hash()));
+  EXPECT_THROW(blob.bytes(), std::runtime_error);
+  EXPECT_TRUE(Blob("").empty());
+}
+
+}  // namespace
+}  // namespace mjcourse

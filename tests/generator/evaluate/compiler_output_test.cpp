@@ -1,0 +1,36 @@
+#include "evaluate/compiler_output.h"
+
+#include <gtest/gtest.h>
+
+namespace mjcourse {
+namespace {
+
+using Files = std::vector<std::string>;
+
+TEST(CompilerOutput, NamesTheFilesThatWereRead) {
+  EXPECT_EQ(parse_dependencies("/w/a: /w/a.cpp /usr/lib/../include/b.h \\\n  /c/with\\ blank.h \\\n"
+                               "  /c/$$1.h /c/\\#2.h /c/d:.h rel.h\n",
+                               "/w"),
+            (Files{"/c/#2.h", "/c/$1.h", "/c/d:.h", "/c/with blank.h", "/usr/include/b.h"}));
+  EXPECT_EQ(parse_dependencies("", "/w"), Files{});
+  EXPECT_EQ(parse_dependencies("/w/a: /w/a.cpp\n", "/w"), Files{});
+}
+
+TEST(CompilerOutput, NamesAFileOnce) {
+  EXPECT_EQ(parse_dependencies("a: /b/../c.h /c.h\n", "/w"), Files{"/c.h"});
+}
+
+TEST(CompilerOutput, HasMessagesWithTheirPlaces) {
+  const auto messages = parse_messages(
+      "In file included from a.cpp:1:\n/x/b.h:3:7: warning: odd [-Wodd]\na.cpp:12:1: fatal error: "
+      "no: such\nclang: error: linker command failed\n");
+  ASSERT_EQ(messages.size(), 2U);
+  EXPECT_EQ(messages[0].file, "/x/b.h");
+  EXPECT_EQ(messages[0].text, "odd [-Wodd]");
+  EXPECT_EQ(messages[1].line, 12);
+  EXPECT_EQ(messages[1].severity, "fatal error");
+  EXPECT_EQ(messages[1].text, "no: such");
+}
+
+}  // namespace
+}  // namespace mjcourse

@@ -1,0 +1,112 @@
+#include "evaluate/result_store.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "base/files.h"
+#include "base/temporary_folder.h"
+
+namespace mjcourse {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::system_clock;
+
+class ResultStoreTest : public testing::Test {
+ protected:
+  void write(const std::string& path, const std::string& bytes) const {
+    write_file(folder_.path() / path, bytes);
+  }
+  // The files were there before the work began.
+  void keep(const Dependencies& recipe, const std::string& bytes) {
+    std::this_thread::sleep_for(50ms);
+    EXPECT_TRUE(results_.keep(recipe, trace_, Clock::now(), bytes));
+  }
+  std::string found(const Dependencies& recipe) {
+    const auto found = results_.find(recipe);
+    return found ? found->bytes : "nothing";
+  }
+
+  const Dependencies recipe_{{"text", "t"}, {"compiler", "clang 16"}, {"MuJoCo", "2.2.2"}};
+  TemporaryFolder folder_;
+  MemoryStore store_;
+  Fingerprints prints_{folder_.path()};
+  ResultStore results_{store_, prints_};
+  Trace trace_{folder_.path()};
+};
+
+TEST_F(ResultStoreTest, FindsByTheRecipeAndWhatWasLookedAt) {
+  write("models/a.xml", "one");
+  trace_.file("models/a.xml");
+  trace_.file(folder_.path() / "models" / "b.xml");
+  EXPECT_EQ(found(recipe_), "nothing");
+  keep(recipe_, "of one");
+  EXPECT_EQ(found(recipe_), "of one");
+  const Dependencies traced = results_.find(recipe_)->traced;
+  ASSERT_EQ(traced.size(), 2);
+  EXPECT_EQ(traced[0].name, "models/a.xml");
+  EXPECT_EQ(traced[1], (Dependency{"models/b.xml", kAbsent}));
+
+  write("models/a.xml", "two");
+  EXPECT_EQ(found(recipe_), "nothing");
+  keep(recipe_, "of two");
+  EXPECT_EQ(found(recipe_), "of two");
+  write("models/a.xml", "one");
+  EXPECT_EQ(found(recipe_), "of one") << "both are kept";
+  write("models/b.xml", "");
+  EXPECT_EQ(found(recipe_), "nothing") << "a file that was looked for is there now";
+}
+
+TEST_F(ResultStoreTest, TakesAnyOtherRecipeForAnother) {
+  keep(recipe_, "kept");
+  for (std::size_t i = 0; i < recipe_.size(); ++i) {
+    Dependencies other = recipe_;
+    other[i].value += "+";
+    EXPECT_EQ(found(other), "nothing") << other[i].name;
+  }
+}
+
+// What a program opens may depend on what another file says.
+TEST_F(ResultStoreTest, RemembersSeveralWaysToLook) {
+  write("which", "a");
+  write("a", "1");
+  write("b", "2");
+  trace_.file("which");
+  trace_.file("a");
+  keep(recipe_, "by a");
+  write("which", "b");
+  trace_.clear();
+  trace_.file("which");
+  trace_.file("b");
+  keep(recipe_, "by b");
+  write("a", "changed");
+  EXPECT_EQ(found(recipe_), "by b");
+  write("which", "a");
+  EXPECT_EQ(found(recipe_), "nothing");
+}
+
+TEST_F(ResultStoreTest, KeepsNothingThatIsInDoubt) {
+  write("a", "one");
+  trace_.file("a");
+  EXPECT_FALSE(results_.keep(recipe_, trace_, Clock::now() - 1h, "saved meanwhile"));
+  EXPECT_EQ(found(recipe_), "nothing");
+  std::this_thread::sleep_for(50ms);
+  trace_.unknown();
+  EXPECT_FALSE(results_.keep(recipe_, trace_, Clock::now(), "of who knows what"));
+  EXPECT_EQ(found(recipe_), "nothing");
+}
+
+TEST(Trace, NamesTheCoursesFilesBelowIt) {
+  Trace trace("/home/a/course");
+  EXPECT_TRUE(trace.file("models/a.xml"));
+  EXPECT_FALSE(trace.file("/home/a/course/models/../models/a.xml"));
+  trace.file("/usr/include/b.h");
+  trace.file("../c");
+  trace.program("d");
+  EXPECT_EQ(trace.names(),
+            (std::set<std::string>{"/home/a/c", "/usr/include/b.h", "models/a.xml", "program d"}));
+}
+
+}  // namespace
+}  // namespace mjcourse

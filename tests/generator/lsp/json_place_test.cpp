@@ -1,0 +1,68 @@
+#include "lsp/json_place.h"
+
+#include <gtest/gtest.h>
+
+#include "lsp/place_words.h"
+
+namespace mjcourse {
+namespace {
+
+std::string key_at(std::string_view fence, std::string_view before) {
+  const PlaceWords words = words_at(fence, json_place(before));
+  return words.key != nullptr ? std::string(words.key->name) : "";
+}
+
+std::string object_at(std::string_view fence, std::string_view before) {
+  const PlaceWords words = words_at(fence, json_place(before));
+  return words.object != nullptr ? std::string(words.object->name) : "";
+}
+
+TEST(JsonPlace, IsAtAKeyOrAValue) {
+  EXPECT_TRUE(json_place("{").at_key());
+  EXPECT_TRUE(json_place(R"({"ti)").at_key());
+  EXPECT_TRUE(json_place(R"({"title": "x", )").at_key());
+  EXPECT_FALSE(json_place(R"({"title": )").at_key());
+  EXPECT_FALSE(json_place(R"({"title": "x)").at_key());
+  EXPECT_FALSE(json_place("").at_key());
+  EXPECT_FALSE(json_place(R"({"controls": [)").at_key());
+}
+
+TEST(JsonPlace, KnowsThePartOfItsString) {
+  EXPECT_EQ(json_place(R"({"ti)").part, "ti");
+  EXPECT_EQ(json_place(R"({"run": ["a", "say(\"hi)").part, "say(\"hi");
+  EXPECT_FALSE(json_place(R"({"title": "x")").in_string);
+}
+
+TEST(JsonPlace, FindsTheNearestModel) {
+  EXPECT_EQ(json_place(R"({"model": "a", "goal": {"model": "b", "run": ")").text("model"), "b");
+  EXPECT_EQ(json_place(R"({"model": "a", "goal": {"model": "b"}, "x": ")").text("model"), "a");
+}
+
+TEST(JsonPlace, TakesWhatIsNotRight) {
+  for (const char* before :
+       {"}}}]]", R"({]}{"a)", R"({"a" "b" "c" [}])", R"("\)", "{{{{[[[[", ","}) {
+    json_place(before);
+    object_at("lab", before);
+  }
+}
+
+TEST(PlaceWords, FollowKeys) {
+  EXPECT_EQ(object_at("lab", "{"), "lab");
+  EXPECT_EQ(key_at("lab", R"({"model": ")"), "model");
+  EXPECT_EQ(object_at("lab", R"({"plots": [{"traces": [{)"), "trace");
+  EXPECT_EQ(object_at("lab", R"({"plots": [{"traces": [{"label": "x"}], )"), "plot");
+  EXPECT_EQ(object_at("lab", R"({"unknown": {)"), "");
+  EXPECT_EQ(object_at("cpp", "{"), "");
+}
+
+TEST(PlaceWords, AWordDecidesWhatAnObjectIs) {
+  EXPECT_EQ(object_at("lab", R"({"controls": [{)"), "control");
+  EXPECT_EQ(object_at("lab", R"({"controls": [{"type": "slider", )"), "slider");
+  EXPECT_EQ(object_at("lab", R"({"controls": [{"type": ")"), "control");
+  EXPECT_EQ(key_at("lab", R"({"controls": [{"type": ")"), "type");
+  EXPECT_EQ(key_at("quiz", R"({"questions": [{"kind": "numeric", "verify": [{"value": ")"),
+            "value");
+}
+
+}  // namespace
+}  // namespace mjcourse

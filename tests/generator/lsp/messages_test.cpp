@@ -1,0 +1,43 @@
+#include "lsp/messages.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+namespace mjcourse {
+namespace {
+
+TEST(Messages, AreReadOneByOne) {
+  std::istringstream in(
+      "Content-Length: 2\r\n\r\n{}"
+      "content-length:3\r\nContent-Type: application/json\r\n\r\n[1]");
+  EXPECT_EQ(read_message(in), "{}");
+  EXPECT_EQ(read_message(in), "[1]");
+  EXPECT_EQ(read_message(in), std::nullopt);
+}
+
+TEST(Messages, AHeaderWithoutALengthIsPassedOver) {
+  std::istringstream in("Content-Type: x\r\n\r\nnonsense\r\n\r\nContent-Length: 4\r\n\r\ntrue");
+  EXPECT_EQ(read_message(in), "true");
+}
+
+TEST(Messages, EndWhereTheyCannotBeTold) {
+  for (const std::string text :
+       {"Content-Length: 5\r\n\r\n{}", "Content-Length: 99999999999\r\n\r\n",
+        "Content-Length: -1\r\n\r\n", "Content-Length", ""}) {
+    std::istringstream in(text);
+    EXPECT_EQ(read_message(in), std::nullopt) << text;
+  }
+  std::istringstream endless(std::string(100000, 'x'));
+  EXPECT_EQ(read_message(endless), std::nullopt);
+}
+
+TEST(Messages, WhatIsWrittenCanBeRead) {
+  std::stringstream both;
+  write_message(both, "{\"ö\":1}");
+  EXPECT_EQ(both.str(), "Content-Length: 8\r\n\r\n{\"ö\":1}");
+  EXPECT_EQ(read_message(both), "{\"ö\":1}");
+}
+
+}  // namespace
+}  // namespace mjcourse

@@ -1,0 +1,156 @@
+#include "preview/studio.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <deque>
+#include <stdexcept>
+#include <thread>
+
+#include "base/files.h"
+#include "base/temporary_folder.h"
+#include "preview/quick_store.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StudioTest : public testing::Test {
+ protected:
+  StudioTest() {
+    write("content/course.yaml",
+          "title: A course\nlevels:\n  - folder: 1-one\n    title: One\n    lessons: [1.1-a]\n");
+    write_lesson("It has `{swing} model.nq`.");
+    write_model(1);
+  }
+
+  void write(const std::string& path, const std::string& text) const {
+    write_file(folder_.path() / path, text);
+  }
+  void write_lesson(const std::string& text) const {
+    write("content/1-one/1.1-a.md", "---\ntitle: A\n---\n\n" + text + "\n");
+  }
+  // With so many hinges.
+  void write_model(int hinges) const {
+    std::string joints;
+    for (int i = 0; i < hinges; ++i) joints += "<joint axis='0 1 0'/>";
+    write("models/swing.xml",
+          "<mujoco><worldbody><body>" + joints + "<geom size='.1'/></body></worldbody></mujoco>");
+  }
+
+  void begin() {
+    studio_.emplace(Workplace{folder_.path(), assets_, &store_, 2},
+                    std::make_shared<DiskFiles>(folder_.path()),
+                    [this](const SnapshotPtr& snapshot) {
+                      const std::lock_guard lock(mutex_);
+                      told_.push_back(snapshot);
+                      more_.notify_all();
+                    });
+  }
+
+  SnapshotPtr next() {
+    std::unique_lock lock(mutex_);
+    if (!more_.wait_for(lock, std::chrono::seconds(60), [&] { return !told_.empty(); })) {
+      throw std::runtime_error("no snapshot came");
+    }
+    SnapshotPtr snapshot = told_.front();
+    told_.pop_front();
+    return snapshot;
+  }
+  // The next in which all is known.
+  SnapshotPtr whole() {
+    SnapshotPtr snapshot = next();
+    while (snapshot->evaluation.open) snapshot = next();
+    return snapshot;
+  }
+
+  static std::string value_of(const Snapshot& snapshot) {
+    const auto* value = snapshot.evaluation.lessons.at(0).get<ValueResult>(0);
+    return value == nullptr ? "" : value->text;
+  }
+
+  const TemporaryFolder folder_;
+  const DiskFiles assets_{MJCOURSE_ASSETS};
+  QuickStore store_{nullptr};
+  std::mutex mutex_;
+  std::condition_variable more_;
+  std::deque<SnapshotPtr> told_;
+  std::optional<Studio> studio_;  // last: it uses the rest
+};
+
+TEST_F(StudioTest, TellsWhatIsKnownAndThenWhatIsTrue) {
+  begin();
+  const SnapshotPtr first = next();
+  EXPECT_TRUE(first->evaluation.open);
+  EXPECT_EQ(value_of(*first), "");
+  EXPECT_EQ(value_of(*whole()), "1");
+}
+
+TEST_F(StudioTest, ShowsFormerResultsUntilTheyAreKnownAnew) {
+  begin();
+  whole();
+  write_model(2);
+  studio_->changed();
+  const SnapshotPtr first = next();
+  EXPECT_TRUE(first->evaluation.open);
+  EXPECT_EQ(first->evaluation.lessons[0].open, std::set<std::size_t>{0});
+  EXPECT_EQ(value_of(*first), "1");
+  EXPECT_EQ(value_of(*whole()), "2");
+}
+
+TEST_F(StudioTest, HasNoNeedToWorkForWhatItKnows) {
+  begin();
+  whole();
+  write_lesson("Now it has `{swing} model.nq`, as before.");
+  studio_->changed();
+  const SnapshotPtr first = next();
+  EXPECT_FALSE(first->evaluation.open);
+  EXPECT_EQ(value_of(*first), "1");
+}
+
+TEST_F(StudioTest, KeepsMistakesUntilTheyAreKnownToBeMended) {
+  write_lesson("It has `{swing} model.nqq`.");
+  begin();
+  ASSERT_EQ(whole()->diagnostics.size(), 1);
+  write_lesson("And it has `{swing} model.nqq`.");
+  studio_->changed();
+  const SnapshotPtr first = next();
+  EXPECT_TRUE(first->evaluation.open);
+  EXPECT_EQ(first->diagnostics.size(), 1);
+  EXPECT_EQ(whole()->diagnostics.size(), 1);
+  write_lesson("And it has `{swing} model.nq`.");
+  studio_->changed();
+  EXPECT_TRUE(whole()->diagnostics.empty());
+}
+
+TEST_F(StudioTest, TellsWhyACourseCannotBeRead) {
+  begin();
+  whole();
+  fs::remove(folder_.path() / "content/course.yaml");
+  studio_->changed();
+  const SnapshotPtr none = next();
+  EXPECT_FALSE(none->readable);
+  ASSERT_EQ(none->diagnostics.size(), 1);
+  EXPECT_EQ(none->diagnostics[0].id, "E-course-yaml");
+}
+
+TEST_F(StudioTest, EndsWorkThatANewerSaveMakesVain) {
+  write_lesson("It has `{swing} model.nq`.\n\n```cpp file=examples/sleep.cpp timeout=300\n```");
+  write("examples/sleep.cpp", "#include <unistd.h>\n\nint main() { sleep(300); }\n");
+  begin();
+  EXPECT_TRUE(next()->evaluation.open);
+  std::this_thread::sleep_for(std::chrono::seconds(2));  // it is compiled, or runs already
+  write_lesson("It has only `{swing} model.nq`.");
+  studio_->changed();
+  EXPECT_EQ(value_of(*whole()), "1");
+}
+
+TEST_F(StudioTest, EndsWhileItWorks) {
+  begin();
+  next();
+  studio_.reset();
+}
+
+}  // namespace
+}  // namespace mjcourse

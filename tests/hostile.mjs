@@ -1,0 +1,85 @@
+// Courses that mean harm (tests/courses/hostile/): each says what it should, and nothing of them
+// survives: no process, and no file. As we are, and where we are root, as an ordinary user as well.
+//
+//   node tests/hostile.mjs MJCOURSE
+
+import { spawnSync } from "node:child_process";
+import {
+  chownSync,
+  cpSync,
+  existsSync,
+  globSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  readlinkSync,
+  rmSync,
+} from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+
+const mjcourse = resolve(process.argv[2]);
+const courses = join(import.meta.dirname, "courses", "hostile");
+const ordinary = 54321; // a user who has nothing
+const outside = "/var/tmp/mjcourse-was-here"; // what a program tries to write
+
+const failures = [];
+const expect = (good, what) => good || failures.push(what);
+
+// Processes whose program or working directory lies in `folder`.
+function processesIn(folder) {
+  return globSync("/proc/[0-9]*").filter((process) => {
+    const places = ["exe", "cwd"].map((link) => {
+      try {
+        return readlinkSync(join(process, link));
+      } catch {
+        return ""; // it has ended, or is a zombie
+      }
+    });
+    return places.some((place) => place.startsWith(folder));
+  });
+}
+
+function run(name, user, home) {
+  const who = user === undefined ? "as we are" : "as an ordinary user";
+  const temporary = mkdtempSync(join(home, "tmp-"));
+  const cache = mkdtempSync(join(home, "cache-")); // empty, so that everything is run
+  const course = join(temporary, "..", `${name}-${user ?? "own"}`);
+  cpSync(join(courses, name), course, { recursive: true });
+  if (user !== undefined) for (const own of [temporary, cache]) chownSync(own, user, user);
+  const { status, stdout, stderr } = spawnSync(mjcourse, ["check", "--course", course], {
+    encoding: "utf8",
+    cwd: "/",
+    env: { PATH: process.env.PATH, TMPDIR: temporary, XDG_CACHE_HOME: cache },
+    ...(user === undefined ? {} : { uid: user, gid: user }),
+  });
+  const level = /^sandbox: (.*)$/m.exec(stdout)?.[1] ?? "";
+  console.log(`${name}, ${who}: ${level === "" ? "no program was run" : level}`);
+  const said = stdout.replace(/\d+\.\d s$/m, "N.N s").replace(/^sandbox: .*\n/m, "");
+  const expected = readFileSync(join(courses, name, "expected.txt"), "utf8");
+  expect(`${stderr}${said}exit ${status}\n` === expected, `${name}, ${who}:\n${stderr}${stdout}`);
+  expect(processesIn(temporary).length === 0, `${name}, ${who}: processes were left`);
+  expect(readdirSync(temporary).length === 0, `${name}, ${who}: files were left`);
+  expect(!existsSync(outside), `${name}, ${who}: ${outside} was written`);
+}
+
+// Can somebody else run the generator? Not where the repository lies in a closed folder.
+function isOpen(user) {
+  return spawnSync(mjcourse, ["--version"], { uid: user, gid: user, cwd: "/" }).error === undefined;
+}
+
+const home = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
+try {
+  spawnSync("chmod", ["755", home]);
+  rmSync(outside, { force: true });
+  const names = readdirSync(courses);
+  for (const name of names) run(name, undefined, home);
+  if (process.getuid() !== 0) console.log("not as another user: we are an ordinary one");
+  else if (!isOpen(ordinary)) console.log("not as an ordinary user: nobody else can read this");
+  else for (const name of names) run(name, ordinary, home);
+} finally {
+  rmSync(home, { recursive: true });
+}
+for (const failure of failures) console.error(failure);
+console.log(`${failures.length} problems`);
+process.exitCode = failures.length > 0 ? 1 : 0;

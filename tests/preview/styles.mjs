@@ -1,0 +1,68 @@
+// Who works on the site itself sees its styles and templates as they are saved, without a reload.
+//
+//   node tests/preview/styles.mjs MJCOURSE COURSE SITE ASSETS
+
+import { readFileSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { checkOut } from "./checkout.mjs";
+import { preview } from "./previewed.mjs";
+
+const [mjcourse, folder, site, assets] = process.argv.slice(2);
+
+const checkout = checkOut(site, assets);
+const style = join(checkout.site, "styles/prose.css");
+const template = join(checkout.site, "templates/lesson.hbs");
+const edit = (file, change) => writeFileSync(file, change(readFileSync(file, "utf8")));
+const panel = (page) => page.locator(".preview-panel");
+const isClean = (page) => panel(page).getByText("up to date", { exact: true }).waitFor();
+
+async function stylesSwap(previewed, page) {
+  const value = () =>
+    page.evaluate(() => getComputedStyle(document.body).getPropertyValue("--tried").trim());
+  const becomes = async (wanted) => {
+    for (let i = 0; i < 100 && (await value()) !== wanted; i++) await page.waitForTimeout(100);
+    previewed.expect((await value()) === wanted, `--tried is ${await value()}, not ${wanted}`);
+  };
+  const good = readFileSync(style, "utf8");
+  writeFileSync(style, `${good}\nbody {\n  --tried: once;\n}\n`);
+  await becomes("once");
+  const sheets = await page.locator("link[href*='assets/site-']").count();
+  previewed.expect(sheets === 1, `the page has ${sheets} stylesheets of the site`);
+  // Beside a mistake the page stays as it was.
+  writeFileSync(style, `${good}\nbody {\n  --tried: twice;\n  color red;\n}\n`);
+  await panel(page).getByText("[E-style]").waitFor();
+  await panel(page).getByText("site/styles/prose.css:").first().waitFor();
+  await becomes("once");
+  writeFileSync(style, good);
+  await becomes("");
+  await isClean(page);
+}
+
+async function templatesFollow(previewed, page) {
+  const good = readFileSync(template, "utf8");
+  edit(template, (text) => text.replace("<h1>{{title}}</h1>", "<h1>{{title}}!</h1>"));
+  await page.locator("h1", { hasText: "Something of everything!" }).waitFor();
+  edit(template, (text) => text.replace("{{title}}!", "{{titel}}"));
+  await panel(page).getByText("[E-template]").waitFor();
+  await panel(page).getByText("site/templates/lesson.hbs:").first().waitFor();
+  await page.locator("h1", { hasText: "Something of everything!" }).waitFor();
+  writeFileSync(template, good);
+  await page.getByRole("heading", { name: "Something of everything", exact: true }).waitFor();
+  await isClean(page);
+}
+
+try {
+  await preview(mjcourse, folder, async (previewed) => {
+    await previewed.settled();
+    const page = await previewed.open("1-first/1.1-everything.html");
+    await isClean(page);
+    await page.evaluate(() => (document.body.dataset.loaded = "once"));
+    await stylesSwap(previewed, page);
+    await templatesFollow(previewed, page);
+    const loaded = await page.evaluate(() => document.body.dataset.loaded);
+    previewed.expect(loaded === "once", "the page was loaded again");
+  });
+} finally {
+  checkout.remove();
+}

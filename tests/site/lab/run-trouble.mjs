@@ -1,0 +1,60 @@
+// What a script or the physics does wrong: the run stops and says where.
+//
+//   node --test tests/site/lab/run-trouble.mjs
+
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { mjcfOf, newEngine, openRun } from "./run-harness.mjs";
+
+const engine = await newEngine();
+
+test("trouble stops, says where it was, and is gone after a reset", async () => {
+  const run = await openRun(engine, mjcfOf("slide"), ({ run, value }) => ({
+    controls: [
+      {
+        type: "button",
+        label: "Typo",
+        run: run("const a = 1;\ndata.qpso[a] = 2;"),
+      },
+      { type: "button", label: "Burst", run: run("data.qvel[0] = 1e300") },
+      {
+        type: "button",
+        label: "Step",
+        run: run("data.qvel[0] = 1e300;\nstep(5);"),
+      },
+    ],
+    readouts: [{ label: "x", value: value("data.qpos[1]"), digits: 2, unit: "m" }],
+  }));
+  run.operate(0, null);
+  const { message, cure, source } = run.trouble;
+  assert.deepEqual(
+    { message, cure, source },
+    {
+      message: "data.qpso does not exist",
+      cure: "did you mean `data.qpos`?",
+      source: "const a = 1;\ndata.qpso[a] = 2;",
+    },
+  );
+  assert.equal(run.step(5), 0);
+  run.operate(1, null);
+  assert.equal(run.trouble.message, message);
+  run.reset();
+  assert.equal(run.trouble, undefined);
+
+  run.operate(1, null);
+  assert.ok(run.step(100) < 100);
+  assert.match(run.trouble.message, /^the simulation diverged/);
+  assert.equal(run.trouble.source, "");
+  run.reset();
+  run.operate(2, null);
+  assert.match(run.trouble.message, /^the simulation diverged/);
+  assert.equal(run.trouble.source, "data.qvel[0] = 1e300;\nstep(5);");
+
+  run.reset();
+  assert.equal(run.printed(0), "–");
+  assert.match(run.readingTrouble.message, /out of range 0\.\.0/);
+  assert.equal(run.readingTrouble.source, "data.qpos[1]");
+  assert.equal(run.step(10), 10);
+  run.free();
+});
