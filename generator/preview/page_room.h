@@ -63,6 +63,7 @@ class PageRoom {
 
   void work();
   void do_on_thread(const std::function<void()>& work);
+  bool has_snapshot();
   Made& newest();
   void make(const std::string& path);
   void make_lesson(Made& made, std::size_t index);
