@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "course/link_target.h"
@@ -76,9 +75,9 @@ PageWriter::PageWriter(const Course& course, const Lesson& lesson, const LessonR
 }
 
 std::string PageWriter::body() {
-  std::optional<PlaceMarks> marks;
-  if (press_.places) marks.emplace(lesson_, results_);
-  return html(lesson_.document);
+  if (!press_.places) return html(lesson_.document);
+  const PlaceMarks marks(lesson_, results_);
+  return html(lesson_.document) + kEndOfPlaces;
 }
 
 std::string PageWriter::render(const std::string& name, const nlohmann::json& data) {

@@ -27,6 +27,8 @@ PlaceMarks::PlaceMarks(const Lesson& lesson, const LessonResults& results) {
     Document mark(cmark_node_new(CMARK_NODE_HTML_BLOCK));
     cmark_node_set_literal(mark.get(), ("<!--lines " + lines + state + "-->").c_str());
     if (cmark_node_insert_before(node, mark.get()) != 0) marks_.push_back(std::move(mark));
+    // All footnotes become one part of the page.
+    if (cmark_node_get_type(node) == CMARK_NODE_FOOTNOTE_DEFINITION) return;
   }
 }
 

@@ -1,7 +1,8 @@
 // PlaceMarks: comments in a lesson's page that say of which lines it is made.
 //
 // For who shows a page while it is being written: `<!--lines 12-15-->` before each part of the
-// text, `<!--lines 12-15 running-->` where a result in it is a stand-in. A site has none of them.
+// text, `<!--lines 12-15 running-->` where a result in it is a stand-in, and kEndOfPlaces behind
+// the last. A site has none of them.
 #pragma once
 
 #include <vector>
@@ -10,6 +11,8 @@
 #include "lesson/lesson.h"
 
 namespace mjcourse {
+
+inline constexpr const char* kEndOfPlaces = "<!--lines-->\n";
 
 // While this lives, the lesson's document has the comments.
 class PlaceMarks {

@@ -5,9 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "base/content_hash.h"
 #include "page/site_paths.h"
 #include "preview/inside.h"
+#include "preview/page_change.h"
 #include "report/diagnostic_json.h"
 #include "report/terminal.h"
 
@@ -17,7 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-constexpr const char* kScript = "<script src=\"/.preview/preview.js\"></script>\n";
+// `page`: the hash by which the browser asks what has become of it.
+std::string script(const std::string& page) {
+  return "<script src=\"/.preview/preview.js\" data-page=\"" + page + "\"></script>\n";
+}
 
 std::vector<fs::path> watched_folders(const PreviewSetup& setup) {
   std::vector<fs::path> folders;
@@ -36,7 +39,7 @@ std::string no_page(bool readable) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
          "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-         title + "</title>\n" + kScript + "</head>\n<body class=\"no-page\">\n<main>\n<h1>" +
+         title + "</title>\n" + script("") + "</head>\n<body class=\"no-page\">\n<main>\n<h1>" +
          title +
          "</h1>\n<p>It appears here as soon as there is one. <a href=\"/index.html\">The course’s "
          "home page</a></p>\n</main>\n</body>\n</html>\n";
@@ -58,6 +61,17 @@ json told(const Diagnostic& diagnostic, bool here) {
   one["text"] = format_for_terminal(diagnostic);
   one["here"] = here;
   return one;
+}
+
+json told(const std::vector<PageMark>& marks) {
+  json all = json::array();
+  for (const PageMark& mark : marks) all.push_back({mark.first, mark.last, mark.running});
+  return all;
+}
+
+json told(const std::optional<PageChange>& change) {
+  if (!change) return nullptr;
+  return {{"first", change->first}, {"count", change->count}, {"html", change->html}};
 }
 
 // What is wrong with the course as a whole is about every page.
@@ -146,13 +160,15 @@ void Preview::watch(const std::stop_token& stop) {
   }
 }
 
+std::string Preview::newest_css() const {
+  const std::lock_guard lock(mutex_);
+  return styles_.path.empty() ? built_css_ : styles_.path;
+}
+
 // Pages name the stylesheet that was built; one that was edited since stands in for it.
 std::string Preview::styled(std::string html) const {
-  const std::lock_guard lock(mutex_);
   const std::size_t at = html.find(built_css_);
-  if (!styles_.path.empty() && at != html.npos) {
-    html.replace(at, built_css_.size(), styles_.path);
-  }
+  if (at != html.npos) html.replace(at, built_css_.size(), newest_css());
   return html;
 }
 
@@ -162,7 +178,7 @@ Preview::Answer Preview::page(const std::string& path) {
   std::string html = styled(page.html);
   // Before all other scripts: it must see the page as it came.
   const std::size_t head = html.find("<link rel=\"stylesheet\"");
-  html.insert(head == html.npos ? 0 : head, kScript);
+  html.insert(head == html.npos ? 0 : head, script(sent_.keep(page.html)));
   return {std::move(html), true};
 }
 
@@ -184,16 +200,21 @@ std::string Preview::state(const std::string& path, const std::string& known) {
     drafts = drafts_of(page.snapshot->course);
     running = page.snapshot->evaluation.open;
   }
-  const std::string html = page.html.empty() ? "" : styled(page.html);
-  const std::string hash = content_hash(html);
+  const std::string hash = sent_.keep(page.html);
+  const std::optional<std::string> before = sent_.find(known);
+  const auto change = before ? page_change(*before, page.html) : std::nullopt;
+  const bool is_known = known == hash || change;
   return json{{"version", version},
               {"running", running},
               {"source", page.source},
               {"diagnostics", std::move(diagnostics)},
               {"drafts", std::move(drafts)},
               {"pictures", page.hashes},
+              {"stylesheet", newest_css()},
               {"hash", hash},
-              {"html", hash == known ? json(nullptr) : json(html)},
+              {"change", told(change)},
+              {"html", is_known ? json(nullptr) : json(page.html)},
+              {"marks", told(marks_of(page.html))},
               {"course", setup_.workplace.root.string()},
               {"link", setup_.link}}
       .dump(-1, ' ', false, json::error_handler_t::replace);

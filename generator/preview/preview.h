@@ -18,6 +18,7 @@
 
 #include "preview/folder_watch.h"
 #include "preview/page_room.h"
+#include "preview/sent_pages.h"
 #include "preview/studio.h"
 #include "preview/stylesheet.h"
 
@@ -50,8 +51,8 @@ class Preview {
     bool found = false;
   };
   Answer page(const std::string& path);
-  // What has become of the page `path`: site/preview/state.ts has its shape. The page itself is in
-  // it where it is another than the one whose hash is `known`.
+  // What has become of the page `path`, of which the browser has the form whose hash is `known`:
+  // site/preview/state.ts has its shape.
   std::string state(const std::string& path, const std::string& known);
   // Any other file.
   std::optional<std::string> file(const std::string& path);
@@ -60,12 +61,14 @@ class Preview {
   void watch(const std::stop_token& stop);
   void restyle();
   void next_version();
+  std::string newest_css() const;
   std::string styled(std::string html) const;
 
   const PreviewSetup setup_;
   std::string built_css_;  // path of the stylesheet that pages name
   FolderWatch folders_;
   PageRoom room_;
+  SentPages sent_;
   std::optional<Stylesheet> stylesheet_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;

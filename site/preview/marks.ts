@@ -1,6 +1,8 @@
 // Where each part of a lesson's text comes from, and what is the matter with it.
 
-import type { Diagnostic } from "./state.js";
+import type { Diagnostic, State } from "./state.js";
+
+type Marks = State["marks"];
 
 interface Part {
   readonly element: Element;
@@ -9,42 +11,33 @@ interface Part {
   running: boolean;
 }
 
-/** From the text's comments and elements in their order: a comment is about what follows it, and
- *  what shows nothing by itself, as a program's output, belongs to the part above. */
-function partsOf(text: Iterable<Comment | Element>): Part[] {
+/** What shows nothing by itself, as a program's output, belongs to the part above. */
+function partsOf(elements: Iterable<Element | undefined>, marks: Marks): Part[] {
   const parts: Part[] = [];
-  let mark: { first: number; last: number; running: boolean } | undefined;
-  const merge = (): void => {
+  let at = 0;
+  for (const element of elements) {
+    const [first, last, running] = marks[at++]!;
     const above = parts.at(-1);
-    if (!mark || !above) return;
-    above.last = mark.last;
-    above.running ||= mark.running;
-  };
-  for (const node of text) {
-    if (node instanceof Comment) {
-      const lines = /^lines (\d+)-(\d+)( running)?$/.exec(node.data);
-      if (!lines) continue;
-      merge();
-      mark = { first: Number(lines[1]), last: Number(lines[2]), running: lines[3] !== undefined };
-    } else if (mark) {
-      parts.push({ element: node, ...mark });
-      mark = undefined;
+    if (element) {
+      parts.push({ element, first, last, running });
+    } else if (above) {
+      above.last = last;
+      above.running ||= running;
     }
   }
-  merge();
   return parts;
 }
 
-/** Marks what runs, and puts a flag above each part with a mistake, which `open` is told of. */
+/** Of a text whose parts begin with `elements`: marks what runs, and puts a flag above each part with
+ *  a mistake, which `open` is told of. */
 export function markParts(
-  text: Iterable<Comment | Element>,
-  source: string,
-  diagnostics: readonly Diagnostic[],
+  elements: Iterable<Element | undefined>,
+  { source, diagnostics, marks }: State,
   open: (diagnostic: Diagnostic) => void,
 ): void {
   for (const flag of document.querySelectorAll(".preview-flag")) flag.remove();
   const found = new Map<Element, Diagnostic[]>();
-  const parts = partsOf(text);
+  const parts = partsOf(elements, marks);
   for (const diagnostic of diagnostics) {
     const { file, line } = diagnostic.place;
     const part = parts.findLast(({ first }) => first <= line);

@@ -4,6 +4,8 @@
 // open. So a new page is never held against the page on the screen, but against the one that came
 // before it; and only what differs between these two is replaced on the screen.
 
+import type { Change } from "./state.js";
+
 // What is gone through part by part; everything else is replaced as a whole.
 const containers = "body, main, article, .prose, .lesson-head, .lesson-foot, .masthead, .site-head";
 
@@ -75,6 +77,15 @@ function carryOver(from: Element, to: Element): void {
   folds.forEach((fold, index) => (fold.open = open[index]!.open));
 }
 
+/** From `first` on, without `end`. */
+function* nodesBetween(first: ChildNode, end: ChildNode): Generator<ChildNode> {
+  for (let node = first; node !== end; node = node.nextSibling!) yield node;
+}
+
+function elementsOf(nodes: Iterable<Node>): Element[] {
+  return [...nodes].filter((node) => node instanceof Element);
+}
+
 export class Parts {
   #page: Document;
   /** Elements of the page as it came → those on the screen. */
@@ -94,13 +105,39 @@ export class Parts {
     return put;
   }
 
-  /** The comments and elements of the lesson's text, in their order, each element as it is shown. */
-  *text(): Generator<Comment | Element> {
-    for (const node of this.#page.querySelector(".prose")?.childNodes ?? []) {
-      if (node instanceof Comment) yield node;
-      const shown = node instanceof Element ? this.#shown.get(node) : undefined;
-      if (shown) yield shown;
-    }
+  /** The same of what is another in the lesson's text. */
+  change({ first, count, html }: Change): Element[] {
+    const template = this.#page.createElement("template");
+    template.innerHTML = html;
+    const marks = this.#marks();
+    const end = marks[first + count]!;
+    const old = [...nodesBetween(marks[first]!, end)];
+    const next = end.nextElementSibling;
+    const prose = end.parentElement!;
+    const shown = this.#shown.get(prose)!;
+    const anchor = next ? this.#shown.get(next)! : this.#behind([...prose.children], shown);
+    const put: Element[] = [];
+    this.#replaceRun(elementsOf(old), [...template.content.children], shown, anchor, put);
+    for (const node of old) prose.removeChild(node);
+    end.before(template.content);
+    return put;
+  }
+
+  /** The first element of each part of the lesson's text, as it is shown; undefined where a part
+   *  shows nothing. */
+  text(): (Element | undefined)[] {
+    const marks = this.#marks();
+    return marks.slice(0, -1).map((mark, index) => {
+      const [came] = elementsOf(nodesBetween(mark, marks[index + 1]!));
+      return came && this.#shown.get(came);
+    });
+  }
+
+  /** The comments before each part of the lesson's text, and the one at its end. */
+  #marks(): Comment[] {
+    const nodes = [...(this.#page.querySelector(".prose")?.childNodes ?? [])];
+    const comments = nodes.filter((node) => node instanceof Comment);
+    return comments.filter(({ data }) => data.startsWith("lines"));
   }
 
   #pair(came: Element, shown: Element): void {
@@ -119,13 +156,23 @@ export class Parts {
 
   #replaceIn(before: Element, after: Element, shown: Element, put: Element[]): void {
     const old = [...before.children];
-    const young = [...after.children];
+    this.#replaceRun(old, [...after.children], shown, this.#behind(old, shown), put);
+  }
+
+  /** Of children of `shown` that stand one after the other, before `end`. */
+  #replaceRun(
+    old: readonly Element[],
+    young: readonly Element[],
+    shown: Element,
+    end: Element | null,
+    put: Element[],
+  ): void {
     const pairs = samePairs(old, young);
     let at = 0;
     let next = 0;
     for (const [i, j] of [...pairs, [old.length, young.length] as const]) {
       const kept = old[i];
-      const anchor = kept ? this.#shown.get(kept)! : this.#behind(old, shown);
+      const anchor = kept ? this.#shown.get(kept)! : end;
       this.#replaceSome(old.slice(at, i), young.slice(next, j), shown, anchor, put);
       if (kept) this.#keep(kept, young[j]!, put);
       at = i + 1;

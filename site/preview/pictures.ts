@@ -3,6 +3,9 @@
 
 const attributes = ["src", "srcset", "poster"];
 
+// What was renewed once is, in a part that is put in place later, the old one again.
+const renewals = new Map<string, string>();
+
 let known: Readonly<Record<string, string>> | undefined;
 
 export function renewPictures(hashes: Readonly<Record<string, string>>): void {
@@ -23,6 +26,3 @@ export function renewPictures(hashes: Readonly<Record<string, string>>): void {
     }
   }
 }
-
-// What was renewed once is, in a part that is put in place later, the old one again.
-const renewals = new Map<string, string>();

@@ -12,12 +12,16 @@ import { Panel } from "./panel.js";
 import { Parts } from "./parts.js";
 import { renewPictures } from "./pictures.js";
 import { askState, type State } from "./state.js";
-import { replaceStyles } from "./styles.js";
+import { Styles } from "./styles.js";
+
+// Which page this is, as the server calls it; "" where there was none.
+const loaded = document.currentScript?.dataset["page"] ?? "";
 
 class Preview {
   readonly #parts = new Parts();
   readonly #panel = new Panel();
-  #known = "";
+  readonly #styles = new Styles();
+  #known = loaded;
   #asking = false;
   #stale = false;
 
@@ -42,32 +46,36 @@ class Preview {
   }
 
   #show(state: State): void {
-    if (state.html) {
-      const page = new DOMParser().parseFromString(state.html, "text/html");
-      // From no page to one, or from one kind of page to another.
-      if (page.body.className !== document.body.className) {
-        location.reload();
-        return;
-      }
-      this.#known = state.hash;
-      this.#replace(page);
+    const { html, change } = state;
+    const page = html && new DOMParser().parseFromString(html, "text/html");
+    // From no page to one, or from one kind of page to another.
+    if (page && page.body.className !== document.body.className) {
+      location.reload();
+      return;
     }
+    if (html !== "") this.#known = state.hash;
+    if (page) {
+      document.title = page.title;
+      this.#styles.take(page);
+      this.#put(() => this.#parts.replace(page));
+    }
+    if (change) this.#put(() => this.#parts.change(change));
+    this.#styles.renew(state.stylesheet);
     renewPictures(state.pictures);
-    markParts(this.#parts.text(), state.source, state.diagnostics, (one) => this.#panel.open(one));
+    markParts(this.#parts.text(), state, (one) => this.#panel.open(one));
     this.#panel.show(state);
     document.documentElement.dataset["previewVersion"] = String(state.version);
   }
 
-  #replace(page: Document): void {
+  /** What `put` puts in place becomes what the page's own script makes of it in a page. */
+  #put(put: () => readonly Element[]): void {
     const stay = stayInPlace();
-    document.title = page.title;
-    replaceStyles(page);
-    const put = this.#parts.replace(page);
-    for (const element of put) {
+    const elements = put();
+    for (const element of elements) {
       upgradeQuizzes(element);
       reachScrollers(element);
     }
-    if (put.some((element) => element.matches(".contents, .prose > *"))) followContents();
+    if (elements.some((element) => element.matches(".contents, .prose > *"))) followContents();
     stay();
   }
 }

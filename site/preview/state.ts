@@ -15,6 +15,13 @@ export interface Diagnostic {
   readonly here: boolean; // it is about this page
 }
 
+/** Some parts of a lesson's text, one after the other, have others in their place. */
+export interface Change {
+  readonly first: number; // the first that is gone, from 0
+  readonly count: number; // how many are gone
+  readonly html: string; // what is there now
+}
+
 export interface State {
   readonly version: number;
   readonly running: boolean; // some results are still those of before
@@ -23,8 +30,13 @@ export interface State {
   readonly drafts: readonly { readonly href: string; readonly title: string }[];
   // The hashes of pictures that keep their addresses, by their paths below the root.
   readonly pictures: Readonly<Record<string, string>>;
+  readonly stylesheet: string; // the newest, below the root
   readonly hash: string; // of the page
-  readonly html: string | null; // null: the page is the known one; "": there is none
+  // Against the known page: null where nothing, or only parts of its text, are others.
+  readonly change: Change | null;
+  readonly html: string | null; // the whole page; "": there is none
+  // Of each part of the lesson's text its first and last line, and whether it is still running.
+  readonly marks: readonly (readonly [number, number, boolean])[];
   readonly course: string; // its folder
   readonly link: string; // how an editor is told to open a file
 }

@@ -114,8 +114,8 @@ async function compareWithBuild(previewed) {
     if (path.endsWith(".html")) {
       const text = bytes
         .toString()
-        .replace(/<script src="\/\.preview\/preview\.js"><\/script>\n/, "");
-      bytes = Buffer.from(text.replace(/<!--lines \d+-\d+-->\n/g, ""));
+        .replace(/<script src="\/\.preview\/preview\.js" data-page="\w+"><\/script>\n/, "");
+      bytes = Buffer.from(text.replace(/<!--lines( \d+-\d+)?-->\n/g, ""));
     }
     previewed.expect(answer.status === 200, `${path}: ${answer.status}`);
     previewed.expect(bytes.equals(readFileSync(file)), `${path} is not what a build writes`);
