@@ -104,8 +104,8 @@ void tell(int news, int failure, int listener) {
   dup2(out, STDOUT_FILENO);
   dup2(err, STDERR_FILENO);
   // The script engine installs handlers and the launcher may ignore signals: start clean.
-  for (const int signal_number : {SIGPIPE, SIGINT, SIGTERM, SIGUSR1})
-    signal(signal_number, SIG_DFL);
+  for (const int number : {SIGPIPE, SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGCHLD, SIGUSR1})
+    signal(number, SIG_DFL);
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);

@@ -39,7 +39,8 @@ void remove_abandoned(const fs::path& parent) {
 }  // namespace
 
 TemporaryFolder::TemporaryFolder() {
-  const fs::path parent = fs::temp_directory_path();
+  // Without links: programs tell their folder, and files in it, by their true names.
+  const fs::path parent = fs::canonical(fs::temp_directory_path());
   static std::once_flag swept;
   std::call_once(swept, remove_abandoned, parent);
   // Another process may take a folder that is not locked yet for an abandoned one.
