@@ -10,6 +10,12 @@
 namespace mjcourse {
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr std::size_t kPiece = 1 << 16;
+
+}  // namespace
+
 tl::expected<std::string, std::string> DiskFiles::read(const std::string& path) const {
   const fs::path full = root_ / path;
   std::error_code error;
@@ -20,12 +26,19 @@ tl::expected<std::string, std::string> DiskFiles::read(const std::string& path) 
   }
   errno = 0;
   std::ifstream in(full, std::ios::binary);
-  std::ostringstream bytes;
-  if (in && in.peek() != std::ifstream::traits_type::eof()) bytes << in.rdbuf();
+  std::string bytes;
+  // A file may say that it is smaller than it is, as those of the kernel do.
+  const std::uintmax_t size = fs::file_size(full, error);
+  for (std::size_t more = error ? 0 : size; in.good(); more = std::max(more, kPiece)) {
+    const std::size_t known = bytes.size();
+    bytes.resize(known + more + 1);  // one more byte finds the end
+    in.read(bytes.data() + known, static_cast<std::streamsize>(more + 1));
+    bytes.resize(known + static_cast<std::size_t>(in.gcount()));
+  }
   if (!in.is_open() || in.bad()) {
     return tl::unexpected(path + ": " + std::generic_category().message(errno ? errno : EIO));
   }
-  return bytes.str();
+  return bytes;
 }
 
 bool DiskFiles::exists(const std::string& path) const {

@@ -72,7 +72,8 @@ class Evaluator {
       : course_(course),
         workplace_(workplace),
         progress_(progress),
-        setting_(course, workplace.root, workplace.assets, workplace.helper),
+        setting_(course, workplace.root, workplace.assets, workplace.helper,
+                 workplace.known_scripts),
         fingerprints_(workplace.root, workplace.known_files) {
     if (workplace.store != nullptr)
       archive_.emplace(*workplace.store, workplace.root, fingerprints_);

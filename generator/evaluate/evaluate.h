@@ -20,6 +20,7 @@
 #include "course/course.h"
 #include "evaluate/api_reference.h"
 #include "evaluate/fingerprints.h"
+#include "evaluate/known_scripts.h"
 #include "evaluate/model_page.h"
 #include "evaluate/progress.h"
 #include "evaluate/result.h"
@@ -59,8 +60,9 @@ struct Workplace {
   Store* store = nullptr;      // may be null: then all is worked out
   std::size_t threads = core_count();
   std::filesystem::path helper = {};  // has the helper header for a course without one
-  // Of files that were looked at before, by who evaluates again and again.
+  // Of files and scripts that were looked at before, by who evaluates again and again.
   std::shared_ptr<KnownFiles> known_files = std::make_shared<KnownFiles>();
+  std::shared_ptr<KnownScripts> known_scripts = std::make_shared<KnownScripts>();
   // Given, nothing is worked out: what the store does not have stays open, with a stand-in.
   StandIn stand_in = {};
 };

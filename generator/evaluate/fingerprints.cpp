@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::system_clock;
 
 // The kernel's clock for files goes in ticks of up to 10 ms.
-constexpr auto kTick = std::chrono::milliseconds(20);
+constexpr auto kTick = std::chrono::milliseconds(12);
 
 Clock::time_point changed_at(const struct stat& status) {
   const auto since = std::chrono::seconds(status.st_ctim.tv_sec) +

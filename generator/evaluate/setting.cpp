@@ -1,25 +1,16 @@
 #include "evaluate/setting.h"
 
-#include <stdexcept>
-#include <tl/expected.hpp>
 #include <utility>
-
-#include "base/sha256.h"
 
 namespace mjcourse {
 
-std::string script_bundle(const Files& assets, const std::string& name) {
-  tl::expected<std::string, std::string> bytes = assets.read("script/" + name + ".js");
-  if (!bytes) throw std::runtime_error("the site's assets are not built: " + bytes.error());
-  return *std::move(bytes);
-}
-
 Setting::Setting(const Course& course, std::filesystem::path root, const Files& assets,
-                 std::filesystem::path helper)
+                 std::filesystem::path helper, std::shared_ptr<KnownScripts> scripts)
     : course_(course),
       root_(std::move(root)),
       assets_(assets),
       helper_(std::move(helper)),
+      scripts_(std::move(scripts)),
       shown_(shown_programs(course)) {}
 
 const std::optional<Compiler>& Setting::compiler() const {
@@ -28,22 +19,12 @@ const std::optional<Compiler>& Setting::compiler() const {
   return *compiler_;
 }
 
-const Setting::Script& Setting::load(const std::string& name) const {
-  const std::lock_guard lock(mutex_);
-  Script& script = scripts_[name];
-  if (script.hash.empty()) {
-    script.bytes = script_bundle(assets_, name);
-    script.hash = sha256(script.bytes);
-  }
-  return script;
-}
-
 const std::string& Setting::script(const std::string& name) const {
-  return load(name).bytes;
+  return scripts_->load(assets_, name).bytes;
 }
 
 std::string Setting::script_hash(const std::string& name) const {
-  return load(name).hash;
+  return scripts_->load(assets_, name).hash;
 }
 
 }  // namespace mjcourse

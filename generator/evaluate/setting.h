@@ -2,7 +2,7 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -10,6 +10,7 @@
 #include "base/files.h"
 #include "course/course.h"
 #include "evaluate/compiler.h"
+#include "evaluate/known_scripts.h"
 #include "evaluate/reports.h"
 #include "evaluate/shown_program.h"
 #include "physics/model_shelf.h"
@@ -21,7 +22,8 @@ class Setting {
   // `root` is the course's folder on the disk; `assets` holds script/*.js; `helper` is where the
   // helper header is for a course without one. All must outlive this.
   Setting(const Course& course, std::filesystem::path root, const Files& assets,
-          std::filesystem::path helper = {});
+          std::filesystem::path helper = {},
+          std::shared_ptr<KnownScripts> scripts = std::make_shared<KnownScripts>());
 
   const Course& course() const { return course_; }
   const std::filesystem::path& root() const { return root_; }
@@ -44,24 +46,16 @@ class Setting {
   const Reports& reports() const { return reports_; }
 
  private:
-  struct Script {
-    std::string bytes, hash;
-  };
-  const Script& load(const std::string& name) const;
-
   const Course& course_;
   std::filesystem::path root_;
   const Files& assets_;
   std::filesystem::path helper_;
+  std::shared_ptr<KnownScripts> scripts_;
   ShownPrograms shown_;
   Reports reports_;
   mutable ModelShelf models_;
   mutable std::mutex mutex_;  // of what is made when first asked for
-  mutable std::map<std::string, Script> scripts_;
   mutable std::optional<std::optional<Compiler>> compiler_;
 };
-
-// Bytes of the bundle script/NAME.js; throws std::runtime_error when the assets were not built.
-std::string script_bundle(const Files& assets, const std::string& name);
 
 }  // namespace mjcourse

@@ -18,8 +18,9 @@ constexpr const char* kBody =
 
 }  // namespace
 
-PressEngines::PressEngines(const Files& assets)
-    : templates(site_templates(assets)), highlighter(script_bundle(assets, "highlight")) {}
+PressEngines::PressEngines(const Files& assets, std::size_t memory)
+    : templates(site_templates(assets, memory)),
+      highlighter(script_bundle(assets, "highlight"), memory) {}
 
 Press PagePress::press(InlineStyles& styles, const std::string& path) {
   return {engines_.templates, engines_.highlighter, site_.manifest, styles, path,

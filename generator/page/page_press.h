@@ -45,7 +45,8 @@ struct PagePart {
 
 // The script engines of a press, which serve any number of sites one after the other.
 struct PressEngines {
-  explicit PressEngines(const Files& assets);
+  // Who writes the same pages again and again gives more memory, in bytes for each.
+  explicit PressEngines(const Files& assets, std::size_t memory = kLittleMemory);
   Templates templates;
   Highlighter highlighter;
 };

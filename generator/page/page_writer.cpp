@@ -45,13 +45,13 @@ Cases(Functions...) -> Cases<Functions...>;
 
 }  // namespace
 
-Templates site_templates(const Files& assets) {
+Templates site_templates(const Files& assets, std::size_t memory) {
   std::map<std::string, std::string> sources;
   for (const std::string& name : assets.list("templates")) {
     if (!name.ends_with(".hbs")) continue;
     sources[name.substr(0, name.size() - 4)] = assets.read("templates/" + name).value();
   }
-  return {script_bundle(assets, "templates"), sources};
+  return {script_bundle(assets, "templates"), sources, memory};
 }
 
 BrokenTemplate::BrokenTemplate(TemplateError error)

@@ -108,7 +108,7 @@ class PageWriter {
 };
 
 // The templates that the site's build left in `assets`, with their engine.
-Templates site_templates(const Files& assets);
+Templates site_templates(const Files& assets, std::size_t memory = kLittleMemory);
 
 // Why a template could not be rendered, with its name and line.
 class BrokenTemplate : public std::runtime_error {

@@ -4,14 +4,10 @@
 #include <stdexcept>
 
 namespace mjcourse {
-namespace {
 
-constexpr std::size_t kSmall = 500;  // bytes of data
-constexpr std::size_t kMostKnown = 100;
-
-}  // namespace
-
-Templates::Templates(const std::string& bundle, const std::map<std::string, std::string>& sources) {
+Templates::Templates(const std::string& bundle, const std::map<std::string, std::string>& sources,
+                     std::size_t memory)
+    : known_(memory) {
   engine_.load(bundle, "templates.js");
   for (const auto& [name, source] : sources) {
     const auto added = engine_.call("addTemplate", {name, source});
@@ -23,15 +19,12 @@ tl::expected<std::string, TemplateError> Templates::render(const std::string& na
                                                            const nlohmann::json& data) {
   const std::string text = data.dump();
   const std::string key = name + "\n" + text;
-  if (const auto known = known_.find(key); known != known_.end()) return known->second;
+  if (const std::string* known = known_.find(key)) return *known;
   auto answer = engine_.call("render", {name, text});
   if (!answer) return tl::unexpected(TemplateError{name, answer.error().message, 0});
   if (answer->starts_with('=')) {
     answer->erase(0, 1);
-    if (text.size() < kSmall) {
-      if (known_.size() == kMostKnown) known_.clear();
-      known_[key] = *answer;
-    }
+    known_.keep(key, *answer);
     return *std::move(answer);
   }
   const auto result = nlohmann::json::parse(*answer);

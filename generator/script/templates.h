@@ -1,17 +1,17 @@
 // Templates: Handlebars in strict mode, where a name that the data does not have is an error.
 //
 // Enter with render(). Templates may include each other as partials, `{{> name}}`. They are
-// compiled when first used. What comes of small data is remembered, since it often comes again: a
-// thousand listings differ in their code, which has no need to come this way.
+// compiled when first used. What came of some data is remembered, as far as there is memory for it:
+// small data often comes again.
 #pragma once
 
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <tl/expected.hpp>
-#include <unordered_map>
 
 #include "script/engine.h"
+#include "script/memory.h"
 
 namespace mjcourse {
 
@@ -24,14 +24,16 @@ struct TemplateError {
 class Templates {
  public:
   // `bundle` is the text of script/templates.js; `sources` maps a template's name to its text.
-  Templates(const std::string& bundle, const std::map<std::string, std::string>& sources);
+  // `memory` is in bytes.
+  Templates(const std::string& bundle, const std::map<std::string, std::string>& sources,
+            std::size_t memory = kLittleMemory);
 
   tl::expected<std::string, TemplateError> render(const std::string& name,
                                                   const nlohmann::json& data);
 
  private:
   Engine engine_;
-  std::unordered_map<std::string, std::string> known_;  // HTML, by a template's name and its data
+  Memory known_;  // HTML, by a template's name and its data
 };
 
 }  // namespace mjcourse
