@@ -126,7 +126,8 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
   if (header) append(link, (header->folder / "header.o").string());
   if (handlers) append(link, (handlers->folder / "handlers.o").string());
   append(link, "-lmujoco", "-o", program.binary.string());
-  if (fast_linker) append(link, "-fuse-ld=mold");
+  // Of the warm header a program needs little.
+  if (fast_linker) append(link, "-fuse-ld=mold", "-Wl,--gc-sections");
 
   std::vector<fs::path> reads = read_for(program.include);
   for (const WarmObjects::Entry& entry : {header, handlers}) {

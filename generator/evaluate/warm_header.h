@@ -6,6 +6,9 @@
 // brings is one that the program may use, and none came earlier than a reader's compiler sees it.
 // Nobody need check afterwards what was used.
 //
+// Behind them stands what programs mostly do with Eigen (warm_eigen.hpp), in a namespace that none
+// uses: its templates are then made.
+//
 // The roots of such a header are the course's own headers (include_folders.h) that the program
 // includes, which bring Eigen and MuJoCo with them; where it includes none, Eigen's.
 #pragma once

@@ -1,5 +1,7 @@
 #include "evaluate/warm_objects.h"
 
+#include <warm_eigen.h>
+
 #include <algorithm>
 #include <initializer_list>
 
@@ -88,6 +90,7 @@ WarmObjects::Entry WarmObjects::header(const std::vector<std::string>& roots,
   if (roots.empty() || !toolchain_.is_clang()) return nullptr;
   std::string text;
   for (const std::string& root : roots) text += "#include <" + root + ">\n";
+  text += kWarmEigen;
   return prepared_.get(request(text, toolchain_, include),
                        [&](const fs::path& kept, const fs::path& staging) {
                          write_file(kept / "header.hpp", text);

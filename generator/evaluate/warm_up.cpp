@@ -1,0 +1,33 @@
+#include "evaluate/warm_up.h"
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "evaluate/compiler.h"
+#include "evaluate/include_folders.h"
+#include "evaluate/warm_header.h"
+
+namespace mjcourse {
+
+void warm_up(const Course& course, const Workplace& workplace) {
+  const DiskFiles files(workplace.root);
+  const std::filesystem::path examples = workplace.root / "examples";
+  const IncludeFolders include = include_folders_of(examples, workplace.helper);
+  std::set<std::vector<std::string>> all;
+  for (const Lesson& lesson : course.lessons) {
+    for (const Block& block : lesson.blocks) {
+      const auto* example = std::get_if<Example>(&block);
+      const auto program =
+          example != nullptr ? files.read(example->file.text) : tl::unexpected(std::string());
+      if (program) all.insert(warm_roots(*program, include));
+    }
+  }
+  if (all.empty()) return;
+  const std::optional<Compiler> compiler = Compiler::find(workplace.helper);
+  if (!compiler) return;
+  for (const std::vector<std::string>& roots : all) compiler->prepare(roots, examples);
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,13 @@
+// Make ready what the next program of a course takes longest for.
+#pragma once
+
+#include "course/course.h"
+#include "evaluate/evaluate.h"
+
+namespace mjcourse {
+
+// The warm headers (warm_header.h) of the course's programs, where they are not there yet; seconds
+// each. Throws Cancelled when the caller's work is cancelled.
+void warm_up(const Course& course, const Workplace& workplace);
+
+}  // namespace mjcourse
