@@ -31,26 +31,36 @@ const options = {
   logLevel: "silent",
   write: false,
 };
+const fonts = ["woff2", "woff", "ttf"].map((kind) => `*.${kind}`);
 
-// The file that the site has of each font, by what the stylesheet calls it.
-const fonts = new Map();
-const { metafile } = await build(options);
-for (const [file, { inputs }] of Object.entries(metafile.outputs)) {
-  const [font] = Object.keys(inputs);
-  if (file.endsWith(".woff2")) fonts.set(path.basename(font), `./${path.basename(file)}`);
+// Cutting fonts takes longer than all else, and nobody edits them: of the stylesheets that name
+// some, esbuild gets what became of them.
+async function sheetsWithFonts() {
+  const { metafile } = await build({ ...options, plugins: [], external: fonts });
+  const isFont = ({ path: file }) => fonts.some((kind) => file.endsWith(kind.slice(1)));
+  const sheets = Object.keys(metafile.inputs).filter((sheet) =>
+    metafile.inputs[sheet].imports.some(isFont),
+  );
+  const entryPoints = sheets.map((sheet, index) => ({ in: sheet, out: `sheet-${index}` }));
+  const { outputFiles } = await build({ ...options, entryPoints, entryNames: "assets/[name]" });
+  return new Map(
+    sheets.map((sheet, index) => [
+      path.join(site, sheet),
+      outputFiles.find((file) => path.basename(file.path) === `sheet-${index}.css`).text,
+    ]),
+  );
 }
 
-// Cutting fonts takes longer than all else, and nobody edits them.
-const takeFonts = {
-  name: "take-fonts",
+const known = await sheetsWithFonts();
+const takeSheets = {
+  name: "take-sheets",
   setup(hooks) {
-    hooks.onResolve({ filter: /\.woff2$/ }, (args) => ({
-      path: fonts.get(path.basename(args.path)),
-      external: true,
-    }));
+    hooks.onLoad({ filter: /node_modules.*\.css$/ }, ({ path: sheet }) =>
+      known.has(sheet) ? { contents: known.get(sheet), loader: "css" } : undefined,
+    );
   },
 };
-const bundler = await context({ ...options, plugins: [takeFonts, ...options.plugins] });
+const bundler = await context({ ...options, plugins: [takeSheets], external: fonts });
 
 const mistake = ({ text, location }) => ({
   file: location ? path.posix.join("site", location.file) : "",

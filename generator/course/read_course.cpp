@@ -4,6 +4,7 @@
 
 #include "base/nearest.h"
 #include "course/course.h"
+#include "course/lesson_shelf.h"
 #include "course/link_target.h"
 #include "course/reference_picture.h"
 #include "lesson/is_text.h"
@@ -52,13 +53,15 @@ std::vector<Listed> read_levels(const std::vector<YAML::Node>& nodes, const Loca
 }
 
 // On one of several threads.
-void read_listed(const Files& files, Listed& listed, bool stays_awake) {
+void read_listed(const Files& files, LessonShelf* shelf, Listed& listed, bool stays_awake) {
   if (!files.exists(listed.path)) return;
   tl::expected<std::string, std::string> bytes = files.read(listed.path);
   if (!bytes) {
     listed.unreadable = bytes.error();
     return;
   }
+  if (shelf != nullptr) listed.lesson = shelf->take(listed.path, *bytes);
+  if (listed.lesson) return;
   listed.lesson = read_lesson(listed.path, *std::move(bytes), listed.diagnostics);
   if (!listed.lesson || stays_awake) return;
   // A mistake needs the text around it.
@@ -185,7 +188,7 @@ std::vector<const Lesson*> Course::pages() const {
 }
 
 std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, std::size_t threads,
-                                  std::size_t awake) {
+                                  std::size_t awake, LessonShelf* shelf) {
   const tl::expected<std::string, std::string> bytes = files.read(kCoursePath);
   if (!bytes) {
     report_missing("cannot read " + bytes.error(),
@@ -211,7 +214,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
   std::vector<Listed> listed = read_levels(map.required_items("levels"), text, reading, course);
   map.finish();
   for_each_index(listed.size(), threads, [&](std::size_t index, std::size_t) {
-    read_listed(files, listed[index], index < awake);
+    read_listed(files, shelf, listed[index], index < awake);
   });
   course.lessons.reserve(listed.size());
   for (Listed& one : listed) add_listed(files, one, reading, course, diagnostics);

@@ -60,6 +60,7 @@ struct Lesson {
   std::unordered_map<const cmark_node*, std::size_t> block_of;  // nodes that a block stands for
   std::vector<Heading> headings;
   std::vector<Link> links;
+  bool sound = true;  // reading it found no mistake
 
   // How much of it is there (lesson/resting_lesson.h): all; all but its trees, which are
   // `document`, `block_of`, the nodes, and those of the front matter; or a card: where it is, its

@@ -24,6 +24,7 @@ std::string without_front_matter(const SourceText& source, Span front) {
 
 std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
                                   Diagnostics& diagnostics) {
+  const std::size_t said = diagnostics.size();
   Lesson lesson;
   lesson.source = read_source(path, std::move(bytes), diagnostics);
   if (!lesson.source) return std::nullopt;
@@ -47,6 +48,7 @@ std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
   lesson.front = read_front_matter(*front, reader);
   lesson.document = parse_markdown(without_front_matter(*lesson.source, *front));
   reader.read_document();
+  lesson.sound = diagnostics.size() == said;
   return lesson;
 }
 

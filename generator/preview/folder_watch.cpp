@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kQuiet = 3;      // ms without an event end a change
+constexpr int kQuiet = 1;      // ms without an event end a change
 constexpr int kComeBack = 40;  // ms, where a file is gone
 constexpr int kAtMost = 300;   // ms: who writes all the time is not waited for
 constexpr int kLookForStop = 100;

@@ -48,6 +48,32 @@ bool fits(const Block& block, const Result& result) {
   return lab == nullptr || fits(*lab, std::get<LabResult>(result));
 }
 
+bool has_same_text(const Lesson& a, const Lesson& b) {
+  if (a.kept != b.kept || a.kept == Lesson::Kept::card) return a.kept == b.kept && a.hash == b.hash;
+  return a.source->text() == b.source->text();
+}
+
+bool shows_same(const Block& block, const Result& result) {
+  const auto* example = std::get_if<Example>(&block);
+  return example == nullptr || example->code.text.empty() ||
+         example->code.text == std::get<ExampleResult>(result).code;
+}
+
+// Whether `results`, which are the old lesson's, can be shown in the young one.
+bool has_same_blocks(const Lesson& old, const Lesson& young, const LessonResults& results) {
+  if (old.source->path() != young.source->path() || old.blocks.size() != young.blocks.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < old.blocks.size(); ++i) {
+    if (name_of(old, i) != name_of(young, i)) return false;
+    const auto result = results.of_block.find(i);
+    if (result == results.of_block.end()) continue;
+    const Block& block = young.blocks[i];
+    if (!fits(block, result->second) || !shows_same(block, result->second)) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 FormerResults::FormerResults(SnapshotPtr former) : former_(std::move(former)) {
@@ -70,6 +96,20 @@ std::optional<Result> FormerResults::find(const Lesson& lesson, std::size_t bloc
     std::get<ExampleResult>(result).code = example->code.text;
   }
   return result;
+}
+
+std::optional<Evaluation> FormerResults::all(const Course& course) const {
+  if (!former_ || former_->course.lessons.size() != course.lessons.size()) return std::nullopt;
+  const std::vector<const Lesson*> old = former_->course.pages(), young = course.pages();
+  if (old.size() != young.size()) return std::nullopt;
+  bool edited = false;
+  for (std::size_t i = 0; i < old.size(); ++i) {
+    if (has_same_text(*old[i], *young[i])) continue;
+    const LessonResults& results = former_->evaluation.results_of(former_->course, *old[i]);
+    if (!has_same_blocks(*old[i], *young[i], results)) return std::nullopt;
+    edited = true;
+  }
+  return edited ? std::optional(former_->evaluation) : std::nullopt;
 }
 
 }  // namespace mjcourse

@@ -19,6 +19,10 @@ class FormerResults {
   // formula by its text, what is numbered by its number.
   std::optional<Result> find(const Lesson& lesson, std::size_t block) const;
 
+  // All of them, where `course` has the same lessons with the same blocks and some of their text
+  // is another.
+  std::optional<Evaluation> all(const Course& course) const;
+
  private:
   SnapshotPtr former_;
   std::map<std::pair<std::string, std::string>, const Result*> results_;  // by file and block

@@ -13,6 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// So many bytes of what scripts made of parts of pages that stay the same.
+constexpr std::size_t kMemory = 32 << 20;
+
 // The lesson whose page or file `path` is.
 std::optional<std::size_t> lesson_of(const Course& course, const std::string& path) {
   const auto owns = [&](const Lesson& lesson) {
@@ -121,7 +124,7 @@ PageRoom::Made& PageRoom::newest() {
     engines_.reset();
     made_.reset();
   }
-  if (!engines_) engines_ = std::make_unique<PressEngines>(*assets_);
+  if (!engines_) engines_ = std::make_unique<PressEngines>(*assets_, kMemory);
   if (!made_ || made_->snapshot != snapshot_) {
     made_ = std::make_unique<Made>();
     made_->snapshot = snapshot_;

@@ -99,13 +99,14 @@ Preview::Preview(const PreviewSetup& setup, std::function<void(const Snapshot&)>
       room_(setup.workplace.root, setup.assets,
             setup.site.empty() ? fs::path() : setup.site / "templates") {
   if (!setup.site.empty()) stylesheet_.emplace(setup.site);
-  studio_ =
-      std::make_unique<Studio>(setup_.workplace, std::make_shared<DiskFiles>(setup_.workplace.root),
-                               [this, tell = std::move(tell)](const SnapshotPtr& snapshot) {
-                                 room_.show(snapshot);
-                                 next_version();
-                                 tell(*snapshot);
-                               });
+  studio_ = std::make_unique<Studio>(
+      setup_.workplace, std::make_shared<DiskFiles>(setup_.workplace.root),
+      [this, tell = std::move(tell)](const SnapshotPtr& snapshot) {
+        room_.show(snapshot);
+        next_version();
+        if (!snapshot->guessed) tell(*snapshot);
+      },
+      true);
   watcher_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
 }
 
@@ -182,7 +183,8 @@ Preview::Answer Preview::page(const std::string& path) {
   return {std::move(html), true};
 }
 
-std::string Preview::state(const std::string& path, const std::string& known) {
+std::string Preview::state(const std::string& path, const std::string& known,
+                           const std::string& worn) {
   const std::size_t version = wait(0, std::chrono::seconds(0));
   const PageRoom::Page page = room_.page(path);
   json diagnostics = json::array(), drafts = json::array();
@@ -198,8 +200,9 @@ std::string Preview::state(const std::string& path, const std::string& known) {
       diagnostics.push_back(told(one, is_about(one, page.source)));
     }
     drafts = drafts_of(page.snapshot->course);
-    running = page.snapshot->evaluation.open;
+    running = page.snapshot->evaluation.open || page.snapshot->guessed;
   }
+  const std::string css = newest_css();
   const std::string hash = sent_.keep(page.html);
   const std::optional<std::string> before = sent_.find(known);
   const auto change = before ? page_change(*before, page.html) : std::nullopt;
@@ -210,7 +213,8 @@ std::string Preview::state(const std::string& path, const std::string& known) {
               {"diagnostics", std::move(diagnostics)},
               {"drafts", std::move(drafts)},
               {"pictures", page.hashes},
-              {"stylesheet", newest_css()},
+              {"stylesheet", css},
+              {"css", worn.empty() || css == worn ? json(nullptr) : json(file(css).value_or(""))},
               {"hash", hash},
               {"change", told(change)},
               {"html", is_known ? json(nullptr) : json(page.html)},

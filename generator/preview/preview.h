@@ -51,9 +51,9 @@ class Preview {
     bool found = false;
   };
   Answer page(const std::string& path);
-  // What has become of the page `path`, of which the browser has the form whose hash is `known`:
-  // site/preview/state.ts has its shape.
-  std::string state(const std::string& path, const std::string& known);
+  // What has become of the page `path`, of which the browser has the form whose hash is `known`, in
+  // the stylesheet `worn`: site/preview/state.ts has its shape.
+  std::string state(const std::string& path, const std::string& known, const std::string& worn);
   // Any other file.
   std::optional<std::string> file(const std::string& path);
 

@@ -71,7 +71,8 @@ class PreviewServer::Http {
     });
     server_.Get("/.preview/events", [this](const auto&, auto& response) { tell_news(response); });
     server_.Get("/.preview/state", [this](const auto& request, auto& response) {
-      give(preview_.state(request.get_param_value("page"), request.get_param_value("known")),
+      give(preview_.state(request.get_param_value("page"), request.get_param_value("known"),
+                          request.get_param_value("worn")),
            "application/json", response);
     });
     server_.Get(".*", [this](const auto& request, auto& response) { answer(request, response); });

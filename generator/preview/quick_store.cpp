@@ -1,5 +1,7 @@
 #include "preview/quick_store.h"
 
+#include <algorithm>
+
 namespace mjcourse {
 namespace {
 
@@ -12,31 +14,70 @@ bool is_quick(const std::string& name) {
 
 }  // namespace
 
+QuickStore::QuickStore(Store* slow) : slow_(slow) {
+  if (slow_ != nullptr) thread_ = std::jthread([this] { hand_on(); });
+}
+
+QuickStore::~QuickStore() {
+  const std::lock_guard lock(mutex_);
+  stopped_ = true;
+  changed_.notify_all();
+}
+
+void QuickStore::hand_on() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [this] { return stopped_ || !waiting_.empty(); });
+    if (waiting_.empty()) return;
+    const Entry& next = waiting_.front();  // which stays there while others are added
+    lock.unlock();
+    const bool kept = slow_->put(next.name, next.bytes);
+    lock.lock();
+    if (!kept) remember(next.name, next.bytes);
+    waiting_bytes_ -= next.bytes.size();
+    waiting_.pop_front();
+    changed_.notify_all();
+  }
+}
+
+std::optional<std::string> QuickStore::find(const std::string& name) const {
+  if (const auto known = known_.find(name); known != known_.end()) return known->second;
+  const auto newest = std::find_if(waiting_.rbegin(), waiting_.rend(),
+                                   [&](const Entry& entry) { return entry.name == name; });
+  return newest == waiting_.rend() ? std::nullopt : std::optional(newest->bytes);
+}
+
+void QuickStore::remember(const std::string& name, std::string_view bytes) {
+  if (slow_ != nullptr && known_bytes_ > kMostBytes) {
+    known_.clear();
+    known_bytes_ = 0;
+  }
+  known_[name] = bytes;
+  known_bytes_ += bytes.size();
+}
+
 std::optional<std::string> QuickStore::get(const std::string& name) {
   {
     const std::lock_guard lock(mutex_);
-    if (const auto known = known_.find(name); known != known_.end()) return known->second;
+    if (auto found = find(name)) return found;
   }
   if (slow_ == nullptr) return std::nullopt;
   std::optional<std::string> bytes = slow_->get(name);
   if (bytes && is_quick(name)) {
     const std::lock_guard lock(mutex_);
-    if (bytes_ > kMostBytes) {
-      known_.clear();
-      bytes_ = 0;
-    }
-    known_[name] = *bytes;
-    bytes_ += bytes->size();
+    remember(name, *bytes);
   }
   return bytes;
 }
 
 bool QuickStore::put(const std::string& name, std::string_view bytes) {
-  if (slow_ != nullptr && !slow_->put(name, bytes)) return false;
-  if (slow_ != nullptr && !is_quick(name)) return true;
-  const std::lock_guard lock(mutex_);
-  bytes_ += bytes.size();
-  known_[name] = bytes;
+  std::unique_lock lock(mutex_);
+  if (slow_ == nullptr || is_quick(name)) remember(name, bytes);
+  if (slow_ == nullptr) return true;
+  changed_.wait(lock, [this] { return waiting_bytes_ < kMostBytes; });
+  waiting_.push_back({name, std::string(bytes)});
+  waiting_bytes_ += bytes.size();
+  changed_.notify_all();
   return true;
 }
 

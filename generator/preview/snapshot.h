@@ -14,6 +14,7 @@ struct Snapshot {
   Diagnostics diagnostics;  // all that is to be shown, in the order of the files and lines
   Diagnostics of_work;      // those of them that reading does not find
   bool readable = false;    // false: there is no course.yaml to read, and this course is empty
+  bool guessed = false;     // nobody has looked yet whether the edit changed more than text
 };
 
 using SnapshotPtr = std::shared_ptr<const Snapshot>;

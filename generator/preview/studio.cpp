@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <iterator>
 #include <set>
 #include <stop_token>
 #include <string>
@@ -10,13 +11,20 @@
 
 #include "base/cancellation.h"
 #include "base/stopwatch.h"
+#include "evaluate/warm_up.h"
 #include "preview/former_results.h"
 
 namespace mjcourse {
 namespace {
 
 // What is worked out of a file sooner after it was saved is not kept (evaluate/fingerprints.h).
-constexpr std::chrono::milliseconds kFresh{25};
+constexpr std::chrono::milliseconds kFresh{15};
+
+// Who shows a guess has the processor for itself so long.
+constexpr std::chrono::milliseconds kShowing{40};
+
+// What is found out last is soon followed by all there is to know.
+constexpr std::chrono::milliseconds kLast{15};
 
 // What work found wrong that is done again now may still be wrong: it stays until that is known.
 void keep_former(const Diagnostics& former, Diagnostics& diagnostics) {
@@ -62,10 +70,11 @@ struct Studio::Job {
 };
 
 Studio::Studio(Workplace workplace, std::shared_ptr<const Files> lessons,
-               std::function<void(SnapshotPtr)> tell)
+               std::function<void(SnapshotPtr)> tell, bool wants_guesses)
     : workplace_(std::move(workplace)),
       lessons_(std::move(lessons)),
       tell_(std::move(tell)),
+      wants_guesses_(wants_guesses),
       thread_([this] { run(); }) {}
 
 Studio::~Studio() {
@@ -85,13 +94,21 @@ void Studio::wake(bool& why) {
   woken_.notify_all();
 }
 
-// The course is read anew each time: a page may just be made of the one that was read before.
+// Each has a course of its own: a page may just be made of the one before.
+std::shared_ptr<Snapshot> Studio::begin() const {
+  return {new Snapshot, [shelf = shelf_](Snapshot* old) {
+            shelf->give_back(old->course);
+            delete old;
+          }};
+}
+
 SnapshotPtr Studio::snapshot(const SnapshotPtr& former, bool whole, Progress& progress) const {
-  auto made = std::make_shared<Snapshot>();
+  const std::shared_ptr<Snapshot> made = begin();
   const FormerResults results(former);
   try {
     Diagnostics reading;
-    if (auto course = read_course(*lessons_, reading, workplace_.threads)) {
+    if (auto course =
+            read_course(*lessons_, reading, workplace_.threads, kMostAwake, shelf_.get())) {
       made->readable = true;
       made->course = *std::move(course);
       Workplace workplace = workplace_;
@@ -118,6 +135,27 @@ SnapshotPtr Studio::snapshot(const SnapshotPtr& former, bool whole, Progress& pr
 SnapshotPtr Studio::look(const SnapshotPtr& former) const {
   Listener nobody;
   return snapshot(former, false, nobody);
+}
+
+SnapshotPtr Studio::guess(const SnapshotPtr& former) const {
+  if (!wants_guesses_ || !former) return nullptr;
+  const std::shared_ptr<Snapshot> made = begin();
+  try {
+    auto course =
+        read_course(*lessons_, made->diagnostics, workplace_.threads, kMostAwake, shelf_.get());
+    if (!course) return nullptr;
+    auto known = FormerResults(former).all(*course);
+    if (!known) return nullptr;
+    made->course = *std::move(course);
+    made->evaluation = *std::move(known);
+  } catch (const std::exception&) {
+    return nullptr;  // who looks tells why
+  }
+  made->readable = made->guessed = true;
+  made->of_work = former->of_work;
+  std::ranges::copy(made->of_work, std::back_inserter(made->diagnostics));
+  sort_by_place(made->diagnostics);
+  return made;
 }
 
 void Studio::do_job(Job& job) {
@@ -160,6 +198,7 @@ SnapshotPtr Studio::work(SnapshotPtr last) {
       return job->whole;
     }
     job->progressed = false;
+    if (woken_.wait_for(lock, kLast, is_over)) continue;
     lock.unlock();
     const Stopwatch stopwatch;
     last = look(last);
@@ -171,8 +210,22 @@ SnapshotPtr Studio::work(SnapshotPtr last) {
   }
 }
 
+void Studio::warm_up_for(const SnapshotPtr& snapshot) {
+  warmer_ = std::jthread([this, snapshot](const std::stop_token& stop) {
+    const Cancellable cancellable(stop);
+    try {
+      warm_up(snapshot->course, workplace_);
+    } catch (const Cancelled&) {
+      // The studio ends.
+    } catch (const std::exception&) {
+      // Whoever needs it tells why.
+    }
+  });
+}
+
 void Studio::run() {
   SnapshotPtr last;
+  bool warm = false;
   for (;;) {
     {
       std::unique_lock lock(mutex_);
@@ -180,9 +233,20 @@ void Studio::run() {
       if (stopped_) return;
       changed_ = false;
     }
+    if (SnapshotPtr guessed = guess(last)) {
+      last = std::move(guessed);
+      tell_(last);
+      std::unique_lock lock(mutex_);
+      const auto is_over = [this] { return changed_ || stopped_; };
+      if (woken_.wait_for(lock, kShowing, is_over)) continue;
+    }
     last = look(last);
     tell_(last);
     if (last->evaluation.open) last = work(std::move(last));
+    if (!warm && last->readable) {
+      warm_up_for(last);
+      warm = true;
+    }
   }
 }
 

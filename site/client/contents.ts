@@ -16,29 +16,29 @@ function sections(): Section[] {
   });
 }
 
+let all: Section[] | undefined;
+let marked: HTMLAnchorElement | undefined;
+let waiting = false;
+
+function mark(): void {
+  waiting = false;
+  const now = all?.findLast(({ heading }) => heading.getBoundingClientRect().top < reached);
+  if (now?.link === marked) return;
+  marked?.removeAttribute("aria-current");
+  marked = now?.link;
+  marked?.setAttribute("aria-current", "true");
+}
+
+// With the next frame, when the browser knows where everything stands.
+function markSoon(): void {
+  if (waiting) return;
+  waiting = true;
+  requestAnimationFrame(mark);
+}
+
+/** Again when headings or links came or went. */
 export function followContents(): void {
-  const all = sections();
-  let marked: HTMLAnchorElement | undefined;
-  let waiting = false;
-
-  const mark = (): void => {
-    waiting = false;
-    const now = all.findLast(({ heading }) => heading.getBoundingClientRect().top < reached);
-    if (now?.link === marked) return;
-    marked?.removeAttribute("aria-current");
-    marked = now?.link;
-    marked?.setAttribute("aria-current", "true");
-  };
-
-  if (all.length === 0) return;
-  addEventListener(
-    "scroll",
-    () => {
-      if (waiting) return;
-      waiting = true;
-      requestAnimationFrame(mark);
-    },
-    { passive: true },
-  );
-  mark();
+  if (!all) addEventListener("scroll", markSoon, { passive: true });
+  all = sections();
+  markSoon();
 }

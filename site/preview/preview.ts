@@ -32,7 +32,7 @@ class Preview {
     try {
       while (this.#stale) {
         this.#stale = false;
-        this.#show(await askState(this.#known));
+        this.#show(await askState(this.#known, this.#styles.worn));
       }
     } catch {
       this.#panel.gone();
@@ -60,7 +60,7 @@ class Preview {
       this.#put(() => this.#parts.replace(page));
     }
     if (change) this.#put(() => this.#parts.change(change));
-    this.#styles.renew(state.stylesheet);
+    if (state.css !== null) this.#styles.wear(state.stylesheet, state.css);
     renewPictures(state.pictures);
     markParts(this.#parts.text(), state, (one) => this.#panel.open(one));
     this.#panel.show(state);

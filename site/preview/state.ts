@@ -31,6 +31,7 @@ export interface State {
   // The hashes of pictures that keep their addresses, by their paths below the root.
   readonly pictures: Readonly<Record<string, string>>;
   readonly stylesheet: string; // the newest, below the root
+  readonly css: string | null; // its text; null where it is the one that is worn
   readonly hash: string; // of the page
   // Against the known page: null where nothing, or only parts of its text, are others.
   readonly change: Change | null;
@@ -41,9 +42,10 @@ export interface State {
   readonly link: string; // how an editor is told to open a file
 }
 
-export async function askState(known: string): Promise<State> {
+/** `known` is the hash of the page, `worn` the stylesheet that is in force. */
+export async function askState(known: string, worn: string): Promise<State> {
   const page = location.pathname.replace(/^\//, "").replace(/(^|\/)$/, "$1index.html");
-  const query = new URLSearchParams({ page, known });
+  const query = new URLSearchParams({ page, known, worn });
   const answer = await fetch(`/.preview/state?${query}`);
   if (!answer.ok) throw new Error(`the preview answers ${answer.status}`);
   return (await answer.json()) as State;

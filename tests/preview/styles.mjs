@@ -10,6 +10,7 @@ import { preview } from "./previewed.mjs";
 
 const [mjcourse, folder, site, assets] = process.argv.slice(2);
 
+const address = "1-first/1.1-everything.html";
 const checkout = checkOut(site, assets);
 const style = join(checkout.site, "styles/prose.css");
 const template = join(checkout.site, "templates/lesson.hbs");
@@ -39,6 +40,41 @@ async function stylesSwap(previewed, page) {
   await isClean(page);
 }
 
+// In all its blocks of rules.
+const rulesOf = (page) =>
+  page.evaluate(() =>
+    [...document.styleSheets]
+      .filter(({ href }) => href?.includes("assets/site-"))
+      .flatMap(({ cssRules }) => [...cssRules].map(({ cssText }) => cssText))
+      .join("\n"),
+  );
+
+// Rules are replaced where they are; a page that is loaded has them from a file.
+async function rulesAreThoseOfALoadedPage(previewed, page) {
+  const good = readFileSync(style, "utf8");
+  const rule = ".tried {\n  color: red;\n}\n";
+  const saves = [
+    good + rule,
+    rule + good,
+    `@media print {\n  .a {\n    color: red;\n  }\n  .b {\n    color: blue;\n  }\n}\n${rule}${good}${rule}`,
+    `@media print {\n  .b {\n    color: blue;\n  }\n}\n${good}`,
+    good.slice(good.lastIndexOf("\n}\n", good.length / 2) + 3),
+    "",
+    good,
+  ];
+  for (const save of saves) {
+    const { stylesheet } = await previewed.state(address);
+    writeFileSync(style, save);
+    const hasChanged = async () => (await previewed.state(address)).stylesheet !== stylesheet;
+    for (let i = 0; i < 100 && !(await hasChanged()); i++) await page.waitForTimeout(50);
+    const loaded = await previewed.open(address);
+    const wanted = await rulesOf(loaded);
+    for (let i = 0; i < 40 && (await rulesOf(page)) !== wanted; i++) await page.waitForTimeout(50);
+    previewed.expect((await rulesOf(page)) === wanted, `not the rules of ${save.slice(0, 60)}`);
+    await loaded.close();
+  }
+}
+
 async function templatesFollow(previewed, page) {
   const good = readFileSync(template, "utf8");
   edit(template, (text) => text.replace("<h1>{{title}}</h1>", "<h1>{{title}}!</h1>"));
@@ -55,10 +91,11 @@ async function templatesFollow(previewed, page) {
 try {
   await preview(mjcourse, folder, async (previewed) => {
     await previewed.settled();
-    const page = await previewed.open("1-first/1.1-everything.html");
+    const page = await previewed.open(address);
     await isClean(page);
     await page.evaluate(() => (document.body.dataset.loaded = "once"));
     await stylesSwap(previewed, page);
+    await rulesAreThoseOfALoadedPage(previewed, page);
     await templatesFollow(previewed, page);
     const loaded = await page.evaluate(() => document.body.dataset.loaded);
     previewed.expect(loaded === "once", "the page was loaded again");

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
+#include <thread>
+
 namespace mjcourse {
 namespace {
 
@@ -37,11 +41,50 @@ TEST(QuickStore, AsksAgainForWhatWasNotThere) {
 
 TEST(QuickStore, HandsOnWhatIsPut) {
   Counting slow;
-  QuickStore store(&slow);
-  EXPECT_TRUE(store.put("ac/1", "first"));
-  EXPECT_TRUE(store.put("ac/1", "second"));
-  EXPECT_EQ(store.get("ac/1"), "second");
+  {
+    QuickStore store(&slow);
+    EXPECT_TRUE(store.put("ac/1", "first"));
+    EXPECT_TRUE(store.put("ac/1", "second"));
+    EXPECT_TRUE(store.put("cas/1", "picture"));
+    EXPECT_EQ(store.get("ac/1"), "second");
+    EXPECT_EQ(store.get("cas/1"), "picture");
+  }
   EXPECT_EQ(slow.get("ac/1"), "second");
+  EXPECT_EQ(slow.get("cas/1"), "picture");
+}
+
+// As one whose disk is slow.
+class Waiting : public MemoryStore {
+ public:
+  bool put(const std::string& name, std::string_view bytes) override {
+    released.wait(false);
+    return !full && MemoryStore::put(name, bytes);
+  }
+  std::atomic<bool> released = false;
+  bool full = false;
+};
+
+TEST(QuickStore, DoesNotWaitForTheOther) {
+  Waiting slow;
+  QuickStore store(&slow);
+  EXPECT_TRUE(store.put("cas/1", "picture"));
+  EXPECT_TRUE(store.put("cas/2", "another"));
+  EXPECT_EQ(store.get("cas/1"), "picture");
+  EXPECT_EQ(store.get("cas/2"), "another");
+  EXPECT_EQ(slow.get("cas/1"), std::nullopt);
+  slow.released = true;
+  slow.released.notify_all();
+}
+
+TEST(QuickStore, HasWhatTheOtherCannotKeep) {
+  Waiting slow;
+  slow.full = slow.released = true;
+  QuickStore store(&slow);
+  EXPECT_TRUE(store.put("cas/1", "picture"));
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(store.get("cas/1"), "picture");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
 }
 
 TEST(QuickStore, KeepsAllWithoutAnother) {

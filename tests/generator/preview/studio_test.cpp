@@ -39,14 +39,15 @@ class StudioTest : public testing::Test {
           "<mujoco><worldbody><body>" + joints + "<geom size='.1'/></body></worldbody></mujoco>");
   }
 
-  void begin() {
-    studio_.emplace(Workplace{folder_.path(), assets_, &store_, 2},
-                    std::make_shared<DiskFiles>(folder_.path()),
-                    [this](const SnapshotPtr& snapshot) {
-                      const std::lock_guard lock(mutex_);
-                      told_.push_back(snapshot);
-                      more_.notify_all();
-                    });
+  void begin(bool wants_guesses = false) {
+    studio_.emplace(
+        Workplace{folder_.path(), assets_, &store_, 2}, std::make_shared<DiskFiles>(folder_.path()),
+        [this](const SnapshotPtr& snapshot) {
+          const std::lock_guard lock(mutex_);
+          told_.push_back(snapshot);
+          more_.notify_all();
+        },
+        wants_guesses);
   }
 
   SnapshotPtr next() {
@@ -61,7 +62,7 @@ class StudioTest : public testing::Test {
   // The next in which all is known.
   SnapshotPtr whole() {
     SnapshotPtr snapshot = next();
-    while (snapshot->evaluation.open) snapshot = next();
+    while (snapshot->evaluation.open || snapshot->guessed) snapshot = next();
     return snapshot;
   }
 
@@ -107,6 +108,46 @@ TEST_F(StudioTest, HasNoNeedToWorkForWhatItKnows) {
   const SnapshotPtr first = next();
   EXPECT_FALSE(first->evaluation.open);
   EXPECT_EQ(value_of(*first), "1");
+}
+
+TEST_F(StudioTest, GuessesThatAnEditOfTextChangesNothingElse) {
+  begin(true);
+  whole();
+  write_lesson("Now it has `{swing} model.nq`, as before.");
+  studio_->changed();
+  const SnapshotPtr first = next();
+  EXPECT_TRUE(first->guessed);
+  EXPECT_EQ(value_of(*first), "1");
+  EXPECT_NE(first->course.lessons[0].source->text().find("Now"), std::string_view::npos);
+  const SnapshotPtr second = next();
+  EXPECT_FALSE(second->guessed);
+  EXPECT_EQ(value_of(*second), "1");
+}
+
+TEST_F(StudioTest, LooksAfterAWrongGuess) {
+  begin(true);
+  whole();
+  write_model(2);
+  write_lesson("Now it has `{swing} model.nq`.");
+  studio_->changed();
+  EXPECT_TRUE(next()->guessed);
+  EXPECT_EQ(value_of(*whole()), "2");
+}
+
+TEST_F(StudioTest, DoesNotGuessWhatABlockIs) {
+  begin(true);
+  whole();
+  for (const char* text : {"It has `{swing} model.nv`.", "None.", "`{swing} 1`, `{swing} 2`."}) {
+    write_lesson(text);
+    studio_->changed();
+    const SnapshotPtr first = next();
+    EXPECT_FALSE(first->guessed) << text;
+    if (first->evaluation.open) whole();
+  }
+  // Nor where no lesson was edited.
+  write_model(3);
+  studio_->changed();
+  EXPECT_FALSE(next()->guessed);
 }
 
 TEST_F(StudioTest, KeepsMistakesUntilTheyAreKnownToBeMended) {

@@ -1,0 +1,78 @@
+#include "course/lesson_shelf.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+
+#include "course_of.h"
+
+namespace mjcourse {
+namespace {
+
+constexpr const char* kX = "content/1-a/1.1-x.md";
+
+// Two lessons, read with what is on the shelf.
+struct Reader {
+  std::map<std::string, std::string> files{{"content/course.yaml", kTwo},
+                                           {kX, lesson("## One\n\nText, and $x$.\n")},
+                                           {"content/1-a/1.2-y.md", lesson("[Back](1.1#one).\n")}};
+  LessonShelf shelf;
+  Diagnostics diagnostics;
+
+  Course read() {
+    diagnostics.clear();
+    return read_course(MemoryFiles(files), diagnostics, 2, kMostAwake, &shelf).value();
+  }
+  void read_and_give_back() {
+    Course course = read();
+    shelf.give_back(course);
+  }
+};
+
+TEST(LessonShelf, GivesALessonOfTheSameTextOnce) {
+  Reader reader;
+  reader.read_and_give_back();
+  EXPECT_FALSE(reader.shelf.take(kX, "another text"));
+  const std::optional<Lesson> taken = reader.shelf.take(kX, reader.files.at(kX));
+  ASSERT_TRUE(taken);
+  EXPECT_EQ(taken->number, "1.1");
+  EXPECT_EQ(taken->headings.size(), 1u);
+  EXPECT_FALSE(reader.shelf.take(kX, reader.files.at(kX)));
+}
+
+TEST(LessonShelf, MakesTheSameCourse) {
+  Reader reader;
+  Course first = reader.read();
+  const cmark_node* document = first.lessons[1].document.get();
+  reader.shelf.give_back(first);
+  reader.files[kX] = lesson("## Two\n\nAnother text.\n");
+  const Course second = reader.read();
+  EXPECT_EQ(second.lessons[1].document.get(), document) << "it was read again";
+  EXPECT_EQ(second.lessons[0].headings[0].id, "two");
+  // What one lesson says of another is looked at again.
+  ASSERT_EQ(reader.diagnostics.size(), 1u);
+  EXPECT_EQ(reader.diagnostics[0].id, "E-link-anchor");
+}
+
+TEST(LessonShelf, HasNoLessonWithAMistake) {
+  Reader reader;
+  reader.files[kX] = lesson("```nonsense\n```\n");
+  reader.read_and_give_back();
+  ASSERT_EQ(reader.diagnostics.size(), 2u);
+  reader.read_and_give_back();
+  EXPECT_EQ(reader.diagnostics.size(), 2u) << "the mistake was forgotten";
+  EXPECT_FALSE(reader.shelf.take(kX, reader.files.at(kX)));
+}
+
+TEST(LessonShelf, HasNoLessonAtRest) {
+  Reader reader;
+  Course course =
+      read_course(MemoryFiles(reader.files), reader.diagnostics, 2, 1, &reader.shelf).value();
+  reader.shelf.give_back(course);
+  EXPECT_TRUE(reader.shelf.take(kX, reader.files.at(kX)));
+  EXPECT_FALSE(reader.shelf.take("content/1-a/1.2-y.md", reader.files.at("content/1-a/1.2-y.md")));
+}
+
+}  // namespace
+}  // namespace mjcourse
