@@ -68,7 +68,9 @@ try {
   if (readdirSync(temporary).length === 0) failures.push("the test is no good: nothing was left");
   // No other run of this test has left a result for it.
   const short = writeCourse("short", `int main() {\n  // ${home}\n}\n`);
-  const next = spawnSync(mjcourse, short, { env, stdio: ["ignore", "ignore", "inherit"] });
+  // And by a launcher that does not care for its children's end, as some do.
+  const careless = ["-c", `trap '' CHLD; exec "$0" "$@"`, mjcourse, ...short];
+  const next = spawnSync("bash", careless, { env, stdio: ["ignore", "ignore", "inherit"] });
   if (next.status !== 0) failures.push("the next check fails");
   const litter = readdirSync(temporary);
   if (litter.length > 0) failures.push(`left behind: ${litter.join(", ")}`);

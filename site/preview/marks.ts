@@ -12,11 +12,10 @@ interface Part {
 }
 
 /** What shows nothing by itself, as a program's output, belongs to the part above. */
-function partsOf(elements: Iterable<Element | undefined>, marks: Marks): Part[] {
+function partsOf(elements: readonly (Element | undefined)[], marks: Marks): Part[] {
   const parts: Part[] = [];
-  let at = 0;
-  for (const element of elements) {
-    const [first, last, running] = marks[at++]!;
+  for (const [index, [first, last, running]] of marks.entries()) {
+    const element = elements[index];
     const above = parts.at(-1);
     if (element) {
       parts.push({ element, first, last, running });
@@ -31,7 +30,7 @@ function partsOf(elements: Iterable<Element | undefined>, marks: Marks): Part[] 
 /** Of a text whose parts begin with `elements`: marks what runs, and puts a flag above each part with
  *  a mistake, which `open` is told of. */
 export function markParts(
-  elements: Iterable<Element | undefined>,
+  elements: readonly (Element | undefined)[],
   { source, diagnostics, marks }: State,
   open: (diagnostic: Diagnostic) => void,
 ): void {
