@@ -93,7 +93,10 @@ Suggestions value_suggestions(const Asked& asked, const ProsePlace& place) {
     return script_suggestions(asked, place.part, place.of);
   }
   Suggestions found{asked.offset - place.part.size()};
-  for (const std::string& name : results_of(asked)[place.of]) {
+  const auto results = results_of(asked);
+  const auto known = results.find(place.of);
+  if (known == results.end()) return found;
+  for (const std::string& name : known->second) {
     found.all.push_back({name, Kind::value, "reported by " + place.of});
   }
   return found;

@@ -48,7 +48,7 @@ SiteDirectory::SiteDirectory(const fs::path& site) : site_(fs::weakly_canonical(
   // Under the lock nobody else writes here: this is what a killed build left.
   fs::remove_all(staging_);
   fs::create_directories(staging_);
-  write(kMark, "");
+  write_file(staging_ / kMark, "");
 }
 
 SiteDirectory::~SiteDirectory() {
