@@ -65,6 +65,8 @@ std::optional<std::string> KnownFiles::find_fresh(const std::string& path) const
 
 void KnownFiles::keep(const std::string& path, const struct stat& status,
                       const std::string& fingerprint) {
+  // A change within the same tick would not show.
+  if (std::chrono::system_clock::now() - changed_at(status) <= kTick) return;
   const std::lock_guard lock(mutex_);
   seen_[path] = {status, fingerprint, Clock::now()};
 }
@@ -85,8 +87,7 @@ std::string Fingerprints::of(const std::string& name) {
   if (stat(path.c_str(), &status) != 0) return kAbsent;
   if (auto known = files_->find(path.string(), status)) return *std::move(known);
   std::string found = fingerprint(path, status);
-  // A change within the same tick would not show.
-  if (Clock::now() - changed_at(status) > kTick) files_->keep(path.string(), status, found);
+  files_->keep(path.string(), status, found);
   return found;
 }
 
