@@ -24,13 +24,6 @@ class Cancellable {
   std::stop_token outer_;
 };
 
-// What others wait for as well, or will need in any case, is finished: a Cancellable around this
-// has no effect while it lives.
-class Uncancellable : Cancellable {
- public:
-  Uncancellable() : Cancellable(std::stop_token()) {}
-};
-
 // Of the present thread's work, to be given to others that do a part of it.
 std::stop_token cancellation();
 // Throws Cancelled where the present thread's work is no longer wanted.

@@ -26,11 +26,11 @@ std::vector<std::string> CourseFile::folders() const {
 }
 
 tl::expected<CourseFile, Refusal> read_course_file(const Files& course) {
-  const auto yaml = course.read(kCourseFile);
+  const auto yaml = course.read(kCoursePath);
   if (!yaml) return tl::unexpected(no_course(yaml.error()));
   auto levels = read_listing(*yaml);
   if (!levels) {
-    return wrong_course(std::string(kCourseFile) + " has mistakes, so nothing was written",
+    return wrong_course(std::string(kCoursePath) + " has mistakes, so nothing was written",
                         "mend them first: `mjcourse check` shows them");
   }
   return CourseFile{*yaml, *std::move(levels)};
@@ -40,8 +40,8 @@ tl::expected<NewFile, Refusal> edited_course_file(const CourseFile& file,
                                                   std::optional<std::string> edited,
                                                   const std::string& what,
                                                   const std::string& line) {
-  if (edited) return NewFile{kCourseFile, *std::move(edited), file.yaml};
-  return wrong_course(std::string(kCourseFile) + " is laid out in a way that " + what +
+  if (edited) return NewFile{kCoursePath, *std::move(edited), file.yaml};
+  return wrong_course(std::string(kCoursePath) + " is laid out in a way that " + what +
                           " cannot be put into safely, so nothing was written",
                       "write it there yourself: " + line);
 }

@@ -8,11 +8,10 @@
 
 #include "base/files.h"
 #include "cli/new_files.h"
+#include "course/course.h"
 #include "course/course_listing.h"
 
 namespace mjcourse {
-
-inline constexpr const char* kCourseFile = "content/course.yaml";
 
 // `why` the file cannot be read.
 Refusal no_course(const std::string& why);

@@ -33,7 +33,7 @@ int make_new(const Options& options) {
   const auto part = new_part(course, DiskFiles(assets_folder()), options.where);
   if (!part) return tell(part.error());
   // A model in a folder that is no course would be lost there.
-  if (const auto yaml = course.read(kCourseFile); !yaml) return tell(no_course(yaml.error()));
+  if (const auto yaml = course.read(kCoursePath); !yaml) return tell(no_course(yaml.error()));
   if (const auto written = write_new_files(options.course, part->files); !written) {
     return tell(written.error());
   }

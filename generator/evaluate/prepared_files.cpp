@@ -8,11 +8,11 @@
 #include <cerrno>
 #include <chrono>
 #include <cstdint>
+#include <exception>
 #include <sstream>
 #include <system_error>
 #include <utility>
 
-#include "base/cancellation.h"
 #include "base/content_hash.h"
 #include "base/file_lock.h"
 #include "base/files.h"
@@ -113,10 +113,7 @@ std::shared_ptr<const Entry> make_anew(const fs::path& folder, const PreparedFil
     if (old.is_directory()) fs::remove_all(old.path());
   }
   fs::create_directory(staging);
-  const std::optional<PreparedFiles::Made> made = [&] {
-    const Uncancellable wanted;  // by every later program
-    return make(folder, staging);
-  }();
+  const std::optional<PreparedFiles::Made> made = make(folder, staging);
   if (!made) {
     fs::remove_all(staging);
     return nullptr;
@@ -187,6 +184,9 @@ std::shared_ptr<const Entry> PreparedFiles::get(const std::string& request, cons
     entry = find_or_make(*folder_ / content_hash(request), make);
   } catch (const std::system_error&) {
     // A cache that cannot be read or written is one that is not there.
+  } catch (...) {
+    promise.set_exception(std::current_exception());  // for who waits: the work was cancelled
+    throw;
   }
   promise.set_value(entry);
   return entry;

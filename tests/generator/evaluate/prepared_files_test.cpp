@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/cancellation.h"
 #include "base/files.h"
 #include "base/temporary_folder.h"
 
@@ -67,6 +68,18 @@ TEST_F(PreparedFilesTest, AreTriedAgainWhereTheyCouldNotBeTried) {
   PreparedFiles files(cache_);
   EXPECT_FALSE(files.get(
       "x", [](const fs::path&, const fs::path&) { return std::optional<PreparedFiles::Made>(); }));
+  EXPECT_EQ(get("x"), "1");
+}
+
+// All that wait for them end, and the next one begins anew.
+TEST_F(PreparedFilesTest, AreGivenUpWhereTheWorkIsCancelled) {
+  PreparedFiles files(cache_);
+  const PreparedFiles::Make cancelled = [](const fs::path&,
+                                           const fs::path&) -> std::optional<PreparedFiles::Made> {
+    throw Cancelled();
+  };
+  EXPECT_THROW(files.get("x", cancelled), Cancelled);
+  EXPECT_THROW(files.get("x", cancelled), Cancelled);
   EXPECT_EQ(get("x"), "1");
 }
 
