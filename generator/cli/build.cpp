@@ -3,19 +3,31 @@
 #include "cli/commands.h"
 #include "cli/run.h"
 #include "cli/verify.h"
+#include "course/last_changed.h"
 #include "page/site.h"
+#include "page/theme.h"
 
 namespace mjcourse {
 
 int build(const Options& options) {
-  const Verified verified = verify_course(options);
+  Verified verified = verify_course(options);
   if (verified.failed) {
     std::cout << "no site was written: mend the errors first\n";
     return kCourseErrors;
   }
-  write_site(
-      *verified.course, verified.evaluation,
-      {options.course, assets_folder(), std::filesystem::absolute(options.out), options.jobs});
+  if (!options.base_url.empty()) verified.course->url = options.base_url;
+  try {
+    write_site(
+        *verified.course, verified.evaluation,
+        {options.course, assets_folder(), std::filesystem::absolute(options.out), options.jobs},
+        last_changed(options.course, "content"));
+  } catch (const BrokenTemplate& broken) {
+    const DiskFiles course(options.course);
+    if (!is_themed(broken.error().name, course)) throw;
+    print_diagnostics({template_mistake(broken.error(), course)});
+    std::cout << "no site was written: mend the error first\n";
+    return kCourseErrors;
+  }
   std::cout << "site: " << options.out.lexically_normal().string() << "/index.html\n";
   return kClean;
 }

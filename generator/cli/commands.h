@@ -19,6 +19,7 @@ struct Options {
   std::filesystem::path course = ".";
   bool course_named = false;  // by --course
   std::filesystem::path out;
+  std::string base_url;            // of build: where its site is published; "" as course.yaml says
   std::vector<std::string> where;  // lessons, or lines of them; none: all. Of `new`: what, and how
                                    // it is called
   bool dry_run = false;

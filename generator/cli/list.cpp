@@ -3,7 +3,6 @@
 #include <array>
 #include <iostream>
 #include <iterator>
-#include <map>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -12,9 +11,9 @@
 #include "base/counted.h"
 #include "base/utf8.h"
 #include "cli/commands.h"
-#include "cli/last_changed.h"
 #include "cli/run.h"
 #include "cli/verify.h"
+#include "course/last_changed.h"
 #include "lesson/resting_lesson.h"
 #include "page/verification.h"
 
@@ -47,13 +46,13 @@ std::size_t count_words(const Lesson& lesson, const Files& files) {
 
 // Cited counts as proved: neither is left to do. What is not run is open, and so is what failed.
 Row row_of(const Lesson& lesson, const Claims& claims, const Files& files,
-           const std::map<std::string, std::string>& dates) {
+           const LastChanges& changes) {
   const StatusCounts counts = counts_of(claims);
   const auto count = [&](Claim::Status status) {
     return counts.at(static_cast<std::size_t>(status));
   };
   const auto shown = [](auto number) { return number == 0 ? "" : std::to_string(number); };
-  const auto date = dates.find(lesson.source->path());
+  const auto change = changes.find(lesson.source->path());
   const std::string& title = lesson.front.title.text;
   return {lesson.number,
           (title.empty() ? lesson.slug : title) + (lesson.front.draft ? " (draft)" : ""),
@@ -62,7 +61,9 @@ Row row_of(const Lesson& lesson, const Claims& claims, const Files& files,
           shown(count(Claim::Status::proved) + count(Claim::Status::cited)),
           shown(count(Claim::Status::asserted)),
           shown(count(Claim::Status::unchecked) + count(Claim::Status::failed)),
-          date == dates.end() ? "" : date->second};
+          change == changes.end()      ? ""
+          : change->second.committed() ? change->second.day
+                                       : "not committed"};
 }
 
 // Columns as wide as what is in them; numbers to the right.
@@ -96,11 +97,11 @@ int list(const Options& options) {
   }
   const Course& course = *verified.course;
   const DiskFiles files(options.course);
-  const std::map<std::string, std::string> dates = last_changed(options.course, "content");
+  const LastChanges changes = last_changed(options.course, "content");
   std::vector<Row> rows{kHead};
   for (const Lesson& lesson : course.lessons) {
     rows.push_back(
-        row_of(lesson, verified.evaluation.results_of(course, lesson).claims, files, dates));
+        row_of(lesson, verified.evaluation.results_of(course, lesson).claims, files, changes));
   }
   print(rows);
   const std::ptrdiff_t errors = count_errors(verified.evaluation.diagnostics);

@@ -12,6 +12,7 @@
 #include "base/nearest.h"
 #include "cli/commands.h"
 #include "cli/size.h"
+#include "course/web_address.h"
 #include "physics/shader_cache.h"
 
 namespace mjcourse {
@@ -35,6 +36,11 @@ constexpr Option kOut{"--out", "a folder", [](Options& options, const std::strin
                         return true;
                       }};
 
+constexpr Option kBaseUrl{"--base-url", "the address of a site, as https://example.org/course/",
+                          [](Options& options, const std::string& value) {
+                            options.base_url = site_root(value);
+                            return !site_address_fault(value);
+                          }};
 constexpr Option kDryRun{"--dry-run", "", [](Options& options, const std::string&) {
                            options.dry_run = true;
                            return true;
@@ -118,7 +124,7 @@ struct Named {
 const std::vector<Named>& commands() {
   static const std::vector<Named> all{
       {"accept", accept, {kCourse, kDryRun, kStore, kJobs}, true},
-      {"build", build, {kCourse, kOut, kReport, kStore, kJobs, kTimings, kTrace}},
+      {"build", build, {kCourse, kOut, kBaseUrl, kReport, kStore, kJobs, kTimings, kTrace}},
       {"check", check, {kCourse, kReport, kStrict, kFormat, kStore, kJobs, kTimings, kTrace}},
       {"doctor", doctor, {kStore}},
       {"explain", explain, {kCourse, kStore}, true},
@@ -156,6 +162,7 @@ constexpr std::string_view kHelp =
     "  --course DIR   the course: a folder with content/, models/ and examples/ (default: .; of\n"
     "                 lsp, the folder that is open in the editor)\n"
     "  --out DIR      where build puts the site (default: build/site in the course)\n"
+    "  --base-url URL build: where the site is published, whatever course.yaml says\n"
     "  --report DIR   write what was verified, and how, to DIR/index.html and verification.json\n"
     "  --strict       check: no warnings, and a reason for all that was not proved\n"
     "  --format NAME  check: say it to another tool on stdout, and to you on stderr: json, "

@@ -18,6 +18,7 @@
 #include "evaluate/claims.h"
 #include "evaluate/strict.h"
 #include "page/report.h"
+#include "page/theme.h"
 #include "report/terminal.h"
 
 namespace mjcourse {
@@ -111,6 +112,11 @@ void evaluate_course(const Options& options, Verified& verified, bool all_claims
   }
   if (verified.course && all_claims) {
     claim_prose(*verified.course, DiskFiles(options.course), verified.evaluation);
+  }
+  if (verified.course) {
+    const Diagnostics theme = check_theme(DiskFiles(options.course), DiskFiles(assets_folder()));
+    Diagnostics& all = verified.evaluation.diagnostics;
+    all.insert(all.end(), theme.begin(), theme.end());
   }
   if (options.strict) apply_strictly(verified.evaluation);
   sort_by_place(verified.evaluation.diagnostics);

@@ -31,6 +31,8 @@ struct Level {
 
 struct Course {
   std::string title, description, language = "en";
+  std::string url;   // where the site is published: "https://example.org/course/"; "" unless told
+  std::string edit;  // where a lesson is edited, with {path} for its file; "" unless told
   std::map<std::string, std::string> macros;  // TeX, shared by all lessons: "\\R" → "\\mathbb{R}"
   std::vector<Level> levels;
   std::vector<Lesson> lessons;      // in the course's order; most of many are at rest

@@ -4,9 +4,11 @@
 
 #include "base/nearest.h"
 #include "course/course.h"
+#include "course/former_page.h"
 #include "course/lesson_shelf.h"
 #include "course/link_target.h"
 #include "course/reference_picture.h"
+#include "course/web_address.h"
 #include "lesson/is_text.h"
 #include "lesson/read_glossary.h"
 #include "lesson/read_lesson.h"
@@ -32,6 +34,18 @@ struct Listed {
   std::string unreadable = {};  // why its bytes cannot be had
   Diagnostics diagnostics = {};
 };
+
+// The address that course.yaml has under `key`, "" where it is none.
+std::string read_address(YamlMap& map, const std::string& key, const std::string& id,
+                         std::optional<AddressFault> (*fault_of)(std::string_view),
+                         Reading& reading) {
+  const LocatedText address = map.string(key);
+  if (address.text.empty()) return "";
+  const auto fault = fault_of(address.text);
+  if (!fault) return address.text;
+  reading.error(id, address.span(fault->begin, fault->end), fault->message, fault->cure);
+  return "";
+}
 
 std::vector<Listed> read_levels(const std::vector<YAML::Node>& nodes, const LocatedText& text,
                                 Reading& reading, Course& course) {
@@ -140,7 +154,8 @@ struct DeadReference {
   Span span;
 };
 
-std::vector<DeadReference> dead_references(const Course& course, const Lesson& lesson) {
+std::vector<DeadReference> dead_references(const Course& course, const FormerPages& former,
+                                           const Lesson& lesson) {
   std::vector<DeadReference> found;
   for (const Link& link : lesson.links) {
     const auto target = resolve_link(course, lesson, link.target.text);
@@ -150,12 +165,17 @@ std::vector<DeadReference> dead_references(const Course& course, const Lesson& l
     const auto dead = dead_lesson(course, lesson, number.text);
     if (dead) found.push_back({*dead, number.span()});
   }
+  for (std::size_t i = 0; i < lesson.front.formerly.size(); ++i) {
+    const auto fault = former.fault(lesson, i);
+    if (fault) found.push_back({*fault, lesson.front.formerly[i].span()});
+  }
   return found;
 }
 
 void check_references(const Files& files, Course& course, Diagnostics& diagnostics) {
+  const FormerPages former(course);
   const auto check = [&](Lesson& lesson) {
-    const std::vector<DeadReference> found = dead_references(course, lesson);
+    const std::vector<DeadReference> found = dead_references(course, former, lesson);
     if (found.empty()) return;
     if (lesson.kept == Lesson::Kept::card) {
       lesson = wake(lesson, files);
@@ -211,6 +231,9 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
     course.language = language.text;
   }
   course.macros = map.texts("macros");
+  course.url = read_address(map, "url", "E-course-url", site_address_fault, reading);
+  if (!course.url.empty()) course.url = site_root(course.url);
+  course.edit = read_address(map, "edit", "E-course-edit", edit_address_fault, reading);
   std::vector<Listed> listed = read_levels(map.required_items("levels"), text, reading, course);
   map.finish();
   for_each_index(listed.size(), threads, [&](std::size_t index, std::size_t) {

@@ -1,4 +1,4 @@
-// Who speaks of what: the sections of the course that use a term or link to something.
+// Who speaks of what: the sections of the course that use a term or a model, or link to something.
 #pragma once
 
 #include <string>
@@ -19,5 +19,11 @@ struct Use {
 // only, since definitions use each other all the time.
 std::vector<Use> uses_of_term(const Course& course, const std::string& key);
 std::vector<Use> uses_of_link(const Course& course, const std::string& target);
+// Also of those that show it, in a lab or a figure, or speak of it in code.
+std::vector<Use> uses_of_model(const Course& course, const std::string& name);
+
+// The name of the model that a lab, a figure, a snippet or an excerpt is of; null for other blocks,
+// and for a model that stands in the lesson itself.
+const LocatedText* model_of(const Block& block);
 
 }  // namespace mjcourse

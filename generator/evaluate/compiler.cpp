@@ -6,6 +6,7 @@
 
 #include "base/cache_folder.h"
 #include "base/files.h"
+#include "evaluate/driver_steps.h"
 #include "evaluate/warm_header.h"
 
 namespace mjcourse {
@@ -45,14 +46,22 @@ std::string why_stopped(const Outcome& outcome) {
              : "";
 }
 
+struct WorkFolder {
+  fs::path folder;
+  std::vector<fs::path> reads;
+  // Of a trial whose messages do not count: the paths that another program has otherwise.
+  std::vector<std::string> names;
+};
+
 // Run one step of a compilation: what it said and read is added to `compiled`.
-void take(std::vector<std::string> command, const fs::path& folder,
-          const std::vector<fs::path>& reads, Compiled& compiled) {
+void take(std::vector<std::string> command, const WorkFolder& at, Compiled& compiled) {
+  const auto& [folder, reads, names] = at;
   append(command, "-MD", "-MF", kDependencies);
   fs::remove(folder / kDependencies);
   // Each tool runs as a user of its own, and may not write into another's file.
   const auto out = std::ranges::find(command, "-o");
   if (out != command.end()) fs::remove(*std::next(out));
+  if (!names.empty()) command = without_driver(command, names, folder, reads);
   const Outcome outcome = run_tool(std::move(command), folder, reads);
   compiled.succeeded = succeeded(outcome);
   compiled.raw += outcome.err;
@@ -117,7 +126,7 @@ void Compiler::prepare(const std::vector<std::string>& roots, const fs::path& ex
 }
 
 Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& header,
-                           const WarmObjects::Entry& handlers, bool fast_linker) const {
+                           const WarmObjects::Entry& handlers, bool fast) const {
   const std::vector<std::string> plain = toolchain_.command(program.optimize, program.include);
   std::vector<std::string> command = plain;
   if (header) append(command, "-include-pch", (header->folder / "header.pch").string());
@@ -127,27 +136,28 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
   if (handlers) append(link, (handlers->folder / "handlers.o").string());
   append(link, "-lmujoco", "-o", program.binary.string());
   // Of the warm header a program needs little.
-  if (fast_linker) append(link, "-fuse-ld=mold", "-Wl,--gc-sections");
+  if (fast && toolchain_.has_mold) append(link, "-fuse-ld=mold", "-Wl,--gc-sections");
 
-  std::vector<fs::path> reads = read_for(program.include);
+  WorkFolder at{program.folder, read_for(program.include), {}};
   for (const WarmObjects::Entry& entry : {header, handlers}) {
-    if (entry) reads.push_back(entry->folder.parent_path());
+    if (entry) at.reads.push_back(entry->folder.parent_path());
   }
+  if (fast && toolchain_.is_clang()) at.names = {program.source, program.binary, program.folder};
 
   Compiled compiled;
   const fs::path source = handlers_source(program.include);
   if (handlers || source.empty()) {  // a course may do without handlers
     command.insert(command.end(), link.begin(), link.end());
-    take(command, program.folder, reads, compiled);
+    take(command, at, compiled);
   } else {
     // In two steps, as a compiler lists the files of one source alone.
     const std::string object = program.folder / "program.o";
     append(command, "-c", "-o", object);
-    take(command, program.folder, reads, compiled);
+    take(command, at, compiled);
     command = plain;
     append(command, object, source.string());
     command.insert(command.end(), link.begin(), link.end());
-    if (compiled.succeeded) take(command, program.folder, reads, compiled);
+    if (compiled.succeeded) take(command, at, compiled);
   }
   compiled.messages = parse_messages(compiled.raw);
   for (const WarmObjects::Entry& entry : {header, handlers}) {
@@ -171,7 +181,7 @@ Compiled Compiler::compile(const fs::path& source, const fs::path& examples, con
     return compiled.succeeded && compiled.raw.empty();
   };
   if (header || toolchain_.has_mold) {
-    Compiled fast = attempt(program, header, handlers, toolchain_.has_mold);
+    Compiled fast = attempt(program, header, handlers, true);
     if (silent(fast) || !fast.stopped.empty()) return fast;
   }
   Compiled compiled = attempt(program, nullptr, handlers, false);

@@ -1,10 +1,10 @@
 // The C++ compiler of the examples: clang-16, or what is found.
 //
 // Enter with Compiler::find() and compile(). A program is first tried the fast way: with the warm
-// header of what it includes (warm_header.h), compiled once, and with mold. Whenever that says
-// anything, be it a warning, the program is compiled as its reader would, and what that says
-// counts. So a message is always that of a plain compilation, and the fast way only ever saves
-// time.
+// header of what it includes (warm_header.h), compiled once, with mold, and without the compiler's
+// driver (driver_steps.h). Whenever that says anything, be it a warning, the program is compiled as
+// its reader would, and what that says counts. So a message is always that of a plain compilation,
+// and the fast way only ever saves time.
 #pragma once
 
 #include <filesystem>
@@ -70,7 +70,7 @@ class Compiler {
  private:
   struct Program;
   Compiled attempt(const Program& program, const WarmObjects::Entry& header,
-                   const WarmObjects::Entry& handlers, bool fast_linker) const;
+                   const WarmObjects::Entry& handlers, bool fast) const;
 
   Toolchain toolchain_;
   std::filesystem::path helper_;

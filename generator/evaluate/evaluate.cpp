@@ -62,7 +62,10 @@ void show_regions(const Lesson& lesson, const std::filesystem::path& root,
     const bool may_edit = ran && whole == nullptr && !shown.at(file).contradicts_itself();
     const auto code =
         evaluate_region(*example, SourceText(file, *text), may_edit, lesson, diagnostics);
-    if (code && ran) results.of_block[i] = ExampleResult{*code, program->second.output};
+    if (code && ran) {
+      results.of_block[i] =
+          ExampleResult{*code, program->second.output, {}, 0, program->second.files};
+    }
   }
 }
 

@@ -10,6 +10,7 @@
 #include "evaluate/compiled_recipe.h"
 #include "evaluate/containment.h"
 #include "evaluate/judge_run.h"
+#include "evaluate/program_files.h"
 #include "evaluate/records.h"
 #include "evaluate/region.h"
 
@@ -116,11 +117,13 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
   Outcome outcome = run(run_command(example, binary, folder.path(), root, records));
   const double seconds = stopwatch.seconds();
   trace_run(outcome, folder.path(), workshop);
+  std::vector<std::string> files = program_files(compiled, outcome, workshop.setting());
   if (auto wrong = judge_run(outcome, {"program", example.seconds, example.exit_code})) {
     return report(*std::move(wrong));
   }
   return ExampleResult{shown, std::move(outcome.out),
-                       records_in(records, code, example, lesson, diagnostics), seconds};
+                       records_in(records, code, example, lesson, diagnostics), seconds,
+                       std::move(files)};
 }
 
 }  // namespace mjcourse

@@ -10,7 +10,9 @@ Dependencies ModelPageTask::recipe(const Setting& setting) const {
 }
 
 bool ModelPageTask::work(Workshop& workshop, Finding& finding) {
-  finding.model_page = evaluate_model_page(name_, Bench(lesson(), workshop, finding.diagnostics));
+  Diagnostics known;
+  Diagnostics& diagnostics = trouble_ == Trouble::reported ? finding.diagnostics : known;
+  finding.model_page = evaluate_model_page(name_, Bench(lesson(), workshop, diagnostics));
   return finding.model_page.has_value();
 }
 

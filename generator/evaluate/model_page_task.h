@@ -7,9 +7,14 @@ namespace mjcourse {
 
 class ModelPageTask : public Task {
  public:
-  // The first link to it is `name`, in `lesson`.
-  ModelPageTask(const Lesson& lesson, std::size_t page, LocatedText name)
-      : Task(lesson, page, 0, "draw the model " + name.text), name_(std::move(name)) {}
+  // Of a model that is wrong, whoever simulates it tells; not so of one that is only linked to.
+  enum class Trouble { reported, known };
+
+  // `lesson` is the first to link to it or to show it, there as `name`.
+  ModelPageTask(const Lesson& lesson, std::size_t page, LocatedText name, Trouble trouble)
+      : Task(lesson, page, 0, "draw the model " + name.text),
+        name_(std::move(name)),
+        trouble_(trouble) {}
 
   std::vector<std::size_t> blocks() const override { return {}; }
   double effort() const override { return 0.2; }
@@ -18,6 +23,7 @@ class ModelPageTask : public Task {
 
  private:
   LocatedText name_;
+  Trouble trouble_;
 };
 
 }  // namespace mjcourse

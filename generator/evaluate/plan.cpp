@@ -5,6 +5,7 @@
 #include <string>
 #include <variant>
 
+#include "course/uses.h"
 #include "evaluate/block_task.h"
 #include "evaluate/formulas_task.h"
 #include "evaluate/model_page_task.h"
@@ -35,7 +36,13 @@ class Planner {
     for (std::size_t p = 0; p < pages.size(); ++p) {
       has_formulas_ = has_snippets_ = false;
       for (std::size_t b = 0; b < pages[p]->blocks.size(); ++b) add_block(*pages[p], p, b);
-      for (const Link& link : pages[p]->links) add_model_page(*pages[p], p, link);
+      for (const Link& link : pages[p]->links) add_linked_model(*pages[p], p, link);
+    }
+    for (std::size_t p = 0; p < pages.size(); ++p) {
+      for (const Block& block : pages[p]->blocks) {
+        const LocatedText* model = model_of(block);
+        if (model != nullptr) add_model_page(*pages[p], p, *model, ModelPageTask::Trouble::known);
+      }
     }
     return std::move(tasks_);
   }
@@ -67,14 +74,20 @@ class Planner {
     add<ProgramTask>(lesson, page, index, std::move(program));
   }
 
-  void add_model_page(const Lesson& lesson, std::size_t page, const Link& link) {
+  void add_linked_model(const Lesson& lesson, std::size_t page, const Link& link) {
     constexpr std::string_view scheme = "model:";
-    if (lesson.front.draft || !link.target.text.starts_with(scheme)) return;
-    LocatedText name = link.target.part(scheme.size(), link.target.text.size());
+    if (!link.target.text.starts_with(scheme)) return;
+    add_model_page(lesson, page, link.target.part(scheme.size(), link.target.text.size()),
+                   ModelPageTask::Trouble::reported);
+  }
+
+  void add_model_page(const Lesson& lesson, std::size_t page, const LocatedText& name,
+                      ModelPageTask::Trouble trouble) {
     const std::vector<std::string>& known = course_.models;
-    // An unknown one was reported when the course was read.
-    if (std::find(known.begin(), known.end(), name.text) == known.end()) return;
-    if (models_.insert(name.text).second) add<ModelPageTask>(lesson, page, std::move(name));
+    // An unknown one is reported elsewhere.
+    const bool is_there = std::find(known.begin(), known.end(), name.text) != known.end();
+    if (lesson.front.draft || !is_there) return;
+    if (models_.insert(name.text).second) add<ModelPageTask>(lesson, page, name, trouble);
   }
 
   const Course& course_;

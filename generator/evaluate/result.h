@@ -44,6 +44,9 @@ struct ExampleResult {
   std::string output;  // its stdout, or what the compiler says of a program that must not compile
   Records records = {};
   double run_seconds = 0;  // measured, without compiling
+  // What it was made of and opened, beside itself, as the course has it or would have it:
+  // "examples/include/mjcourse/mjcourse.hpp", "models/x.xml". Sorted.
+  std::vector<std::string> files = {};
 };
 
 struct ValueResult {

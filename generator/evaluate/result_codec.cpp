@@ -67,7 +67,7 @@ using nlohmann::json;
 MJCOURSE_FIELDS(FormulaResult, markup)
 MJCOURSE_FIELDS(Column, name, values)
 MJCOURSE_FIELDS(Records, results, tables, snapshots)
-MJCOURSE_FIELDS(ExampleResult, code, output, records, run_seconds)
+MJCOURSE_FIELDS(ExampleResult, code, output, records, run_seconds, files)
 MJCOURSE_FIELDS(ValueResult, text, origin)
 MJCOURSE_FIELDS(ModelResult, refusal)
 MJCOURSE_FIELDS(ImageResult, file, hash, width, height)

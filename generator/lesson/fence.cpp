@@ -96,15 +96,14 @@ void Fence::read_body(cmark_node* node, const SourceText& source) {
   body_.offsets.push_back(source.line_start(number));
 }
 
-std::optional<LocatedText> Fence::option(const std::string& name) {
-  asked_.push_back(name);
+std::optional<LocatedText> Fence::option(const std::string& name) const {
   for (const Option& option : options_) {
     if (option.name.text == name) return option.value;
   }
   return std::nullopt;
 }
 
-std::optional<double> Fence::number(const std::string& name, Reading& reading) {
+std::optional<double> Fence::number(const std::string& name, Reading& reading) const {
   const std::optional<LocatedText> text = option(name);
   if (!text) return std::nullopt;
   double value = 0;
@@ -115,35 +114,33 @@ std::optional<double> Fence::number(const std::string& name, Reading& reading) {
   return std::nullopt;
 }
 
-bool Fence::flag(const std::string& name) {
-  flags_.push_back(name);
+bool Fence::flag(const std::string& name) const {
   return std::any_of(words_.begin(), words_.end(),
                      [&](const LocatedText& word) { return word.text == name; });
 }
 
-void Fence::finish(const std::string& kind, Reading& reading) {
-  std::vector<std::string> known = asked_;
-  known.insert(known.end(), flags_.begin(), flags_.end());
-  const auto check = [&](const LocatedText& name, const std::vector<std::string>& names) {
-    const auto is_in = [&](const std::vector<std::string>& list) {
-      return std::find(list.begin(), list.end(), name.text) != list.end();
-    };
-    if (is_in(names)) return;
-    if (is_in(known)) {
-      reading.error(
-          "E-fence-option", name.span(),
-          is_in(asked_) ? "`" + name.text + "` needs a value"
-                        : "`" + name.text + "` takes no value",
-          is_in(asked_) ? "write `" + name.text + "=…`" : "write `" + name.text + "` alone");
-      return;
+void Fence::finish(const std::string& kind, std::span<const FenceOption> options,
+                   Reading& reading) const {
+  const auto check = [&](const LocatedText& name, bool has_value) {
+    const auto known = std::find_if(options.begin(), options.end(),
+                                    [&](const FenceOption& one) { return one.name == name.text; });
+    if (known == options.end()) {
+      std::vector<std::string> names;
+      for (const FenceOption& option : options) names.emplace_back(option.name);
+      reading.error("E-fence-option", name.span(),
+                    "a `" + kind + "` fence has no option `" + name.text + "`",
+                    names.empty() ? "" : suggest(name.text, names));
+    } else if (known->has_value && !has_value) {
+      reading.error("E-fence-option", name.span(), "`" + name.text + "` needs a value",
+                    "write `" + name.text + "=…`");
+    } else if (!known->has_value && has_value) {
+      reading.error("E-fence-option", name.span(), "`" + name.text + "` takes no value",
+                    "write `" + name.text + "` alone");
     }
-    reading.error("E-fence-option", name.span(),
-                  "a `" + kind + "` fence has no option `" + name.text + "`",
-                  known.empty() ? "" : suggest(name.text, known));
   };
   const auto of_kind = 1 + std::count(kind.begin(), kind.end(), ' ');
-  for (auto word = words_.begin() + of_kind; word < words_.end(); ++word) check(*word, flags_);
-  for (const Option& option : options_) check(option.name, asked_);
+  for (auto word = words_.begin() + of_kind; word < words_.end(); ++word) check(*word, false);
+  for (const Option& option : options_) check(option.name, true);
 }
 
 }  // namespace mjcourse

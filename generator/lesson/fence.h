@@ -2,9 +2,11 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "lesson/fence_kinds.h"
 #include "lesson/located_text.h"
 #include "lesson/markdown.h"
 #include "lesson/reading.h"
@@ -27,13 +29,14 @@ class Fence {
   const LocatedText& body() const { return body_; }
 
   // The value of `name=value` or `name="value"`; nothing when it is not there.
-  std::optional<LocatedText> option(const std::string& name);
+  std::optional<LocatedText> option(const std::string& name) const;
   // The value of `name=5`; nothing (reported) when it is no number, or less than 0.
-  std::optional<double> number(const std::string& name, Reading& reading);
+  std::optional<double> number(const std::string& name, Reading& reading) const;
   // Is the word `name` among those behind the kind's own?
-  bool flag(const std::string& name);
-  // Report the options that nothing asked for, and the words behind those of `kind` ("lab simlab").
-  void finish(const std::string& kind, Reading& reading);
+  bool flag(const std::string& name) const;
+  // Report what stands behind the words of `kind` ("lab simlab") and is none of its options.
+  void finish(const std::string& kind, std::span<const FenceOption> options,
+              Reading& reading) const;
 
  private:
   struct Option {
@@ -48,8 +51,6 @@ class Fence {
   std::vector<LocatedText> words_;
   std::vector<Option> options_;
   LocatedText body_;
-  std::vector<std::string> asked_;  // the names of options
-  std::vector<std::string> flags_;
 };
 
 }  // namespace mjcourse

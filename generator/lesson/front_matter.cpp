@@ -59,6 +59,7 @@ FrontMatter read_front_matter(Span span, LessonReader& reader) {
   }
   for (const LocatedText& tag : map.strings("tags")) front.tags.push_back(tag.text);
   front.draft = map.boolean("draft", false);
+  front.formerly = map.strings("formerly");
   map.finish();
   return front;
 }

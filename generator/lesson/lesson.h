@@ -26,7 +26,8 @@ struct FrontMatter {
   std::vector<LocatedText> prerequisites;  // lesson numbers
   std::vector<Document> objectives;
   std::vector<std::string> tags;
-  bool draft = false;  // checked like any other, and left out of the site
+  bool draft = false;                 // checked like any other, and left out of the site
+  std::vector<LocatedText> formerly;  // the addresses that its page had (course/former_page.h)
 };
 
 // A stretch of a heading's text; what an inline value comes to is known only later.

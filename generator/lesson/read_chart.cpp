@@ -38,7 +38,7 @@ void read_data(const JsonValue& value, Reading& reading, Chart& chart) {
 
 std::optional<Chart> read_chart(Fence& fence, LessonReader& reader) {
   Reading& reading = reader.reading();
-  fence.finish("plot", reading);
+  fence.finish("plot", {}, reading);
   std::optional<JsonValue> json = parse_json(fence.body(), reading);
   if (!json) return std::nullopt;
   JsonObject object(*json, words::kChart, reading);

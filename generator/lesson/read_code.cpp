@@ -22,8 +22,9 @@ void read_expectation(Fence& fence, Example& example, Reading& reading) {
   }
   constexpr std::string_view start = "exit:";
   if (!expect->text.starts_with(start)) {
-    reading.error("E-fence-option", expect->span(), "nothing is known to expect as this",
-                  suggest(expect->text, {"exit:1", "compile-error"}));
+    reading.error(
+        "E-fence-option", expect->span(), "nothing is known to expect as this",
+        suggest(expect->text, {fences::kProgramEnds.begin(), fences::kProgramEnds.end()}));
     return;
   }
   int code = 0;
@@ -69,14 +70,15 @@ std::optional<Example> read_example(Fence& fence, Reading& reading) {
   }
   Example example{*file, region, fence.body()};
   example.span = fence.span();
-  // How a program is built and run is said where all of it is shown.
-  if (!region) {
-    example.seconds = fence.number("timeout", reading).value_or(example.seconds);
-    example.optimize = fence.flag("optimize");
-    read_expectation(fence, example, reading);
-    read_arguments(fence, example);
+  if (region) {
+    fence.finish("cpp", fences::kRegion, reading);
+    return example;
   }
-  fence.finish("cpp", reading);
+  example.seconds = fence.number("timeout", reading).value_or(example.seconds);
+  example.optimize = fence.flag("optimize");
+  read_expectation(fence, example, reading);
+  read_arguments(fence, example);
+  fence.finish("cpp", fences::kProgram, reading);
   return example;
 }
 
@@ -112,7 +114,7 @@ std::optional<Snippet> read_snippet(Fence& fence, Reading& reading) {
     reading.error("E-snippet-empty", fence.span(), "this snippet shows nothing",
                   "write a line that does not begin with `//| `");
   }
-  fence.finish("cpp snippet", reading);
+  fence.finish("cpp snippet", fences::kSnippet, reading);
   return snippet;
 }
 

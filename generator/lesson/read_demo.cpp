@@ -13,7 +13,7 @@ namespace mjcourse {
 // The body is parsed behind as many empty lines as the lesson has lines before it. So cmark's line
 // numbers are the lesson's own, and the walk places what it finds as it does everywhere else.
 void LessonReader::read_demo(cmark_node* node, Fence& fence, Region& region) {
-  fence.finish("demo", reading_);
+  fence.finish("demo", {}, reading_);
   const std::size_t start = fence.span().begin;
   const int line = source().position(start).line;
   const auto refuse = [&](const char* id, const char* message, const char* cure) {

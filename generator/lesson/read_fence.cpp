@@ -24,9 +24,11 @@ std::string word(const Fence& fence, std::size_t index) {
 
 void report_unknown(const Fence& fence, Reading& reading) {
   const std::string kind = word(fence, 0);
-  std::vector<std::string> known{"cpp",    "xml",  "text", "io",  "lab",
-                                 "figure", "plot", "quiz", "demo"};
-  known.insert(known.end(), unchecked_languages().begin(), unchecked_languages().end());
+  std::vector<std::string> known;
+  for (const FenceKind& one : fence_kinds()) {
+    known.push_back(one.words.substr(0, one.words.find(' ')));
+    if (std::ranges::count(known, known.back()) > 1) known.pop_back();
+  }
   if (fence.indented()) {
     reading.error("E-fence-kind", fence.span(), "an indented block is code that nobody ran",
                   "remove the indentation, or use a fence");
@@ -52,7 +54,7 @@ void LessonReader::read_fence(cmark_node* node, Region& region) {
   }
   const std::vector<std::string>& shown = unchecked_languages();
   const bool only_shown = std::find(shown.begin(), shown.end(), kind) != shown.end();
-  if (is_unchecked(fence) && (only_shown || kind == "cpp" || kind == "xml" || kind == "text")) {
+  if (is_unchecked(fence) && find_fence_kind(kind + " unchecked") != nullptr) {
     add(node, read_unchecked(fence, reading_));
   } else if (only_shown) {
     refuse_plain(fence, reading_);
@@ -154,7 +156,7 @@ void LessonReader::read_output(cmark_node* node, Fence& fence) {
     return;
   }
   const std::optional<double> tolerance = fence.number("tol", reading_);
-  fence.finish("text", reading_);
+  fence.finish("text", fences::kOutput, reading_);
   Block& printing = lesson_.blocks[*example];
   auto* snippet = std::get_if<Snippet>(&printing);
   (snippet != nullptr ? snippet->outputs : std::get<Example>(printing).outputs)

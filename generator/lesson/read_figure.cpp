@@ -105,7 +105,7 @@ int Figure::Animation::frames() const {
 
 std::optional<Figure> read_figure(Fence& fence, LessonReader& reader) {
   Reading& reading = reader.reading();
-  fence.finish("figure", reading);
+  fence.finish("figure", {}, reading);
   const std::optional<JsonValue> json = parse_json(fence.body(), reading);
   if (!json) return std::nullopt;
   JsonObject object(*json, words::kFigure, reading);

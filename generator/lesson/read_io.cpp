@@ -30,7 +30,7 @@ std::optional<Io> read_io(Fence& fence, LessonReader& reader) {
     rows.back().second.append_line(body.part(from, end));
     at = end + 1;
   }
-  fence.finish("io", reader.reading());
+  fence.finish("io", {}, reader.reading());
   if (rows.empty()) {
     reader.reading().error("E-io-label", fence.span(), "this panel shows nothing",
                            "write lines `INPUT: …`, `PROCESS: …`, `OUTPUT: …` into it");

@@ -25,7 +25,7 @@ std::optional<Lab::Ghost> read_ghost(const JsonValue* value, Reading& reading) {
 
 std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
   Reading& reading = reader.reading();
-  fence.finish("lab simlab", reading);
+  fence.finish("lab simlab", {}, reading);
   const std::optional<JsonValue> json = parse_json(fence.body(), reading);
   if (!json) return std::nullopt;
   JsonObject object(*json, words::kLab, reading);

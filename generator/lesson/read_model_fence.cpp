@@ -11,10 +11,10 @@ std::optional<Block> read_inline_model(Fence& fence, Reading& reading) {
     model.compiles = expect->text != "error";
     if (model.compiles) {
       reading.error("E-fence-option", expect->span(), "nothing is known to expect as this",
-                    suggest(expect->text, {"error"}));
+                    suggest(expect->text, {fences::kModelEnds.begin(), fences::kModelEnds.end()}));
     }
   }
-  fence.finish("xml mjcf", reading);
+  fence.finish("xml mjcf", fences::kInlineModel, reading);
   return model;
 }
 
@@ -37,7 +37,7 @@ std::optional<Block> read_model_fence(Fence& fence, Reading& reading) {
                   "`xml unchecked because=\"…\"`");
     return std::nullopt;
   }
-  fence.finish("xml", reading);
+  fence.finish("xml", fences::kExcerpt, reading);
   return ModelExcerpt{*model, fence.body(), fence.span()};
 }
 

@@ -10,7 +10,7 @@ namespace mjcourse {
 
 std::optional<Quiz> read_quiz(Fence& fence, LessonReader& reader) {
   Reading& reading = reader.reading();
-  fence.finish("quiz", reading);
+  fence.finish("quiz", {}, reading);
   const std::optional<JsonValue> json = parse_json(fence.body(), reading);
   if (!json) return std::nullopt;
   JsonObject object(*json, words::kQuiz, reading);

@@ -15,7 +15,7 @@ bool is_unchecked(const Fence& fence) {
 Unchecked read_unchecked(Fence& fence, Reading& reading) {
   const std::string language = fence.words()[0].text;
   const std::string because = fence.option("because").value_or(LocatedText{}).text;
-  fence.finish(language + " unchecked", reading);
+  fence.finish(language + " unchecked", fences::kUnchecked, reading);
   return {fence.body(), language, because, fence.span()};
 }
 

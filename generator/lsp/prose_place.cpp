@@ -29,15 +29,19 @@ std::optional<ProsePlace> opening_place(std::string_view before) {
   const std::string_view rest = before.substr(info);
   if (has(rest, "`")) return std::nullopt;
   if (!has(rest, " \t")) return ProsePlace{Kind::fence, "", std::string(rest)};
-  const std::string_view word = rest.substr(rest.find_last_of(" \t") + 1);
+  const std::size_t last = rest.find_last_of(" \t") + 1;
+  if (std::ranges::count(rest.substr(0, last), '"') % 2 == 1) return std::nullopt;
+  const std::string_view word = rest.substr(last);
   const std::size_t equals = word.find('=');
-  if (equals == word.npos) return std::nullopt;
+  if (equals == word.npos) {
+    return ProsePlace{Kind::option, std::string(rest.substr(0, last)), std::string(word)};
+  }
   const std::string part(word.substr(equals + 1));
   const std::string_view option = word.substr(0, equals);
   if (option == "model") return ProsePlace{Kind::model, "", part};
   if (option == "file") return ProsePlace{Kind::file, "", part};
   if (option == "output") return ProsePlace{Kind::program, "", part};
-  return std::nullopt;
+  return ProsePlace{Kind::choice, std::string(rest.substr(0, last + equals)), part};
 }
 
 std::optional<ProsePlace> link_place(std::string_view target) {

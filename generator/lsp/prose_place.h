@@ -11,6 +11,8 @@ namespace mjcourse {
 struct ProsePlace {
   enum class Kind {
     fence,    // behind the marks of a fence
+    option,   // behind its first word; `of` is what stands before: "cpp file=examples/a.cpp "
+    choice,   // what an option is: "error" of `expect=error`; `of` has the option last, without `=`
     model,    // `model=` of one, `model:` of a link
     program,  // `output=`
     file,     // `file=`

@@ -1,14 +1,11 @@
 #include "lsp/prose_suggestions.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <set>
-#include <utility>
 
 #include "lesson/callout.h"
-#include "lesson/read_unchecked.h"
-#include "lesson/vocabulary.h"
+#include "lsp/fence_suggestions.h"
 #include "lsp/json_suggestions.h"
 #include "physics/mujoco_api.h"
 
@@ -16,26 +13,6 @@ namespace mjcourse {
 namespace {
 
 using Kind = Suggestion::Kind;
-
-void add_fences(Suggestions& found) {
-  static constexpr std::array<std::pair<std::string_view, std::string_view>, 7> plain{
-      {{"cpp file=", "a program, compiled and run"},
-       {"cpp snippet model=", "the body of a function, compiled and run"},
-       {"xml model=", "lines of a model, held against its file"},
-       {"xml mjcf", "a model, compiled"},
-       {"text", "what the program above prints, held against that"},
-       {"io", "a panel: input, process, output"},
-       {"demo", "a piece of a lesson, as it is written and as what it becomes"}}};
-  for (const auto& [name, about] : plain) {
-    found.all.push_back({std::string(name), Kind::keyword, std::string(about)});
-  }
-  for (const JsonFence& fence : json_fences()) {
-    found.all.push_back({std::string(fence.opened), Kind::keyword, "JSON of its keys"});
-  }
-  for (const std::string& language : unchecked_languages()) {
-    found.all.push_back({language + " unchecked", Kind::keyword, "code that nobody runs"});
-  }
-}
 
 // By name, each with the results that it reported.
 std::map<std::string, std::set<std::string>> results_of(const Asked& asked) {
@@ -115,6 +92,12 @@ Suggestions prose_suggestions(const Asked& asked, const ProsePlace& place) {
   switch (place.kind) {
     case ProsePlace::Kind::fence:
       add_fences(found);
+      break;
+    case ProsePlace::Kind::option:
+      add_options(found, place.of);
+      break;
+    case ProsePlace::Kind::choice:
+      add_choices(found, place.of);
       break;
     case ProsePlace::Kind::model:
       found.add(asked.course().models, Kind::value, "model of the course");

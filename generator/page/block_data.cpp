@@ -1,6 +1,7 @@
 // The data that each block's template is fed with; the templates' own comments describe it.
 #include <algorithm>
 #include <cctype>
+#include <cstddef>
 #include <utility>
 
 #include "page/anchors.h"
@@ -28,6 +29,24 @@ std::string output_label(const Example& example, const std::string& program) {
   return label + ", which exits with code " + std::to_string(example.exit_code);
 }
 
+// Of an output with more lines than `kMostLines`, only the first are shown at once.
+constexpr std::ptrdiff_t kMostLines = 30, kFirstLines = 20;
+
+// What example.hbs calls an output.
+json output_data(const std::string& text, bool proved, const std::string& label) {
+  std::size_t shown = text.size();
+  const std::ptrdiff_t lines = std::count(text.begin(), text.end(), '\n');
+  if (lines > kMostLines) {
+    shown = 0;
+    for (std::ptrdiff_t i = 0; i < kFirstLines; ++i) shown = text.find('\n', shown) + 1;
+  }
+  return {{"text", text.substr(0, shown)},
+          {"proved", proved},
+          {"label", label},
+          {"rest", text.substr(shown)},
+          {"more", lines - kFirstLines}};
+}
+
 }  // namespace
 
 json PageWriter::data_of(const Example& example, std::size_t index) {
@@ -35,16 +54,18 @@ json PageWriter::data_of(const Example& example, std::size_t index) {
   json data = listing(result != nullptr ? result->code : example.code.text, "cpp");
   data["id"] = unique_id(example_anchor(example));
   data["file"] = example.file.text;
-  data["download"] = "../" + example.file.text;
+  data["download"] = from_root(example.file.text);
+  if (const std::string zip = program_zip_path(example, result); !zip.empty()) {
+    data["zip"] = from_root(zip);
+  }
   // Of a program's regions, those have its output that say so; and where it is stated somewhere
   // else alone, that is where a reader finds it.
   const std::vector<std::size_t> below = outputs_below(example.outputs);
   const bool elsewhere = below.empty() && (example.region || !example.outputs.empty());
   const bool printed = result != nullptr && !elsewhere;
   if (printed && (!result->output.empty() || example.exit_code != 0)) {
-    data["output"] = {{"text", result->output},
-                      {"proved", are_proved(below)},
-                      {"label", output_label(example, "this program")}};
+    data["output"] =
+        output_data(result->output, are_proved(below), output_label(example, "this program"));
   }
   return data;
 }
@@ -53,9 +74,8 @@ json PageWriter::data_of(const Output& output, std::size_t index) {
   const auto& example = std::get<Example>(lesson_.blocks[output.example]);
   const auto* result = results_.get<ExampleResult>(output.example);
   json data = listing("", "cpp");
-  data["output"] = {{"text", result != nullptr ? result->output : output.text.text},
-                    {"proved", are_proved({index})},
-                    {"label", output_label(example, example.file.text)}};
+  data["output"] = output_data(result != nullptr ? result->output : output.text.text,
+                               are_proved({index}), output_label(example, example.file.text));
   return data;
 }
 
@@ -70,9 +90,8 @@ json PageWriter::data_of(const Snippet& snippet, std::size_t index) {
   json data = listing(snippet.shown, "cpp");
   const auto* result = results_.get<ExampleResult>(index);
   if (result != nullptr && !result->output.empty()) {
-    data["output"] = {{"text", result->output},
-                      {"proved", are_proved(outputs_below(snippet.outputs))},
-                      {"label", "Printed by these lines"}};
+    data["output"] = output_data(result->output, are_proved(outputs_below(snippet.outputs)),
+                                 "Printed by these lines");
   }
   return data;
 }
@@ -87,9 +106,8 @@ json PageWriter::data_of(const InlineModel& model, std::size_t index) {
   json data = listing(model.text.text, "xml");
   const auto* result = results_.get<ModelResult>(index);
   if (result != nullptr && !result->refusal.empty()) {
-    data["output"] = {{"text", result->refusal},
-                      {"proved", false},
-                      {"label", "Said by MuJoCo, which refuses this model"}};
+    data["output"] =
+        output_data(result->refusal, false, "Said by MuJoCo, which refuses this model");
   }
   return data;
 }
@@ -97,8 +115,8 @@ json PageWriter::data_of(const InlineModel& model, std::size_t index) {
 json PageWriter::listing(const std::string& code, const std::string& language) {
   const json highlighted =
       code.empty() ? json() : json(press_.highlighter.highlight(code, language));
-  return {{"id", nullptr},      {"file", nullptr}, {"download", nullptr}, {"code", highlighted},
-          {"unchecked", false}, {"because", ""},   {"output", nullptr}};
+  return {{"id", nullptr},       {"file", nullptr},    {"download", nullptr}, {"zip", nullptr},
+          {"code", highlighted}, {"unchecked", false}, {"because", ""},       {"output", nullptr}};
 }
 
 std::vector<std::size_t> PageWriter::outputs_below(const std::vector<std::size_t>& outputs) const {

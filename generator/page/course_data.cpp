@@ -6,6 +6,8 @@
 
 #include "course/link_target.h"
 #include "page/api_page.h"
+#include "page/gallery_page.h"
+#include "page/learner_pages.h"
 #include "page/site_paths.h"
 
 namespace mjcourse {
@@ -45,6 +47,13 @@ std::vector<std::size_t> published(const Course& course, const Level& level) {
   return lessons;
 }
 
+bool has_questions(const Course& course) {
+  const auto asks = [](const Block& block) { return std::holds_alternative<Quiz>(block); };
+  return std::any_of(course.lessons.begin(), course.lessons.end(), [&](const Lesson& lesson) {
+    return !lesson.front.draft && std::any_of(lesson.blocks.begin(), lesson.blocks.end(), asks);
+  });
+}
+
 json reference_to(const Lesson& lesson) {
   return {
       {"number", lesson.number}, {"title", lesson.front.title.text}, {"href", page_path(lesson)}};
@@ -82,6 +91,16 @@ json pages_data(const Course& course, const Evaluation& evaluation, const std::s
   if (!evaluation.api.empty()) {
     pages.push_back({{"title", kApiTitle}, {"href", kApiPage}, {"current", kind == "api"}});
   }
+  if (!evaluation.models.empty()) {
+    pages.push_back(
+        {{"title", kGalleryTitle}, {"href", kGalleryPage}, {"current", kind == "gallery"}});
+  }
+  if (has_questions(course)) {
+    pages.push_back(
+        {{"title", kReviewTitle}, {"href", kReviewPage}, {"current", kind == "review"}});
+  }
+  pages.push_back(
+      {{"title", kProgressTitle}, {"href", kProgressPage}, {"current", kind == "progress"}});
   return pages;
 }
 

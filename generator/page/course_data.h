@@ -14,6 +14,9 @@ const Level& level_of(const Course& course, const Lesson& lesson);
 // The lessons of a level that the site has: all but the drafts.
 std::vector<std::size_t> published(const Course& course, const Level& level);
 
+// Whether the site has a question to come back to.
+bool has_questions(const Course& course);
+
 // Of its heading on the home page.
 std::string level_anchor(const Level& level);
 

@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "page/fixed_number.h"
+#include "page/lesson_pictures.h"
 #include "page/page_writer.h"
 #include "page/site_paths.h"
 
@@ -37,7 +38,7 @@ json PageWriter::data_of(const Lab& lab, std::size_t index) {
                       {"png", path + ".png"},
                       {"width", result->poster->width},
                       {"height", result->poster->height},
-                      {"alt", "The lab \u201c" + lab.title + "\u201d before it is played"}};
+                      {"alt", alt_of(lab)}};
   }
   for (const Lab::Control& control : lab.controls) {
     data["controls"].push_back(label_of(control));

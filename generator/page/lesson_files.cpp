@@ -7,9 +7,12 @@
 #include "lesson/resting_lesson.h"
 #include "page/course_data.h"
 #include "page/csv.h"
+#include "page/learner_pages.h"
 #include "page/lesson_page.h"
 #include "page/lesson_pictures.h"
+#include "page/search_index.h"
 #include "page/site_paths.h"
+#include "page/web_files.h"
 
 namespace mjcourse {
 namespace {
@@ -60,12 +63,13 @@ void write_lesson(const SiteData& site, std::size_t index, PagePress& press, Sit
   const std::string path = page_path(lesson);
   InlineStyles styles;
   PageWriter writer(site.course, lesson, results, press.press(styles, path));
-  const std::string body =
-      lesson_page(site.course, site.evaluation, lesson, index, writer, press.templates());
+  const std::string body = lesson_page(site, lesson, index, writer, press.templates());
   const Document& summary = lesson.front.summary;
+  const std::string description = summary ? plain_text(summary.get()) : site.course.description;
+  const std::optional<SharedPicture> picture = shared_picture(lesson, results);
   press.write(path,
-              {"lesson", lesson.number + " " + lesson.front.title.text,
-               summary ? plain_text(summary.get()) : site.course.description, "../", &resting},
+              {"lesson", lesson.number + " " + lesson.front.title.text, description, "../",
+               &resting, picture},
               body, styles);
   write_pictures(lesson, results, directory);
   copy_images(lesson, results, directory);
@@ -77,9 +81,16 @@ void write_lesson(const SiteData& site, std::size_t index, PagePress& press, Sit
   *parts = verification_parts(lesson,
                               is_card ? claims_of_prose(lesson, site.evaluation) : results.claims,
                               press.templates(), spool);
+  add_search_part(lesson, results, search_share(site.course), spool, *parts);
+  parts->picture = picture;
+  parts->news = spool.put(feed_entry(site, lesson, summary ? description : "", press.templates()));
   const bool beside = level_of(site.course, lesson).number.empty();
   const PageWriter home(site.course, lesson, results, press.press(styles, "index.html"));
   parts->card = spool.put(home_card(lesson, results, beside, home, press.templates()));
+  PageWriter review(site.course, lesson, results, press.press(styles, kReviewPage));
+  const nlohmann::json questions = review.questions();
+  parts->progress = spool.put(progress_row(lesson, questions, press.templates()));
+  parts->review = spool.put(review_json(lesson, questions, press.templates()));
 }
 
 }  // namespace mjcourse

@@ -2,14 +2,17 @@
 
 #include "page/anchors.h"
 #include "page/course_data.h"
+#include "page/lesson_history.h"
 #include "page/verification.h"
 
 namespace mjcourse {
 
 using nlohmann::json;
 
-std::string lesson_page(const Course& course, const Evaluation& evaluation, const Lesson& lesson,
-                        std::size_t index, PageWriter& writer, Templates& templates) {
+std::string lesson_page(const SiteData& site, const Lesson& lesson, std::size_t index,
+                        PageWriter& writer, Templates& templates) {
+  const Course& course = site.course;
+  const Evaluation& evaluation = site.evaluation;
   const LessonResults& results = evaluation.lessons[index];
   const std::string mark =
       "\x02"
@@ -49,7 +52,8 @@ std::string lesson_page(const Course& course, const Evaluation& evaluation, cons
                       "../" + std::string(kVerificationPage) + "#" + lesson_anchor(lesson))},
        {"previous", neighbour(std::size_t(0) - 1)},
        {"next", neighbour(1)},
-       {"level", {{"title", level.title}}},
+       {"level", {{"title", level.title}, {"href", "index.html#" + level_anchor(level)}}},
+       {"history", history_data(site, lesson)},
        {"root", "../"}});
   body.replace(body.find(mark), mark.size(), prose);
   return body;

@@ -4,13 +4,12 @@
 #include <cstddef>
 #include <string>
 
-#include "evaluate/evaluate.h"
-#include "page/page_writer.h"
+#include "page/page_press.h"
 
 namespace mjcourse {
 
 // The body of the page of `lesson`, lesson `index` of the course, which `writer` writes.
-std::string lesson_page(const Course& course, const Evaluation& evaluation, const Lesson& lesson,
-                        std::size_t index, PageWriter& writer, Templates& templates);
+std::string lesson_page(const SiteData& site, const Lesson& lesson, std::size_t index,
+                        PageWriter& writer, Templates& templates);
 
 }  // namespace mjcourse

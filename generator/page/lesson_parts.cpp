@@ -6,6 +6,7 @@
 
 #include "page/course_data.h"
 #include "page/lesson_pictures.h"
+#include "page/site_paths.h"
 #include "page/verification_page.h"
 
 namespace mjcourse {
@@ -44,6 +45,25 @@ std::string home_card(const Lesson& lesson, const LessonResults& results, bool b
   card["minutes"] = lesson.front.minutes ? json(*lesson.front.minutes) : json(nullptr);
   card["poster"] = beside ? json(nullptr) : card_poster(lesson, results);
   return render_template(templates, "card", card);
+}
+
+std::string progress_row(const Lesson& lesson, const json& questions, Templates& templates) {
+  json row = reference_to(lesson);
+  row["questions"] = questions;
+  return render_template(templates, "progress-row", row);
+}
+
+std::string review_json(const Lesson& lesson, const json& questions, Templates& templates) {
+  if (questions.empty()) return "";
+  json asked = json::array();
+  for (const json& question : questions) {
+    asked.push_back(
+        {{"id", question["id"]}, {"html", render_template(templates, "question", question)}});
+  }
+  return json{{"href", page_path(lesson)},
+              {"name", lesson.number + " " + lesson.front.title.text},
+              {"questions", std::move(asked)}}
+      .dump();
 }
 
 LessonParts verification_parts(const Lesson& lesson, const Claims& claims, Templates& templates,

@@ -4,7 +4,10 @@
 // each lesson's own page, on the same thread, and wait in a Spool.
 #pragma once
 
+#include <optional>
+
 #include "base/spool.h"
+#include "page/lesson_pictures.h"
 #include "page/page_writer.h"
 #include "page/verification.h"
 
@@ -12,16 +15,30 @@ namespace mjcourse {
 
 struct LessonParts {
   Spool::Piece card;                          // HTML, of the home page
+  Spool::Piece progress;                      // HTML, a row of the reader's progress
+  Spool::Piece review;                        // JSON, its questions; empty without
   Spool::Piece json;                          // of verification.json
   Spool::Piece asserted, unchecked, section;  // HTML, of the page of what was verified
   StatusCounts counts{};                      // of its claims
+  Spool::Piece search;                        // JSON, of the search's index (search_index.h)
+  std::string search_hash;                    // of that
+  Spool::Piece news;                          // XML, of the feed; empty where it is not in there
+  std::optional<SharedPicture> picture{};     // of the home page, where it is the first
 };
 
 // The card of `lesson`, which `writer` writes for the home page.
 std::string home_card(const Lesson& lesson, const LessonResults& results, bool beside,
                       const PageWriter& writer, Templates& templates);
 
-// All but the card.
+// The row of `lesson` in the table of a reader's progress; `questions` as PageWriter gives them.
+std::string progress_row(const Lesson& lesson, const nlohmann::json& questions,
+                         Templates& templates);
+
+// What the review page has of `lesson` (page/learner_pages.h); "" where nothing is asked.
+std::string review_json(const Lesson& lesson, const nlohmann::json& questions,
+                        Templates& templates);
+
+// What the page of what was verified has of it.
 LessonParts verification_parts(const Lesson& lesson, const Claims& claims, Templates& templates,
                                Spool& spool);
 

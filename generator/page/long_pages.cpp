@@ -1,5 +1,6 @@
 #include "page/long_pages.h"
 
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -54,11 +55,13 @@ void write_home(const SiteData& site, const std::vector<LessonParts>& parts, Pag
   const Course& course = site.course;
   json levels = json::array();
   std::vector<PagePart> cards;
+  std::optional<SharedPicture> picture;
   Tally total = site.evaluation.glossary.tally;
   for (const Level& level : course.levels) {
     PagePart& of_level = cards.emplace_back(PagePart{mark_of(level.folder), {}});
     for (const std::size_t index : published(course, level)) {
       of_level.pieces.push_back(parts[index].card);
+      if (!picture) picture = parts[index].picture;
       total += site.evaluation.lessons[index].tally;
     }
     levels.push_back({{"id", level_anchor(level)},
@@ -70,9 +73,12 @@ void write_home(const SiteData& site, const std::vector<LessonParts>& parts, Pag
       press.templates(), "home",
       {{"course", {{"title", course.title}, {"description", course.description}}},
        {"root", ""},
+       {"script", site.manifest.at("home.js")},
        {"levels", std::move(levels)},
        {"verified", verified_data(total, site.evaluation.versions.mujoco, kVerificationPage)}});
-  press.write_long("index.html", {"home", course.title, course.description}, body, cards, spool);
+  press.write_long("index.html",
+                   {"home", course.title, course.description, "", nullptr, std::move(picture)},
+                   body, cards, spool);
 }
 
 void write_verification(const SiteData& site, const std::vector<LessonParts>& parts,

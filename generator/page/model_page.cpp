@@ -59,34 +59,43 @@ std::string model_poster_path(const ModelPage& model) {
   return "models/" + model.name + "-" + model.poster.webp.hash().substr(0, 10);
 }
 
+json poster_data(const ModelPage& model, const std::string& root) {
+  const std::string poster = root + model_poster_path(model);
+  return {{"webp", poster + ".webp"},
+          {"png", poster + ".png"},
+          {"width", model.poster.width},
+          {"height", model.poster.height},
+          {"alt", "The model " + model.name + " in its initial state"}};
+}
+
+json sizes_data(const ModelPage& model) {
+  json sizes = json::array();
+  for (const auto& [name, count] : model.sizes) sizes.push_back({{"name", name}, {"value", count}});
+  return sizes;
+}
+
 std::string model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,
                        const Press& press) {
-  json sizes = json::array(), files = json::array();
-  for (const auto& [name, count] : model.sizes) sizes.push_back({{"name", name}, {"value", count}});
+  json files = json::array();
   for (const ModelPage::File& file : model.files) {
     files.push_back({{"id", nullptr},
                      {"file", file.path},
                      {"download", "../" + file.path},
+                     {"zip", nullptr},
                      {"code", press.highlighter.highlight(file.text, "xml")},
                      {"is_text", !file.text.empty()},
                      {"unchecked", false},
                      {"output", nullptr}});
   }
-  const std::string poster = "../" + model_poster_path(model);
-  return render_template(press.templates, "model",
-                         {{"name", model.name},
-                          {"poster",
-                           {{"webp", poster + ".webp"},
-                            {"png", poster + ".png"},
-                            {"width", model.poster.width},
-                            {"height", model.poster.height},
-                            {"alt", "The model " + model.name + " in its initial state"}}},
-                          {"sizes", std::move(sizes)},
-                          {"timestep", model.timestep},
-                          {"tables", tables_of(model)},
-                          {"files", std::move(files)},
-                          {"uses", uses_data(uses_of_link(course, "model:" + model.name), course,
-                                             evaluation, "../")}});
+  return render_template(
+      press.templates, "model",
+      {{"name", model.name},
+       {"poster", poster_data(model, "../")},
+       {"sizes", sizes_data(model)},
+       {"timestep", model.timestep},
+       {"tables", tables_of(model)},
+       {"files", std::move(files)},
+       {"uses", uses_data(uses_of_model(course, model.name), course, evaluation, "../")}});
 }
 
 }  // namespace mjcourse

@@ -1,6 +1,7 @@
 // The page of a model: a picture of it, what it is made of, its MJCF to read and to take away.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "evaluate/evaluate.h"
@@ -11,6 +12,11 @@ namespace mjcourse {
 // The page's body; `press` writes models/NAME.html.
 std::string model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,
                        const Press& press);
+
+// The model's picture, as picture.hbs wants it, and its sizes; `root` is the way to the site's
+// root.
+nlohmann::json poster_data(const ModelPage& model, const std::string& root);
+nlohmann::json sizes_data(const ModelPage& model);
 
 // Where the model's picture lies, below the site's root and without the extension.
 std::string model_poster_path(const ModelPage& model);

@@ -6,6 +6,7 @@
 #include "base/content_hash.h"
 #include "evaluate/workshop.h"
 #include "page/course_data.h"
+#include "page/web_place.h"
 
 namespace mjcourse {
 namespace {
@@ -15,6 +16,14 @@ namespace {
 constexpr const char* kBody =
     "\x02"
     "body\x03";
+
+// Of a page that may be shown anywhere, the assets are looked for in its folder and in those above.
+// What is not there costs a request that fails, so there are not more of them than folders of a
+// site.
+nlohmann::json roots_of(const PageHead& head) {
+  if (!head.anywhere) return nlohmann::json::array({head.root});
+  return nlohmann::json::array({"", "../", "../../", "../../../"});
+}
 
 }  // namespace
 
@@ -30,7 +39,7 @@ Press PagePress::press(InlineStyles& styles, const std::string& path) {
 void PagePress::write(const std::string& path, const PageHead& head, const std::string& body,
                       InlineStyles& styles) {
   const std::string styled = styles.take(body);
-  std::string html = frame(head, styles);
+  std::string html = frame(path, head, styles);
   directory_.write(path, html.replace(html.find(kBody), std::string(kBody).size(), styled));
 }
 
@@ -42,7 +51,7 @@ void PagePress::write_long(const std::string& path, const PageHead& head, const 
   for (PagePart& part : styled) {
     for (Spool::Piece& piece : part.pieces) piece = spool.put(styles.take(spool.get(piece)));
   }
-  std::string html = frame(head, styles);
+  std::string html = frame(path, head, styles);
   html.replace(html.find(kBody), std::string(kBody).size(), body);
   directory_.write(path, [&](std::ostream& file) {
     std::size_t at = 0;
@@ -58,7 +67,8 @@ void PagePress::write_long(const std::string& path, const PageHead& head, const 
 }
 
 // The page around its body. What the body's elements have of styles is written beside it.
-std::string PagePress::frame(const PageHead& head, const InlineStyles& styles) {
+std::string PagePress::frame(const std::string& path, const PageHead& head,
+                             const InlineStyles& styles) {
   std::string sheet;
   if (!styles.sheet().empty()) {
     sheet = "styles/" + content_hash(styles.sheet()) + ".css";
@@ -77,10 +87,15 @@ std::string PagePress::frame(const PageHead& head, const InlineStyles& styles) {
                             {"description", head.description},
                             {"kind", head.kind},
                             {"home", head.kind == "home"}}},
+                          {"theme", site_.theme},
+                          {"place", web_place(site_, path, head)},
                           {"root", head.root},
+                          {"roots", roots_of(head)},
                           {"assets",
                            {{"css", site_.manifest.at("site.css")},
                             {"js", site_.manifest.at("site.js")},
+                            {"listing", site_.manifest.at("listing.js")},
+                            {"reading", site_.manifest.at("reading.js")},
                             {"favicon", site_.manifest.at("favicon.svg")}}},
                           {"styles", sheet},
                           {"levels", std::move(levels)},

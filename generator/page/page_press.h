@@ -7,12 +7,15 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "base/spool.h"
 #include "course/course.h"
+#include "course/last_changed.h"
 #include "evaluate/evaluate.h"
+#include "page/lesson_pictures.h"
 #include "page/page_writer.h"
 #include "page/site_files.h"
 
@@ -26,6 +29,9 @@ struct SiteData {
   nlohmann::json manifest;                         // the way from a plain name to a path
   std::map<std::string, std::string> definitions;  // of the glossary's terms
   bool places = false;                             // pages tell of which lines they are made
+  std::string theme = {};                          // the course's own stylesheet; "" for none
+  LastChanges changes = {};                        // of the lessons' files, as far as git knows
+  bool feed = false;                               // it has one (page/web_files.h)
 };
 
 // What the frame says of a page.
@@ -33,8 +39,10 @@ struct PageHead {
   std::string kind;  // "home", "lesson", "glossary" …
   std::string title;
   std::string description;
-  std::string root = {};            // the way from the page to the site's root: "../"
-  const Lesson* current = nullptr;  // the lesson whose page it is
+  std::string root = {};                      // the way from the page to the site's root: "../"
+  const Lesson* current = nullptr;            // the lesson whose page it is
+  std::optional<SharedPicture> picture = {};  // of the page, for those who show a link to it
+  bool anywhere = false;                      // it is shown at any address, whatever its depth
 };
 
 // Pieces of a body, which has a mark in their place.
@@ -70,7 +78,7 @@ class PagePress {
                   const std::vector<PagePart>& parts, Spool& spool);
 
  private:
-  std::string frame(const PageHead& head, const InlineStyles& styles);
+  std::string frame(const std::string& path, const PageHead& head, const InlineStyles& styles);
 
   const SiteData& site_;
   SiteFiles& directory_;

@@ -93,7 +93,7 @@ bool PageWriter::takes(cmark_node* node) const {
 
 std::string PageWriter::write(cmark_node* node, const std::string& inner) {
   if (const auto block = lesson_.block_of.find(node); block != lesson_.block_of.end()) {
-    return write_block(block->second, inner);
+    return write_block(node, block->second, inner);
   }
   const cmark_node_type type = cmark_node_get_type(node);
   if (type == CMARK_NODE_HEADING) return write_heading(node, inner);
@@ -165,11 +165,15 @@ std::string PageWriter::children_html(cmark_node* node) const {
   return inner;
 }
 
-std::string PageWriter::write_math(const Math& math, std::size_t index) const {
+// One that is displayed in the middle of a paragraph is no block there.
+std::string PageWriter::write_math(cmark_node* node, const Math& math, std::size_t index) const {
   const auto* result = results_.get<FormulaResult>(index);
   const std::string markup = result != nullptr ? result->markup : escape_html(math.tex.text);
-  return math.display ? "<div class=\"math\">" + markup + "</div>\n"
-                      : "<span class=\"math\">" + markup + "</span>";
+  if (cmark_node_get_type(node) == math_block_type()) {
+    return "<div class=\"math display\">" + markup + "</div>\n";
+  }
+  return "<span class=\"math" + std::string(math.display ? " display" : "") + "\">" + markup +
+         "</span>";
 }
 
 std::string PageWriter::write_value(const InlineValue& value, std::size_t index) const {
@@ -191,10 +195,10 @@ std::string PageWriter::write_listing(nlohmann::json data) {
   return html.replace(html.find(kMark), std::char_traits<char>::length(kMark), code);
 }
 
-std::string PageWriter::write_block(std::size_t i, const std::string& inner) {
+std::string PageWriter::write_block(cmark_node* node, std::size_t i, const std::string& inner) {
   const auto* image = results_.get<ImageResult>(i);
   const Cases cases{
-      [&](const Math& math) { return write_math(math, i); },
+      [&](const Math& math) { return write_math(node, math, i); },
       [&](const InlineValue& value) { return write_value(value, i); },
       [&](const TermUse& term) { return write_term(term, inner); },
       [&](const Example& example) { return write_listing(data_of(example, i)); },

@@ -41,6 +41,8 @@ class PageWriter {
   std::string body();
   // The headings as a two-level list; complete once body() was written.
   nlohmann::json contents() const { return contents_; }
+  // All that its knowledge checks ask, each as question.hbs wants it.
+  nlohmann::json questions();
   // What its labs need beside the page; complete once body() was written.
   const std::vector<LabFiles>& lab_files() const { return lab_files_; }
 
@@ -61,12 +63,12 @@ class PageWriter {
   std::string write_heading(cmark_node* node, const std::string& inner);
   void list_heading(int level, const std::string& id, const std::string& title);
   std::string write_link(cmark_node* node, const std::string& inner) const;
-  std::string write_math(const Math& math, std::size_t index) const;
+  std::string write_math(cmark_node* node, const Math& math, std::size_t index) const;
   std::string write_value(const InlineValue& value, std::size_t index) const;
   std::string write_term(const TermUse& term, const std::string& inner) const;
   std::string from_root(const std::string& path) const;
   // `i` is the block's index.
-  std::string write_block(std::size_t i, const std::string& inner);
+  std::string write_block(cmark_node* node, std::size_t i, const std::string& inner);
   std::string write_listing(nlohmann::json data);  // as example.hbs wants it
 
   nlohmann::json data_of(const Example& example, std::size_t index);

@@ -128,7 +128,7 @@ std::string PageWriter::report_on(std::size_t block, std::size_t part) const {
     return known.block == block && known.part == part;
   });
   if (claim == claims.end()) return "";
-  return "../" + std::string(kVerificationPage) + "#" +
+  return from_root(kVerificationPage) + "#" +
          claim_anchor(lesson_, static_cast<std::size_t>(claim - claims.begin()));
 }
 
@@ -145,6 +145,17 @@ json PageWriter::data_of(const Quiz& quiz, std::size_t index) {
   }
   contents_.push_back({{"id", id}, {"title", escape_html(title)}, {"children", json::array()}});
   return data;
+}
+
+json PageWriter::questions() {
+  json all = json::array();
+  for (std::size_t i = 0; i < lesson_.blocks.size(); ++i) {
+    const auto* quiz = std::get_if<Quiz>(&lesson_.blocks[i]);
+    if (quiz == nullptr) continue;
+    json data = data_of(*quiz, i);
+    for (json& question : data["questions"]) all.push_back(std::move(question));
+  }
+  return all;
 }
 
 }  // namespace mjcourse

@@ -1,18 +1,21 @@
 #include "page/site.h"
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.h"
 #include "page/site_directory.h"
 #include "page/site_pages.h"
+#include "page/theme.h"
 
 namespace mjcourse {
 
-void write_site(const Course& course, const Evaluation& evaluation, const SitePaths& paths) {
-  const DiskFiles assets(paths.assets);
+void write_site(const Course& course, const Evaluation& evaluation, const SitePaths& paths,
+                LastChanges changes) {
+  const ThemedAssets assets(paths.assets, {paths.course / kThemeTemplates});
   SiteDirectory directory(paths.out);
-  SitePages pages(course, evaluation, paths.course, assets, directory);
+  SitePages pages(course, evaluation, paths.course, assets, directory, false, std::move(changes));
   // Made on the thread that works with it, at its first page.
   std::vector<std::unique_ptr<PressEngines>> engines(paths.threads);
   const auto engines_of = [&](std::size_t thread) -> PressEngines& {

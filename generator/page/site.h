@@ -1,15 +1,16 @@
 // Enter writing here: a course and its results become a site.
 //
 // Steps: each lesson's page and its pictures; the home page; what was verified; the pages that
-// explain: the glossary, MuJoCo's names, models; the examples, to download; the assets that the
-// site's build made (styles, fonts, scripts). All of it goes into a SiteDirectory, which replaces
-// the old site at once.
+// explain: the glossary, MuJoCo's names, models; the examples, to download; what other sites read,
+// and what leads on from former addresses; the assets that the site's build made (styles, fonts,
+// scripts). All of it goes into a SiteDirectory, which replaces the old site at once.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 
 #include "course/course.h"
+#include "course/last_changed.h"
 #include "evaluate/evaluate.h"
 
 namespace mjcourse {
@@ -21,8 +22,10 @@ struct SitePaths {
   std::size_t threads = 1;       // on which the lessons are written
 };
 
-// Throws std::runtime_error or std::system_error when the site cannot be written; the old one then
-// stands as it was.
-void write_site(const Course& course, const Evaluation& evaluation, const SitePaths& paths);
+// `changes` is when the lessons' files were changed, as far as that is known. Throws
+// std::runtime_error or std::system_error when the site cannot be written; the old one then stands
+// as it was.
+void write_site(const Course& course, const Evaluation& evaluation, const SitePaths& paths,
+                LastChanges changes);
 
 }  // namespace mjcourse

@@ -3,22 +3,45 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
+#include <utility>
 
+#include "base/content_hash.h"
 #include "course/link_target.h"
 #include "evaluate/workshop.h"
 #include "page/api_page.h"
+#include "page/course_data.h"
+#include "page/gallery_page.h"
 #include "page/glossary_page.h"
 #include "page/json_schema.h"
+#include "page/learner_pages.h"
 #include "page/lesson_files.h"
 #include "page/long_pages.h"
 #include "page/model_page.h"
+#include "page/moved_pages.h"
+#include "page/program_folder.h"
+#include "page/search_index.h"
 #include "page/site_paths.h"
+#include "page/theme.h"
+#include "page/web_files.h"
+#include "page/zip.h"
 
 namespace mjcourse {
+namespace {
+
+// Gives where the course's own stylesheet lies in the site; "" for none.
+std::string write_theme(const Files& course, SiteFiles& out) {
+  const auto style = course.read(kThemeStyle);
+  if (!style) return "";
+  std::string path = "assets/theme-" + content_hash(*style) + ".css";
+  out.write(path, *style);
+  return path;
+}
+
+}  // namespace
 
 SitePages::SitePages(const Course& course, const Evaluation& evaluation,
                      const std::filesystem::path& root, const Files& assets, SiteFiles& out,
-                     bool places)
+                     bool places, LastChanges changes)
     : root_(root),
       out_(out),
       files_(root),
@@ -28,8 +51,12 @@ SitePages::SitePages(const Course& course, const Evaluation& evaluation,
             assets,
             nlohmann::json::parse(assets.read("manifest.json").value()),
             plain_definitions(course, evaluation),
-            places},
-      parts_(course.lessons.size() + 1) {}
+            places,
+            write_theme(files_, out),
+            std::move(changes)},
+      parts_(course.lessons.size() + 1) {
+  site_.feed = has_feed(site_);
+}
 
 void SitePages::write_lesson(std::size_t index, PressEngines& engines, bool alone) {
   PagePress press(site_, out_, engines);
@@ -46,10 +73,17 @@ void SitePages::write_others(PressEngines& engines) {
   }
   write_home(site_, parts_, press, spool_);
   write_verification(site_, parts_, press, out_, spool_);
+  write_progress(site_, parts_, press, spool_);
+  if (has_questions(course)) write_review(site_, parts_, press, out_, spool_);
   if (course.glossary) write_glossary(press);
   if (!evaluation.api.empty()) write_api(press);
   for (const ModelPage& model : evaluation.models) write_model(model, press);
+  if (!evaluation.models.empty()) write_gallery(press);
+  write_missing(press);
+  write_search_index(site_, parts_, spool_, out_);
   copy_examples();
+  write_moved_pages(site_, press.templates(), out_);
+  write_web_files(site_, parts_, press.templates(), out_, spool_);
   for (const JsonFence& fence : json_fences()) {
     out_.write(schema_path(fence), json_schema(fence).dump(2) + "\n");
   }
@@ -80,6 +114,15 @@ void SitePages::write_api(PagePress& press) {
               body, styles);
 }
 
+void SitePages::write_gallery(PagePress& press) {
+  InlineStyles styles;
+  const std::string body =
+      gallery_page(site_.course, site_.evaluation, press.press(styles, kGalleryPage));
+  press.write(kGalleryPage,
+              {"gallery", kGalleryTitle, "The models that " + site_.course.title + " works with."},
+              body, styles);
+}
+
 void SitePages::write_model(const ModelPage& model, PagePress& press) {
   const std::string path = model_page_path(model.name);
   InlineStyles styles;
@@ -96,14 +139,33 @@ void SitePages::write_model(const ModelPage& model, PagePress& press) {
   for (const ModelPage::File& file : model.files) out_.copy(root_ / file.path, file.path);
 }
 
+void SitePages::write_missing(PagePress& press) {
+  InlineStyles styles;
+  PageHead head{"missing", "Page not found", "There is no page at this address."};
+  head.anywhere = true;
+  press.write("404.html", head,
+              render_template(press.templates(), "missing",
+                              {{"title", head.title}, {"course", site_.course.title}}),
+              styles);
+}
+
+// Each program as it is, and those that run as a folder that builds.
 void SitePages::copy_examples() {
-  std::set<std::string> files;
-  for (const Lesson& lesson : site_.course.lessons) {
-    for (const Block& block : lesson.blocks) {
-      if (const auto* example = std::get_if<Example>(&block)) files.insert(example->file.text);
+  std::set<std::string> files, folders;
+  for (std::size_t i = 0; i < site_.course.lessons.size(); ++i) {
+    const Lesson& lesson = site_.course.lessons[i];
+    for (std::size_t block = 0; block < lesson.blocks.size(); ++block) {
+      const auto* example = std::get_if<Example>(&lesson.blocks[block]);
+      if (example == nullptr) continue;
+      if (files.insert(example->file.text).second) {
+        out_.copy(root_ / example->file.text, example->file.text);
+      }
+      const auto* result = site_.evaluation.lessons[i].get<ExampleResult>(block);
+      const std::string path = program_zip_path(*example, result);
+      if (path.empty() || !folders.insert(path).second) continue;
+      out_.write(path, zip_of(program_folder({*example, *result, lesson}, site_)));
     }
   }
-  for (const std::string& file : files) out_.copy(root_ / file, file);
 }
 
 }  // namespace mjcourse

@@ -15,23 +15,28 @@ namespace mjcourse {
 
 class SitePages {
  public:
-  // `root` is the course's folder, `assets` what site/build.mjs made. All must outlive this.
+  // `root` is the course's folder, `assets` what site/build.mjs made; these, the course and what
+  // came of it must outlive this.
   SitePages(const Course& course, const Evaluation& evaluation, const std::filesystem::path& root,
-            const Files& assets, SiteFiles& out, bool places = false);
+            const Files& assets, SiteFiles& out, bool places = false, LastChanges changes = {});
 
   // Lesson `index` with its files, be it a draft; what write_others() needs of it is made as well,
   // unless it is written `alone`. From several threads, each with engines of its own and another
   // lesson.
   void write_lesson(std::size_t index, PressEngines& engines, bool alone = false);
 
-  // The home page, what was verified, the pages that explain, the examples: with what each lesson
-  // gave to them, so all lessons but the drafts must have been written.
+  // The home page, what was verified, the pages that explain, the search, the examples, what other
+  // sites read: with what each lesson gave to them, so all lessons but the drafts must have been
+  // written.
   void write_others(PressEngines& engines);
 
  private:
   void write_glossary(PagePress& press);
   void write_api(PagePress& press);
+  void write_gallery(PagePress& press);
   void write_model(const ModelPage& model, PagePress& press);
+  // For addresses at which there is nothing: hosts show it in the place of what is not there.
+  void write_missing(PagePress& press);
   void copy_examples();
 
   std::filesystem::path root_;

@@ -25,4 +25,10 @@ std::string block_path(const Lesson& lesson, std::size_t index) {
   return lesson.folder + "/" + lesson.slug + "/" + block_name(lesson, index);
 }
 
+std::string program_zip_path(const Example& example, const ExampleResult* result) {
+  if (result == nullptr || !example.compiles) return "";
+  const std::string& file = example.file.text;
+  return file.substr(0, file.rfind('.')) + ".zip";
+}
+
 }  // namespace mjcourse

@@ -15,5 +15,7 @@ std::string page_path(const Lesson& lesson);
 std::string image_path(const Lesson& lesson, const Image& image, const ImageResult& result);
 // The files of its block `index`, a lab, a figure or a plot, without the extension.
 std::string block_path(const Lesson& lesson, std::size_t index);
+// The zip that builds a program by itself; "" of one that did not run, or must not compile.
+std::string program_zip_path(const Example& example, const ExampleResult* result);
 
 }  // namespace mjcourse

@@ -28,43 +28,26 @@ std::optional<std::size_t> lesson_of(const Course& course, const std::string& pa
   return static_cast<std::size_t>(found - course.lessons.begin());
 }
 
-Diagnostic fault_of(const std::exception& error) {
+Diagnostic fault_of(const std::exception& error, const fs::path& root) {
   if (const auto* broken = dynamic_cast<const BrokenTemplate*>(&error)) {
-    Place place;
-    place.file = "site/templates/" + broken->error().name + ".hbs";
-    place.line = broken->error().line;
-    return error_at(std::move(place), "E-template", broken->error().message);
+    return template_mistake(broken->error(), DiskFiles(root));
   }
   return error_at({}, "E-preview", error.what());
 }
 
+// `edited`: templates that are just being written; empty for none.
+std::vector<fs::path> template_folders(const fs::path& root, const fs::path& edited) {
+  std::vector<fs::path> folders{root / kThemeTemplates};
+  if (!edited.empty()) folders.push_back(edited);
+  return folders;
+}
+
 }  // namespace
-
-// What the site's build made, but for templates that are just being written.
-class PageRoom::Assets : public Files {
- public:
-  Assets(const fs::path& assets, const fs::path& templates)
-      : assets_(assets), templates_(templates), edited_(!templates.empty()) {}
-
-  tl::expected<std::string, std::string> read(const std::string& path) const override {
-    return edited_ && path.starts_with(kFolder) ? templates_.read(path.substr(kFolder.size()))
-                                                : assets_.read(path);
-  }
-  bool exists(const std::string& path) const override { return read(path).has_value(); }
-  std::vector<std::string> list(const std::string& folder) const override {
-    return edited_ && folder + "/" == kFolder ? templates_.list("") : assets_.list(folder);
-  }
-
- private:
-  static constexpr std::string_view kFolder = "templates/";
-  DiskFiles assets_, templates_;
-  bool edited_;
-};
 
 PageRoom::PageRoom(fs::path root, fs::path assets, const fs::path& templates)
     : root_(std::move(root)),
       assets_folder_(std::move(assets)),
-      assets_(std::make_unique<Assets>(assets_folder_, templates)),
+      assets_(assets_folder_, template_folders(root_, templates)),
       thread_([this] { work(); }) {}
 
 PageRoom::~PageRoom() {
@@ -124,12 +107,12 @@ PageRoom::Made& PageRoom::newest() {
     engines_.reset();
     made_.reset();
   }
-  if (!engines_) engines_ = std::make_unique<PressEngines>(*assets_, kMemory);
+  if (!engines_) engines_ = std::make_unique<PressEngines>(assets_, kMemory);
   if (!made_ || made_->snapshot != snapshot_) {
     made_ = std::make_unique<Made>();
     made_->snapshot = snapshot_;
     made_->pages = std::make_unique<SitePages>(snapshot_->course, snapshot_->evaluation, root_,
-                                               *assets_, made_->site, true);
+                                               assets_, made_->site, true);
   }
   return *made_;
 }
@@ -169,7 +152,7 @@ PageRoom::Page PageRoom::page(const std::string& path) {
     try {
       make(path);
     } catch (const std::exception& error) {
-      fault = fault_of(error);
+      fault = fault_of(error, root_);
     }
     const SnapshotPtr snapshot = made_ ? made_->snapshot : nullptr;
     if (made_ && !fault) {

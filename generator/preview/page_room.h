@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "page/site_pages.h"
+#include "page/theme.h"
 #include "preview/memory_site.h"
 #include "preview/snapshot.h"
 
@@ -51,7 +52,6 @@ class PageRoom {
   std::optional<std::string> file(const std::string& path);
 
  private:
-  class Assets;
   // What was made of one snapshot.
   struct Made {
     SnapshotPtr snapshot;
@@ -70,7 +70,7 @@ class PageRoom {
   void make_others(Made& made);
 
   std::filesystem::path root_, assets_folder_;
-  std::unique_ptr<Assets> assets_;
+  ThemedAssets assets_;
   std::mutex mutex_;
   std::condition_variable woken_;
   std::deque<std::function<void()>> wanted_;

@@ -24,7 +24,7 @@ std::string script(const std::string& page) {
 
 std::vector<fs::path> watched_folders(const PreviewSetup& setup) {
   std::vector<fs::path> folders;
-  for (const char* name : {"content", "models", "examples"})
+  for (const char* name : {"content", "models", "examples", "theme"})
     folders.push_back(setup.workplace.root / name);
   if (!setup.site.empty()) {
     folders.push_back(setup.site / "styles");
@@ -153,11 +153,12 @@ void Preview::watch(const std::stop_token& stop) {
     if (any(course / "content") || any(course / "models") || any(course / "examples")) {
       studio_->changed();
     }
-    if (setup_.site.empty()) continue;
-    const bool styles = any(setup_.site / "styles"), templates = any(setup_.site / "templates");
+    const bool has_site = !setup_.site.empty();
+    const bool styles = has_site && any(setup_.site / "styles");
+    const bool pages = any(course / "theme") || (has_site && any(setup_.site / "templates"));
     if (styles) restyle();
-    if (templates) room_.renew_templates();
-    if (styles || templates) next_version();
+    if (pages) room_.renew_templates();
+    if (styles || pages) next_version();
   }
 }
 

@@ -28,9 +28,9 @@ const formula = rangesOf(
   invisible +
     span("0", "9") +
     span("a", "z") +
-    "()[]{}|/,.;:!?'=+<>^~ \u00a0−×⋅±≤≥≠≈≡∝∞∂∇∈∀→⇒…⋯′∥∣⟨⟩⊗∘√∗ℓ˙¨ˉˆ˜⃗",
+    "()[]{}|/,.;:!?'=+<>^~ \u00a0−×⋅±≤≥≠≈≡∝∞∂∇∈∀→⇒…⋯′∥∣⟨⟩⊗⊤Δ∘√∗ℓ˙¨ˉˆ˜⃗",
 );
-const brackets = rangesOf("()[]");
+const large = rangesOf("()[]∑∫");
 
 export const pieces = {
   "source-serif-4-latin-wght-normal": [prose],
@@ -42,8 +42,8 @@ export const pieces = {
   "KaTeX_Main-Bold": [rangesOf(letters)],
   "KaTeX_Math-Italic": [rangesOf(letters), rangesOf(greek)],
   "KaTeX_Math-BoldItalic": [rangesOf(letters), rangesOf(greek)],
-  "KaTeX_Size1-Regular": [brackets],
-  "KaTeX_Size2-Regular": [brackets],
+  "KaTeX_Size1-Regular": [large],
+  "KaTeX_Size2-Regular": [large],
 };
 
 // The weights in which the stylesheet sets text. A bold italic is rare, so a page without one loads

@@ -6,6 +6,7 @@ import path from "node:path";
 const shipped = {
   "katex.txt": "katex/LICENSE",
   "three.txt": "three/LICENSE",
+  "minisearch.txt": "minisearch/LICENSE.txt",
   "uplot.txt": "uplot/LICENSE",
   "codemirror.txt": "@codemirror/view/LICENSE",
   "lezer.txt": "@lezer/common/LICENSE",

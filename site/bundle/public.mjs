@@ -1,4 +1,5 @@
-// The files a reader's browser loads: one stylesheet with its fonts, one small script, the favicon.
+// The files a reader's browser loads: one stylesheet with its fonts, one small script, the favicon;
+// and what only some pages have of scripts and styles, or have once they are shown or asked for.
 
 import path from "node:path";
 
@@ -14,6 +15,15 @@ export function pageBuild(site, out) {
     entryPoints: [
       { in: "styles/site.css", out: "site" },
       { in: "client/site.ts", out: "site" },
+      { in: "client/search/dialogs.ts", out: "search" },
+      { in: "styles/search.css", out: "search" },
+      { in: "client/listing.ts", out: "listing" },
+      { in: "client/reading/home.ts", out: "home" },
+      { in: "client/reading/reading.ts", out: "reading" },
+      { in: "client/progress/progress.ts", out: "progress" },
+      { in: "client/review/review.ts", out: "review" },
+      { in: "styles/learner.css", out: "learner" },
+      { in: "client/moved.ts", out: "moved" },
       { in: "icons/favicon.svg", out: "favicon" },
     ],
     outdir: path.resolve(out),

@@ -1,7 +1,7 @@
 // What is wider than its column scrolls alone; here it is made reachable with the keyboard, and only
 // while it does scroll, so that the Tab key does not stop where there is nothing to do.
 
-const scrollers = ".table, .math, pre";
+const scrollers = ".table, .math.display, pre";
 
 function update(element: Element): void {
   const { scrollWidth, clientWidth, scrollHeight, clientHeight } = element;
@@ -17,5 +17,5 @@ export function reachScrollers(root: Document | Element = document): void {
   });
   const all = [...root.querySelectorAll(scrollers)];
   if (root instanceof Element && root.matches(scrollers)) all.push(root);
-  for (const element of all) if (!element.matches("span")) observer.observe(element);
+  for (const element of all) observer.observe(element);
 }

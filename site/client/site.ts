@@ -2,16 +2,34 @@
 // reader's theme is set before anything is painted.
 
 import { followContents } from "./contents.js";
+import { localizeDates } from "./dates.js";
+import { listenToKeys } from "./keys.js";
 import { upgradeLabs } from "./lab-loader.js";
+import { loadListing } from "./listing-loader.js";
 import { upgradeQuizzes } from "./quiz/quiz.js";
+import { loadReading } from "./reading/loader.js";
+import { claimPage } from "./root.js";
 import { reachScrollers } from "./scrollers.js";
+import { addSearchButton, mendMissingPage } from "./search/opener.js";
+import { explainTerms } from "./terms.js";
 import { addThemeButton, applyTheme } from "./theme.js";
 
-applyTheme();
-document.addEventListener("DOMContentLoaded", () => {
+function begin(): void {
+  addSearchButton();
   addThemeButton();
+  listenToKeys();
+  mendMissingPage();
   followContents();
+  loadListing();
   reachScrollers();
+  explainTerms();
+  localizeDates();
   upgradeQuizzes();
   upgradeLabs();
-});
+  loadReading();
+}
+
+if (claimPage()) {
+  applyTheme();
+  document.addEventListener("DOMContentLoaded", begin);
+}

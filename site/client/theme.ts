@@ -3,9 +3,7 @@
 // applyTheme() runs while the head is read, before anything is painted. addThemeButton() runs once
 // the page is there; the button is made here because without the script it could do nothing.
 
-import { recall, remember } from "./storage.js";
-
-const key = "theme";
+import { keys, recall, remember } from "./storage.js";
 
 type Theme = "light" | "dark";
 
@@ -20,7 +18,7 @@ function current(): Theme {
 }
 
 export function applyTheme(): void {
-  const theme = recall(key);
+  const theme = recall(keys.theme);
   if (isTheme(theme)) document.documentElement.dataset["theme"] = theme;
 }
 
@@ -38,7 +36,7 @@ export function addThemeButton(): void {
   button.addEventListener("click", () => {
     const next: Theme = current() === "dark" ? "light" : "dark";
     document.documentElement.dataset["theme"] = next;
-    remember(key, next);
+    remember(keys.theme, next);
     label();
   });
   label();

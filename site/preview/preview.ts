@@ -4,6 +4,8 @@
 // is left alone: the place that was scrolled to, a running lab, answers, open callouts.
 
 import { followContents } from "../client/contents.js";
+import { addCopyButtons } from "../client/copying.js";
+import { numberLines } from "../client/lines.js";
 import { upgradeQuizzes } from "../client/quiz/quiz.js";
 import { reachScrollers } from "../client/scrollers.js";
 import { markParts } from "./marks.js";
@@ -73,6 +75,8 @@ class Preview {
     const elements = put();
     for (const element of elements) {
       upgradeQuizzes(element);
+      addCopyButtons(element);
+      numberLines(element);
       reachScrollers(element);
     }
     if (elements.some((element) => element.matches(".contents, .prose > *"))) followContents();

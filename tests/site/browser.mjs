@@ -4,15 +4,22 @@
 // A browser's complaint is any message on the console, any error of a script, any request that
 // fails or leaves the site. So each test sees to that as well, whatever else it looks at.
 
-import { globSync } from "node:fs";
-import { resolve } from "node:path";
+import { globSync, readFileSync } from "node:fs";
+import { join, resolve } from "node:path";
 
 import { launch } from "./chromium.mjs";
 import { serve } from "./server.mjs";
 
 export const folder = resolve(process.argv[2] ?? "build/release/test-site");
-// The paths of all pages, below the site's root.
-export const pages = globSync("**/*.html", { cwd: folder }).sort();
+// 404.html is no page, but what is shown instead of one.
+const files = globSync("**/*.html", { cwd: folder })
+  .filter((path) => path !== "404.html")
+  .sort();
+const leadsOn = (path) => readFileSync(join(folder, path), "utf8").includes('http-equiv="refresh"');
+// The paths of all pages, below the site's root; and of those that lead on to one of them, where
+// nobody can stay.
+export const pages = files.filter((path) => !leadsOn(path));
+export const movedPages = files.filter(leadsOn);
 
 class Visitor {
   #browser;

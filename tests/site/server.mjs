@@ -31,7 +31,9 @@ export async function serve(folder) {
       const bytes = await readFile(join(folder, path.slice(base.length) || "index.html"));
       response.writeHead(200, { "content-type": types[extname(path)] ?? "text/html" }).end(bytes);
     } catch {
-      response.writeHead(404).end();
+      // As static hosts do.
+      const missing = await readFile(join(folder, "404.html")).catch(() => "");
+      response.writeHead(404, { "content-type": types[".html"] }).end(missing);
     }
   });
   await new Promise((listening) => server.listen(0, "127.0.0.1", listening));

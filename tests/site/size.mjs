@@ -1,7 +1,11 @@
 // What a reader's browser transfers, as a server compresses it, stays below the bars.
 //
-//   a lesson's page before a lab is played   100 KB: HTML, styles, script and posters
+//   a lesson's page before a lab is played   100 KB: HTML, styles, script and poster, which is the
+//                                            first picture; those that wait to be scrolled to are
+//                                            not in it
 //   of that, script                           20 KB
+//   the search, which comes at its first use  20 KB and its index
+//   what a page loads once it is shown          3 KB
 //   a lab's own code, without the engine     240 KB; its editor is loaded only where one is opened
 //   the engine                               450 KB
 
@@ -46,16 +50,24 @@ function closure(module, known = new Set()) {
 
 const labCode = new Set();
 const engine = new Set();
+const later = new Set();
 for (const page of globSync("**/*.html", { cwd: folder }).sort()) {
+  if (page === "404.html") continue; // it looks for its assets in several folders
   const html = readFileSync(join(folder, page), "utf8");
   const scripts = addresses(page, html, /<script src="([^"]+)"/g);
   const styles = addresses(page, html, /<link rel="stylesheet" href="([^"]+)"/g);
-  const pictures = addresses(page, html, /srcset="([^"]+)"/g);
+  const all = addresses(page, html, /srcset="([^"]+)"/g);
+  const atOnce = addresses(page, html, /srcset="([^"]+)"><img (?![^>]*loading="lazy")/g);
+  const pictures = [...all.slice(0, 1), ...atOnce];
   weigh(`${page} before a lab is played`, [page, ...scripts, ...styles, ...pictures], 100);
   weigh(`its script`, scripts, 20);
+  for (const path of addresses(page, html, /data-reading="([^"]+\.js)"/g)) later.add(path);
   for (const path of addresses(page, html, /data-code="([^"]+)"/g)) labCode.add(path);
   for (const path of addresses(page, html, /data-(?:engine|wasm)="([^"]+)"/g)) engine.add(path);
 }
+const search = globSync("assets/search-*.js", { cwd: folder });
+weigh("the search", [...search, "search.js"], 20);
+weigh("what follows the reader", [...later], 3);
 for (const path of labCode) weigh(`${path} with all it imports`, [...closure(path)], 240);
 if (engine.size > 0) weigh("the engine", [...engine], 450);
 console.log(`${problems} problems`);

@@ -87,6 +87,7 @@ const all = {
   a: "compute model.nq of a",
   b: "compute model.ngeom of b",
   lab: 'rehearse the lab "L"',
+  picture: "draw the model a",
   formula: "set the formulas of 1.1",
 };
 
@@ -158,7 +159,11 @@ try {
     );
   expect("the text of a program", ["two"]);
   change("models/a.xml", "</mujoco>", "<!-- newer --></mujoco>");
-  expect("a model", ["one", "a", "lab"], ["^  models/a.xml changed: [0-9a-f]{8} → [0-9a-f]{8}$"]);
+  expect(
+    "a model",
+    ["one", "a", "lab", "picture"],
+    ["^  models/a.xml changed: [0-9a-f]{8} → [0-9a-f]{8}$"],
+  );
   change("models/parts/part.xml", "</mujoco>", "<!-- newer --></mujoco>");
   expect("a file that a model includes", ["b"], ["^  models/parts/part.xml changed"]);
   change("examples/include/other.hpp", "pragma once", "pragma once\n// newer");

@@ -1,8 +1,9 @@
-// The answers that a reader gave, kept in the browser from one visit to the next.
-//
-// The key bears a version: when what is kept changes its form, the old is left alone and not misread.
+// The answers that a reader gave, kept in the browser from one visit to the next, each with the day
+// on which its question comes again.
 
-import { recall, remember } from "../storage.js";
+import { hasAll, isRecord } from "../fields.js";
+import { keys, recallJson, remember } from "../storage.js";
+import { isReview, type Review } from "./schedule.js";
 
 export interface Answer {
   /** A number as it was typed, or letters: the chosen options, an order's items from the top. */
@@ -11,41 +12,30 @@ export interface Answer {
   readonly missed: boolean;
   /** Whether the right answer is unfolded, found or given up. */
   readonly shown: boolean;
+  /** Once it was answered, in its lesson or in the review. */
+  readonly review?: Review;
 }
 
 export const noAnswer: Answer = { given: [], missed: false, shown: false };
 
-const version = 2;
-
-const keyOf = (question: string): string =>
-  `mjcourse.answer.v${version}:${location.pathname}#${question}`;
-
-function isAnswer(value: unknown): value is Answer {
+export function isAnswer(value: unknown): value is Answer {
   return (
-    typeof value === "object" &&
-    value !== null &&
-    "given" in value &&
-    Array.isArray(value.given) &&
-    value.given.every((part) => typeof part === "string") &&
-    "missed" in value &&
-    typeof value.missed === "boolean" &&
-    "shown" in value &&
-    typeof value.shown === "boolean"
+    isRecord(value) &&
+    hasAll(value, "boolean", ["missed", "shown"]) &&
+    Array.isArray(value["given"]) &&
+    value["given"].every((part) => typeof part === "string") &&
+    (value["review"] === undefined || isReview(value["review"]))
   );
 }
 
-/** What the reader last did with the question of that id. */
-export function recallAnswer(question: string): Answer {
-  try {
-    const kept: unknown = JSON.parse(recall(keyOf(question)) ?? "null");
-    return isAnswer(kept) ? kept : noAnswer;
-  } catch {
-    return noAnswer; // not ours
-  }
+/** What the reader last did with that question of the lesson at `path`. */
+export function recallAnswer(question: string, path = location.pathname): Answer {
+  return recallJson(keys.answer(path, question), isAnswer) ?? noAnswer;
 }
 
 /** To remember that nothing was done is to forget. */
-export function rememberAnswer(question: string, answer: Answer): void {
-  const untouched = answer.given.length === 0 && !answer.missed && !answer.shown;
-  remember(keyOf(question), untouched ? null : JSON.stringify(answer));
+export function rememberAnswer(question: string, answer: Answer, path = location.pathname): void {
+  const { given, missed, shown, review } = answer;
+  const untouched = given.length === 0 && !missed && !shown && !review;
+  remember(keys.answer(path, question), untouched ? null : JSON.stringify(answer));
 }

@@ -1,16 +1,21 @@
-// Right or wrong: what is given held against what the form says is right.
+// Right or wrong: what is given held against what is right.
 
 import { parseNumber } from "./number.js";
 
 export type Verdict = "right" | "wrong" | "unclear" | "none";
 
 /**
- * A form's data-kind is its question's; data-key is what is right: the number, or letters with
- * spaces between; data-tolerance is by how much a number may differ.
+ * As a question's form has it in its data: its kind; the key, the number or letters with spaces
+ * between; the tolerance, by how much a number may differ.
  */
-export function judge(form: HTMLFormElement, given: readonly string[]): Verdict {
+export interface Solution {
+  readonly kind?: string;
+  readonly key?: string;
+  readonly tolerance?: string;
+}
+
+export function judge({ kind, key, tolerance }: Solution, given: readonly string[]): Verdict {
   if (given.length === 0) return "none";
-  const { kind, key, tolerance } = form.dataset;
   if (kind !== "numeric") return given.join(" ") === key ? "right" : "wrong";
   const value = parseNumber(given[0]!);
   if (value === undefined) return "unclear";

@@ -2,22 +2,29 @@
 //
 // Right or wrong is said in words; a wrong answer brings the hint, a right one the explanation.
 // Trying again is free, and so is giving up: the answer is there to be unfolded from the first.
+//
+// A form tells those around it what became of an answer, by an event "judged" that bubbles; its
+// detail is whether the answer was right.
 
 import { noAnswer, recallAnswer, rememberAnswer, type Answer } from "./answers.js";
 import { judge } from "./judge.js";
+import { reviewed } from "./schedule.js";
 import { Sortable } from "./sortable.js";
 import { VerdictLine } from "./verdict.js";
 
 export class Question {
   readonly #form: HTMLFormElement;
+  readonly #lasting: boolean;
   readonly #verdict: VerdictLine;
   readonly #sortable: Sortable | undefined;
   readonly #hint: HTMLDetailsElement | null;
   readonly #solution: HTMLDetailsElement | null;
   #answer: Answer;
 
-  constructor(form: HTMLFormElement) {
+  /** `lasting`: what is done with it is remembered, and what was done restored. */
+  constructor(form: HTMLFormElement, lasting = true) {
     this.#form = form;
+    this.#lasting = lasting;
     this.#verdict = new VerdictLine(form);
     this.#hint = form.querySelector<HTMLDetailsElement>("details.hint");
     this.#solution = form.querySelector<HTMLDetailsElement>("details.answer");
@@ -30,7 +37,7 @@ export class Question {
     });
     // An old verdict must not stand beside a new answer.
     form.addEventListener("input", () => this.#verdict.say("none"));
-    this.#answer = recallAnswer(form.id);
+    this.#answer = lasting ? recallAnswer(form.id) : noAnswer;
     this.#restore();
     this.#solution?.addEventListener("toggle", () => {
       this.#keep({ shown: this.#solution?.open ?? false });
@@ -38,7 +45,8 @@ export class Question {
   }
 
   forget(): void {
-    this.#keep(noAnswer);
+    this.#answer = noAnswer;
+    this.#keep({});
     this.#form.reset();
     this.#sortable?.arrange();
     this.#verdict.say("none");
@@ -73,13 +81,19 @@ export class Question {
 
   #answered(): void {
     const given = this.#given;
-    const verdict = judge(this.#form, given);
+    const verdict = judge(this.#form.dataset, given);
     const hinted = verdict === "wrong" && this.#hint !== null && !this.#answer.missed;
     this.#verdict.say(verdict, given, hinted);
     if (verdict !== "right" && verdict !== "wrong") return;
-    const missed = this.#answer.missed || verdict === "wrong";
-    this.#keep({ given, missed, shown: this.#answer.shown || verdict === "right" });
+    const right = verdict === "right";
+    this.#keep({
+      given,
+      missed: this.#answer.missed || !right,
+      shown: this.#answer.shown || right,
+      review: reviewed(this.#answer.review, right),
+    });
     this.#unfold();
+    this.#form.dispatchEvent(new CustomEvent("judged", { bubbles: true, detail: right }));
   }
 
   #restore(): void {
@@ -90,13 +104,13 @@ export class Question {
       else if (field.type !== "hidden") field.checked = given.includes(field.value);
     }
     if (given.length > 0) this.#sortable?.arrange(given);
-    this.#verdict.say(judge(this.#form, given), given);
+    this.#verdict.say(judge(this.#form.dataset, given), given);
     this.#unfold();
   }
 
   #keep(change: Partial<Answer>): void {
     this.#answer = { ...this.#answer, ...change };
-    rememberAnswer(this.#form.id, this.#answer);
+    if (this.#lasting) rememberAnswer(this.#form.id, this.#answer);
   }
 
   /** Shows the hint once it was earned, and the answer once it was found or asked for. */

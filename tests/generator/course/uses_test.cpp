@@ -33,6 +33,18 @@ TEST(Uses, AreTheSectionsThatSpeakOfIt) {
   EXPECT_EQ(listed(uses_of_link(*read.course, "api:mj_step")), "1.2-y#three\nglossary#hinge\n");
 }
 
+TEST(Uses, OfAModelAreWhateverShowsIt) {
+  const CourseOf read(
+      {{"content/course.yaml", kTwo},
+       {"models/arm.xml", ""},
+       {"content/1-a/1.1-x.md",
+        lesson("## One\n\n```cpp snippet model=arm\nint x;\n```\n\n## Two\n\n[it](model:arm)\n\n## "
+               "Three\n\n```xml model=arm\n<a/>\n```\n")},
+       {"content/1-a/1.2-y.md", lesson("```xml mjcf\n<mujoco/>\n```\n")}});
+  EXPECT_EQ(read.mistakes(), "");
+  EXPECT_EQ(listed(uses_of_model(*read.course, "arm")), "1.1-x#one\n1.1-x#two\n1.1-x#three\n");
+}
+
 TEST(Uses, AreNotInDrafts) {
   const CourseOf read = course_with_glossary("", "[[hinge]] [a](api:mj_step)\n", "draft: true\n");
   EXPECT_EQ(listed(uses_of_term(*read.course, "hinge")), "");

@@ -19,7 +19,7 @@ EvaluationOf example(const std::string& code, const std::string& options = "",
 
 // What is wrong with the run of a program, from its message on: the fence is always the place.
 std::string run_mistake(const std::string& code, const std::string& options = "") {
-  const std::string text = example(code, options).mistakes();
+  std::string text = example(code, options).mistakes();
   const std::string place = "content/1-a/1.1-x.md:4:1: error: ";
   const std::string excerpt = "\n  4 | ```cpp file=examples/a.cpp" + options +
                               "\n    | ^~~~~~~~~~~~~~~~~~~~~~~~~~" +
@@ -55,6 +55,29 @@ TEST(Example, FindsTheCoursesModels) {
                 .result<ExampleResult>()
                 .output,
             "<mujoco>\n");
+}
+
+TEST(Example, TellsWhatAReaderNeedsToBuildIt) {
+  const std::string code =
+      "#include \"mjcourse/mjcourse.hpp\"\nint main() { mjcourse::load_model(\"pair\"); }\n";
+  const std::string mistakes_and_files = [&] {
+    const EvaluationOf found(
+        fence(code),
+        {{"examples/a.cpp", code},
+         {"examples/include/mjcourse/mjcourse.hpp",
+          "#pragma once\n#include <mujoco/mujoco.h>\n#include <cstdlib>\n#include <string>\n"
+          "namespace mjcourse {\ninline void load_model(const std::string& name) {\n"
+          "  char error[100];\n  mj_deleteModel(mj_loadXML((std::getenv(\"MJCOURSE_MODELS\") + "
+          "(\"/\" + name + \".xml\")).c_str(), nullptr, error, 100));\n}\n}\n"},
+         {"examples/include/other.hpp", "#pragma once\n"},
+         {"models/pair.xml", "<mujoco><include file=\"parts/arm.xml\"/></mujoco>\n"},
+         {"models/parts/arm.xml", "<mujocoinclude><worldbody/></mujocoinclude>\n"}});
+    std::string text = found.mistakes();
+    for (const std::string& file : found.result<ExampleResult>().files) text += file + "\n";
+    return text;
+  }();
+  EXPECT_EQ(mistakes_and_files,
+            "examples/include/mjcourse/mjcourse.hpp\nmodels/pair.xml\nmodels/parts/arm.xml\n");
 }
 
 TEST(Example, MayBeShownFromItsFile) {

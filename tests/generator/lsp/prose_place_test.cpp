@@ -30,6 +30,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{"```cpp file=exa", Kind::file, "", "exa"},
                     Case{"```cpp snippet model=sw", Kind::model, "", "sw"},
                     Case{"```text output=", Kind::program, "", ""},
+                    Case{"```cpp sni", Kind::option, "cpp ", "sni"},
+                    Case{"```cpp file=examples/a.cpp ", Kind::option, "cpp file=examples/a.cpp ",
+                         ""},
+                    Case{"```cpp args=\"1 2\" exp", Kind::option, "cpp args=\"1 2\" ", "exp"},
+                    Case{"```xml mjcf expect=e", Kind::choice, "xml mjcf expect", "e"},
                     Case{"see [it](1.", Kind::link, "", "1."},
                     Case{"see [it](1.3#an", Kind::heading, "1.3", "an"},
                     Case{"see [it](#", Kind::heading, "", ""},
@@ -42,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ProsePlace, IsNothingElsewhere) {
   for (const char* before : {"", "text", "see [it](1.3)", "a [[term]] is", "a `span", "a `{x}` is",
-                             "```cpp snippet mo", "[x](1.3 \"ti", "[[term|sho"}) {
+                             "```cpp args=\"a mo", "[x](1.3 \"ti", "[[term|sho"}) {
     EXPECT_FALSE(prose_place(before, false)) << before;
   }
   EXPECT_FALSE(prose_place("a[[", true));

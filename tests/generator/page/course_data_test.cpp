@@ -69,5 +69,26 @@ TEST(LevelsData, LinkTheFirstLevelsOfALongCourseFromAPageOfNone) {
                      "Guide -> index.html#level-guide-title\n"));
 }
 
+// The titles of the pages beside the lessons of a course whose one lesson begins with `front`.
+std::string pages_beside(const std::string& front) {
+  Course course;
+  course.add(
+      std::move(reading_of_file("---\n" + front +
+                                    "---\n```quiz\n{\"id\": \"q\", \"questions\": [{\"kind\": "
+                                    "\"numeric\", \"q\": \"?\", \"answer\": 1}]}\n```\n",
+                                "content/1-a/1.1-x.md")
+                    .lesson.value()));
+  std::string titles;
+  for (const nlohmann::json& page : pages_data(course, {}, "progress")) {
+    titles += page["title"].get<std::string>() + (page["current"] == true ? "!" : "") + " ";
+  }
+  return titles;
+}
+
+TEST(PagesData, HaveAReviewWhereThereIsAQuestion) {
+  EXPECT_EQ(pages_beside("title: T\n"), "Review Your progress! ");
+  EXPECT_EQ(pages_beside("title: T\ndraft: true\n"), "Your progress! ");
+}
+
 }  // namespace
 }  // namespace mjcourse

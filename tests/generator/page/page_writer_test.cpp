@@ -76,6 +76,11 @@ TEST_F(PageWriterTest, ShowsAFormulaWithoutResultAsItsTeX) {
   EXPECT_EQ(body("a $x < y$\n"), "<p>a <span class=\"math\">x &lt; y</span></p>\n");
 }
 
+TEST_F(PageWriterTest, DisplaysAFormulaAlsoInsideOfAParagraph) {
+  EXPECT_EQ(body("$$\nx\n$$\n"), "<div class=\"math display\">x\n</div>\n");
+  EXPECT_EQ(body("a\n$$x$$\nb\n"), "<p>a\n<span class=\"math display\">x</span>\nb</p>\n");
+}
+
 TEST_F(PageWriterTest, PutsAFormulasMarkupInItsPlace) {
   results_.of_block[0] = FormulaResult{"<i>x</i>"};
   EXPECT_EQ(body("a $x$\n"), "<p>a <span class=\"math\"><i>x</i></span></p>\n");

@@ -1,0 +1,12 @@
+// Lesson 1.1: whoever gets a const mjModel* cannot change the world's rules.
+
+#include <mujoco/mujoco.h>
+
+void control(const mjModel* model, mjData* data) {
+  data->ctrl[0] = 0.5;
+  model->opt.gravity[2] = 0;
+}
+
+int main() {
+  mjcb_control = control;
+}

@@ -1,0 +1,32 @@
+// The addresses in course.yaml: where the site is published, and where a lesson is edited.
+//
+// An address goes into pages, the sitemap and the feed as it stands, so it must be one to the
+// letter: absolute, of the web, and with whatever is no plain character escaped.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mjcourse {
+
+// What is wrong with an address, and where in it.
+struct AddressFault {
+  std::size_t begin, end;
+  std::string message, cure;
+};
+
+// Of the address of a site: a page's path is put behind it, so it has no query and no fragment.
+std::optional<AddressFault> site_address_fault(std::string_view url);
+// Of the address of an editor, in which {path} stands for a lesson's file below the course.
+std::optional<AddressFault> edit_address_fault(std::string_view edit);
+
+// The site's root, which ends with a slash.
+std::string site_root(const std::string& url);
+// `path` as an address has it: "a b" is "a%20b".
+std::string escaped_path(std::string_view path);
+// Where the file `path` of the course is edited.
+std::string edit_address(const std::string& edit, const std::string& path);
+
+}  // namespace mjcourse

@@ -1,0 +1,29 @@
+#include "page/gallery_page.h"
+
+#include <utility>
+
+#include "course/link_target.h"
+#include "course/uses.h"
+#include "page/model_page.h"
+#include "page/uses_data.h"
+
+namespace mjcourse {
+
+std::string gallery_page(const Course& course, const Evaluation& evaluation, const Press& press) {
+  nlohmann::json models = nlohmann::json::array();
+  for (const ModelPage& model : evaluation.models) {
+    const nlohmann::json sizes = sizes_data(model);
+    nlohmann::json uses = uses_data(uses_of_model(course, model.name), course, evaluation, "");
+    // The sections stand on the model's own page.
+    for (nlohmann::json& page : uses) page["sections"] = nlohmann::json::array();
+    models.push_back({{"name", model.name},
+                      {"href", model_page_path(model.name)},
+                      {"poster", poster_data(model, "")},
+                      {"sizes", {sizes.at(0), sizes.at(1), sizes.at(2)}},
+                      {"uses", std::move(uses)}});
+  }
+  return render_template(press.templates, "gallery",
+                         {{"title", kGalleryTitle}, {"models", std::move(models)}});
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,17 @@
+// The page of all models: a picture of each, its sizes, and the lessons that are about it.
+#pragma once
+
+#include <string>
+
+#include "evaluate/evaluate.h"
+#include "page/page_writer.h"
+
+namespace mjcourse {
+
+inline constexpr const char* kGalleryPage = "models.html";
+inline constexpr const char* kGalleryTitle = "Models";
+
+// The page's body; `press` writes models.html.
+std::string gallery_page(const Course& course, const Evaluation& evaluation, const Press& press);
+
+}  // namespace mjcourse

@@ -1,0 +1,30 @@
+// The pages of what a reader's browser remembers: how far each lesson was read, and the questions
+// that come again after some days.
+//
+// The generator knows nothing of readers. It lists what there is to be remembered, and the pages'
+// own scripts (site/client/progress, site/client/review) say what was.
+#pragma once
+
+#include <vector>
+
+#include "page/lesson_parts.h"
+#include "page/page_press.h"
+
+namespace mjcourse {
+
+inline constexpr const char* kProgressTitle = "Your progress";
+inline constexpr const char* kProgressPage = "progress.html";
+inline constexpr const char* kReviewTitle = "Review";
+inline constexpr const char* kReviewPage = "review.html";
+
+// `parts` are those of the lessons, by their index.
+void write_progress(const SiteData& site, const std::vector<LessonParts>& parts, PagePress& press,
+                    Spool& spool);
+
+// With the file of all questions: a script and no JSON, as a page that was opened from the disk can
+// load nothing else. It calls itself `mjcourseQuestions`; site/client/review/deck.ts says what it
+// is.
+void write_review(const SiteData& site, const std::vector<LessonParts>& parts, PagePress& press,
+                  SiteFiles& directory, const Spool& spool);
+
+}  // namespace mjcourse

@@ -1,0 +1,90 @@
+#include "page/program_folder.h"
+
+#include <stdexcept>
+
+namespace mjcourse {
+namespace {
+
+// Before and behind the list of sources. The target has a name of its own, as not every program's
+// is one that CMake takes.
+constexpr const char* kCMakeHead = R"(cmake_minimum_required(VERSION 3.20)
+project(program LANGUAGES CXX)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+# Not find_package(mujoco): Debian's package file for it names folders that no package brings.
+find_path(MUJOCO_INCLUDE_DIR mujoco/mujoco.h REQUIRED)
+find_library(MUJOCO_LIBRARY mujoco REQUIRED)
+
+add_executable(program)";
+constexpr const char* kCMakeTail = R"()
+target_compile_features(program PRIVATE cxx_std_20)
+target_include_directories(program PRIVATE include)
+target_include_directories(program SYSTEM PRIVATE ${MUJOCO_INCLUDE_DIR})
+target_link_libraries(program PRIVATE ${MUJOCO_LIBRARY} Eigen3::Eigen)
+target_compile_definitions(program PRIVATE MJCOURSE_MODELS="${CMAKE_CURRENT_SOURCE_DIR}/models")
+set_target_properties(program PROPERTIES OUTPUT_NAME )";
+
+// `path` of the course as it is called in the folder.
+std::string path_in_folder(const std::string& path) {
+  const std::string examples = "examples/";
+  return path.starts_with(examples) ? path.substr(examples.size()) : path;
+}
+
+std::string cmake_lists(const TakenProgram& program) {
+  std::string sources = " \"" + program.example.name() + ".cpp\"";
+  for (const std::string& file : program.result.files) {
+    if (file.ends_with(".cpp")) sources += " \"" + path_in_folder(file) + "\"";
+  }
+  return kCMakeHead + sources + kCMakeTail + "\"" + program.example.name() + "\")\n";
+}
+
+// A word of a command line.
+std::string quoted(const std::string& word) {
+  const bool plain = word.find_first_not_of(
+                         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
+                         "0123456789_./=+-,:@") == word.npos;
+  if (plain && !word.empty()) return word;
+  std::string inside;
+  for (const char c : word) inside += c == '\'' ? "'\\''" : std::string(1, c);
+  return "'" + inside + "'";
+}
+
+std::string readme(const TakenProgram& program, const SiteData& site) {
+  const Example& example = program.example;
+  std::string run = quoted("build/" + example.name());
+  for (const std::string& argument : example.arguments) run += " " + quoted(argument);
+  return example.name() + ".cpp: a program of “" + site.course.title + "”, for MuJoCo " +
+         site.evaluation.versions.mujoco +
+         " and Eigen 3.4 (Debian: libmujoco-dev, libeigen3-dev)\n" + "Lesson " +
+         program.lesson.number + ": " + program.lesson.front.title.text + "\n" +
+         "cmake -S . -B build && cmake --build build, then " + run + "\n";
+}
+
+// What is no file of the course is the tool's, under the same path.
+std::string read_either(const std::string& path, const SiteData& site) {
+  auto bytes = site.files.read(path);
+  if (!bytes && !site.files.exists(path)) bytes = site.assets.read(path);
+  if (!bytes) throw std::runtime_error(bytes.error());
+  return *std::move(bytes);
+}
+
+}  // namespace
+
+std::map<std::string, std::string> program_folder(const TakenProgram& program,
+                                                  const SiteData& site) {
+  const std::string folder = program.example.name() + "/";
+  std::map<std::string, std::string> files{
+      {folder + program.example.name() + ".cpp", read_either(program.example.file.text, site)},
+      {folder + "CMakeLists.txt", cmake_lists(program)},
+      {folder + "README.txt", readme(program, site)}};
+  for (const std::string& path : program.result.files) {
+    files[folder + path_in_folder(path)] = read_either(path, site);
+  }
+  return files;
+}
+
+}  // namespace mjcourse

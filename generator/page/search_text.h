@@ -1,0 +1,30 @@
+// What the search finds of a lesson: its sections, as text with all markup gone.
+//
+// Enter at search_sections. Inline values are the numbers that the build computed; formulas set in
+// a line stay TeX, those that stand alone, the answers of questions and what a demo becomes are
+// left out. Code, with what it prints, is kept apart, since it counts less than words.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "evaluate/result.h"
+#include "lesson/lesson.h"
+
+namespace mjcourse {
+
+struct SearchSection {
+  std::string title, anchor;  // both empty for what stands before the first heading
+  std::string text, code;     // each stretch of blanks as one
+};
+
+std::vector<SearchSection> search_sections(const Lesson& lesson, const LessonResults& results);
+
+// At most so many bytes of `text`, which is UTF-8, up to the end of a word.
+std::string beginning_of(const std::string& text, std::size_t most);
+
+// `text` with each stretch of blanks as one, and none at its ends.
+std::string with_single_blanks(const std::string& text);
+
+}  // namespace mjcourse

@@ -1,0 +1,8 @@
+// What listings get of a script. It comes by itself, as pages without code have no need of it, and none
+// has before it is read.
+
+import { addCopyButtons } from "./copying.js";
+import { numberLines } from "./lines.js";
+
+addCopyButtons();
+numberLines();

@@ -1,0 +1,10 @@
+// The script that every page loads once it is shown: what was read is marked, and what is being read
+// followed.
+
+import { followReading } from "./follow.js";
+import { showSigns } from "./signs.js";
+
+const lesson = document.querySelector<HTMLElement>("article.lesson");
+const foot = lesson?.querySelector(".lesson-foot");
+if (lesson && foot) followReading(lesson, foot);
+showSigns();

@@ -1,0 +1,28 @@
+// What is loaded when a reader first searches, or asks for the keys: entered by opener.ts, which
+// knows it by the object that it leaves.
+
+import { KeysDialog } from "./keys-dialog.js";
+import { mendMissingPage } from "./missing.js";
+import { add, addressOf } from "./scripts.js";
+import { SearchDialog } from "./search-dialog.js";
+
+let keys: KeysDialog | undefined;
+let search: SearchDialog | undefined;
+
+// Without it they are plain, and work all the same.
+const link = document.createElement("link");
+link.rel = "stylesheet";
+link.href = addressOf(window.mjcourse!.styles);
+const styled = add(link).catch(() => undefined);
+
+function openKeys(): void {
+  void styled.then(() => (keys ??= new KeysDialog()).open());
+}
+
+function openSearch(words?: string): void {
+  void styled.then(() => (search ??= new SearchDialog(openKeys)).open(words));
+}
+
+const missing = document.querySelector(".missing");
+if (missing) mendMissingPage(missing, openSearch);
+window.mjcourse!.dialogs = { openSearch, openKeys };

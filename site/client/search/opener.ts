@@ -1,0 +1,47 @@
+// The search's button, and the way to what it opens, which is loaded at its first use. The button is
+// made here because without the script it could do nothing.
+
+import { run, type Dialogs } from "./scripts.js";
+
+const button = document.createElement("button");
+let loading: Promise<Dialogs> | undefined;
+
+async function load(): Promise<Dialogs> {
+  await run("search.js");
+  await run(window.mjcourse!.code);
+  return window.mjcourse!.dialogs!;
+}
+
+async function open(show: (dialogs: Dialogs) => void): Promise<void> {
+  try {
+    show(await (loading ??= load()));
+  } catch {
+    loading = undefined; // the next time may be a better one
+    button.title = button.textContent = "Search: not loaded, try again";
+    button.focus();
+  }
+}
+
+/** Without `words`, what was looked for last is still there. */
+export function openSearch(words?: string): void {
+  void open((dialogs) => dialogs.openSearch(words));
+}
+
+export function openKeys(): void {
+  void open((dialogs) => dialogs.openKeys());
+}
+
+/** Of 404.html, which is of little use without the search. */
+export function mendMissingPage(): void {
+  if (document.querySelector(".missing")) void open(() => undefined);
+}
+
+export function addSearchButton(): void {
+  button.type = "button";
+  button.className = "search-button";
+  button.title = "Search (Ctrl + K)";
+  button.setAttribute("aria-keyshortcuts", "Control+K");
+  button.textContent = "Search";
+  button.addEventListener("click", () => openSearch());
+  document.querySelector(".masthead")?.append(button);
+}

@@ -1,0 +1,47 @@
+// The files of the search, which come when they are wanted.
+//
+// They are added as elements and not fetched: a page that was opened from the disk may do nothing
+// else. Each leaves what it has in one object of the window.
+
+import type { Page } from "./pages.js";
+
+export interface Dialogs {
+  openSearch(words?: string): void;
+  openKeys(): void;
+}
+
+interface Shelf {
+  /** All three below the site's root. */
+  readonly code: string;
+  readonly styles: string;
+  readonly index: string;
+  dialogs?: Dialogs;
+  pages?: readonly Page[];
+}
+
+declare global {
+  interface Window {
+    mjcourse?: Shelf;
+  }
+}
+
+/** Of a file of the site. */
+export function addressOf(path: string): string {
+  return `${document.documentElement.dataset["root"] ?? ""}${path}`;
+}
+
+/** Until it is there. */
+export function add(element: HTMLElement): Promise<unknown> {
+  return new Promise((resolve, reject) => {
+    element.onload = resolve;
+    element.onerror = reject;
+    document.head.append(element);
+  });
+}
+
+/** Runs the script `path` of the site. */
+export function run(path: string): Promise<unknown> {
+  const script = document.createElement("script");
+  script.src = addressOf(path);
+  return add(script);
+}

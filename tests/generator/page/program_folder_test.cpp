@@ -1,0 +1,69 @@
+#include "page/program_folder.h"
+
+#include <gtest/gtest.h>
+
+#include "reading_of.h"
+
+namespace mjcourse {
+namespace {
+
+class ProgramFolder : public testing::Test {
+ protected:
+  // The folder of the one program of a lesson with this fence, which was made of `files`.
+  std::map<std::string, std::string> folder_of(const std::string& fence,
+                                               std::vector<std::string> files) {
+    course_.title = "Course";
+    course_.lessons.clear();
+    course_.add(std::move(reading_of(fence).lesson.value()));
+    const Lesson& lesson = course_.lessons[0];
+    const ExampleResult result{"", "", {}, 0, std::move(files)};
+    const SiteData site{course_, evaluation_, course_files_, assets_, {}, {}};
+    return program_folder({std::get<Example>(lesson.blocks.at(0)), result, lesson}, site);
+  }
+
+  const MemoryFiles course_files_{{{"examples/a.cpp", "int main() {}\n"},
+                                   {"examples/sub/b c.cpp", "int main() {}\n"},
+                                   {"examples/include/own.hpp", "// own\n"},
+                                   {"models/m/x.xml", "<mujoco/>\n"}}};
+  const MemoryFiles assets_{{{"examples/include/mjcourse/handlers.cpp", "// tool\n"},
+                             {"examples/include/own.hpp", "// hidden\n"}}};
+  Course course_;
+  Evaluation evaluation_;
+};
+
+TEST_F(ProgramFolder, HasWhatTheProgramWasMadeOfAndOpened) {
+  const auto files = folder_of(
+      "```cpp file=examples/a.cpp\n```\n",
+      {"examples/include/mjcourse/handlers.cpp", "examples/include/own.hpp", "models/m/x.xml"});
+  std::string names;
+  for (const auto& [path, bytes] : files) names += path + "\n";
+  EXPECT_EQ(names,
+            "a/CMakeLists.txt\na/README.txt\na/a.cpp\na/include/mjcourse/handlers.cpp\n"
+            "a/include/own.hpp\na/models/m/x.xml\n");
+  EXPECT_EQ(files.at("a/include/own.hpp"), "// own\n") << "the course's goes before the tool's";
+  EXPECT_EQ(files.at("a/include/mjcourse/handlers.cpp"), "// tool\n");
+  EXPECT_NE(files.at("a/CMakeLists.txt")
+                .find("add_executable(program \"a.cpp\" \"include/mjcourse/handlers.cpp\")\n"),
+            std::string::npos);
+}
+
+TEST_F(ProgramFolder, SaysInThreeLinesWhatItIs) {
+  const auto files =
+      folder_of("```cpp file=\"examples/sub/b c.cpp\" args=\"1 a*b it's\"\n```\n", {});
+  ASSERT_TRUE(files.contains("b c/README.txt")) << files.begin()->first;
+  const std::string& text = files.at("b c/README.txt");
+  EXPECT_NE(text.find("\nLesson 1.1: T\ncmake -S . -B build && cmake --build build, then "
+                      "'build/b c' 1 'a*b' 'it'\\''s'\n"),
+            std::string::npos)
+      << text;
+  EXPECT_TRUE(text.starts_with("b c.cpp: a program of “Course”")) << text;
+  EXPECT_EQ(files.size(), 3u);
+}
+
+TEST_F(ProgramFolder, FailsWhereAFileIsGone) {
+  EXPECT_THROW(folder_of("```cpp file=examples/a.cpp\n```\n", {"models/gone.xml"}),
+               std::runtime_error);
+}
+
+}  // namespace
+}  // namespace mjcourse

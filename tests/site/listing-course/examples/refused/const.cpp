@@ -1,0 +1,4 @@
+int main() {
+  const int n = 1;
+  n = 2;
+}

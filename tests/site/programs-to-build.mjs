@@ -1,0 +1,82 @@
+// What a reader takes along builds and runs: each zip is unpacked, built as its README says, with nothing
+// set, and prints what the page shows.
+//
+//   node tests/site/programs-to-build.mjs SITE
+
+import { execFileSync, spawnSync } from "node:child_process";
+import { globSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
+import { basename, join } from "node:path";
+
+import { folder, pages, testSite } from "./browser.mjs";
+
+// The listings with a zip, and what is printed below them, if anything is.
+function listings() {
+  return [...document.querySelectorAll(".example:has(figcaption a[href$='.zip'])")].map(
+    (figure) => ({
+      zip: new URL(figure.querySelector("a[href$='.zip']").href).pathname,
+      label: figure.querySelector(".output-label")?.textContent,
+      printed: [...figure.querySelectorAll("samp")].map((part) => part.textContent).join(""),
+    }),
+  );
+}
+
+// What is no number must be the same, and numbers to one unit in their last place: the reader's program is
+// optimised, and the lesson's is not.
+function agree(printed, shown) {
+  const number = /-?\d+\.\d+/g;
+  if (printed.replace(number, "#") !== shown.replace(number, "#")) return false;
+  const stated = shown.match(number) ?? [];
+  return (printed.match(number) ?? []).every((text, i) => {
+    const unit = 10 ** -stated[i].split(".")[1].length;
+    return Math.abs(Number(text) - Number(stated[i])) < 1.5 * unit;
+  });
+}
+
+const environment = { PATH: process.env.PATH, HOME: process.env.HOME };
+
+// Unpacks, builds and runs it; gives what came of it.
+function tryOut(zip, place) {
+  const run = (...words) => execFileSync(words[0], words.slice(1), { cwd: place, stdio: "pipe" });
+  run("unzip", "-q", join(folder, zip));
+  const inside = join(place, basename(zip, ".zip"));
+  const readme = readFileSync(join(inside, "README.txt"), "utf8").trimEnd().split("\n");
+  if (readme.length !== 3) throw new Error(`README.txt has ${readme.length} lines`);
+  const [build, start] = readme[2].split(", then ");
+  const options = { cwd: inside, env: environment, encoding: "utf8" };
+  execFileSync("sh", ["-ec", build], { ...options, stdio: "pipe" });
+  return spawnSync("sh", ["-c", start], options);
+}
+
+await testSite(async (visitor) => {
+  const shown = new Map();
+  for (const path of pages) {
+    await visitor.visit(path, { javaScript: false }, async (page) => {
+      for (const { zip, label, printed } of await page.evaluate(listings)) {
+        const file = zip.slice(zip.indexOf("/examples/") + 1);
+        const known = shown.get(file) ?? [];
+        shown.set(file, label ? [...known, { path, label, printed }] : known);
+      }
+    });
+  }
+  const zips = globSync("examples/**/*.zip", { cwd: folder }).sort();
+  visitor.expect(zips.length > 0, folder, "there is no program to build");
+  visitor.expect([...shown.keys()].sort().join() === zips.join(), folder, `${zips} have no links`);
+  for (const zip of zips) {
+    const place = mkdtempSync(join(tmpdir(), "mjcourse-"));
+    try {
+      const { stdout, stderr, status } = tryOut(zip, place);
+      visitor.expect(stderr === "", zip, stderr);
+      for (const { path, label, printed } of shown.get(zip) ?? []) {
+        const code = Number(/exits with code (\d+)/.exec(label)?.[1] ?? 0);
+        visitor.expect(status === code, `${zip} of ${path}`, `ends with ${status}`);
+        visitor.expect(agree(stdout, printed), `${zip} of ${path}`, `prints\n${stdout}`);
+      }
+    } finally {
+      rmSync(place, { recursive: true });
+    }
+  }
+  const proved = [...shown.values()].flat().length;
+  visitor.expect(proved > 0, folder, "no output was compared");
+  console.log(`${zips.length} programs built, ${proved} outputs compared`);
+});

@@ -1,0 +1,137 @@
+// The search finds a section by its words, also misspelt, MuJoCo's names by their parts, and models,
+// and opens there; with the keyboard alone, on a phone, and on a page that was opened from the disk.
+// Single keys turn pages, never while somebody types, and can be switched off.
+
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+import { folder, testSite } from "./browser.mjs";
+
+const axe = readFileSync(
+  new URL("../../site/node_modules/axe-core/axe.min.js", import.meta.url),
+  "utf8",
+);
+const lesson = "1-state/1.2-generalized-coordinates.html";
+
+// What is typed, and how the address ends that must be found first.
+const wanted = [
+  ["adding a small vector leaves the sphere", "#integrating-positions"],
+  ["quaternoin", "#quaternion"],
+  ["joint_zoo", "models/joint_zoo.html"],
+  ["integratepos", "api.html#mj_integratePos"],
+  ["mj_differentiatePos", "api.html#mj_differentiatePos"],
+];
+
+const field = (page) => page.getByRole("combobox", { name: "Search this course" });
+const options = (page) => page.getByRole("option");
+
+async function look(page, words) {
+  await field(page).fill(words);
+  await page.waitForFunction(() =>
+    /result|Nothing/.test(document.querySelector(".search-status").textContent),
+  );
+  const chosen = await field(page).getAttribute("aria-activedescendant");
+  return chosen === null ? null : page.locator(`#${chosen}`);
+}
+
+async function findsAll(visitor, page, where) {
+  for (const [words, end] of wanted) {
+    const first = await look(page, words);
+    const href = (await first?.getAttribute("href")) ?? "nothing";
+    visitor.expect(href.includes(end), where, `“${words}” finds ${href}`);
+    const marks = await first?.locator("mark").count();
+    visitor.expect(marks > 0, where, `what “${words}” finds is not marked`);
+  }
+  const nothing = await look(page, "xyzzyplugh");
+  visitor.expect(nothing === null, where, "something is found for a word that is not there");
+}
+
+async function violations() {
+  const { violations } = await globalThis.axe.run();
+  return violations.map(({ id, nodes }) => `${id}: ${nodes[0].target} ${nodes[0].failureSummary}`);
+}
+
+async function isAccessible(visitor, page, where) {
+  await page.evaluate(axe);
+  for (const violation of await page.evaluate(violations)) visitor.complain(where, violation);
+}
+
+async function opensAtSection(visitor, page, where) {
+  await look(page, "quaternion");
+  const before = await field(page).getAttribute("aria-activedescendant");
+  await page.keyboard.press("ArrowDown");
+  const after = await field(page).getAttribute("aria-activedescendant");
+  visitor.expect(before !== after, where, "the arrow chooses nothing");
+  const href = await page.locator(`#${after}`).getAttribute("href");
+  await page.keyboard.press("Enter");
+  await page.waitForURL(href);
+  const there = await page.evaluate(() => document.querySelector(":target") !== null);
+  visitor.expect(there === href.includes("#"), where, `${href} is not where its link leads`);
+}
+
+async function turnsPages(visitor, page, where) {
+  const next = await page.locator("a[rel=next]").first().getAttribute("href");
+  await page.keyboard.press("?");
+  const single = page.getByRole("checkbox", { name: "Single keys act" });
+  await single.waitFor(); // what opens it comes at its first use
+  await isAccessible(visitor, page, `${where}, the keys`);
+  await page.keyboard.press("]");
+  visitor.expect(await single.isVisible(), where, "a key acts behind the open dialog");
+  await single.uncheck();
+  await page.keyboard.press("Escape");
+  const here = page.url();
+  for (const key of ["]", "/", "?"]) await page.keyboard.press(key);
+  visitor.expect((await page.locator("dialog[open]").count()) === 0, where, "a key is not off");
+  await page.keyboard.press("Control+k");
+  await field(page).press("End");
+  await field(page).press("]");
+  visitor.expect((await field(page).inputValue()).endsWith("]"), where, "] cannot be typed");
+  await page.getByRole("button", { name: "Keys of this site" }).click();
+  await single.check();
+  await page.keyboard.press("Escape");
+  visitor.expect(page.url() === here, where, "a key that is off turns the page");
+  await page.keyboard.press("Control+]");
+  await page.waitForLoadState("networkidle"); // what turning the page breaks off counts as failed
+  await page.keyboard.press("]");
+  await page.waitForURL((url) => url.href.endsWith(next.replace("../", "")));
+  await page.waitForLoadState("networkidle");
+  await page.keyboard.press("[");
+  await page.waitForURL(here);
+  await page.waitForLoadState("networkidle");
+}
+
+await testSite(async (visitor) => {
+  for (const [scheme, width] of [
+    ["light", 1440],
+    ["dark", 360],
+  ]) {
+    const where = `${lesson} (${scheme}, ${width} px)`;
+    await visitor.visit(lesson, { scheme, width }, async (page) => {
+      const early = await page.locator("script[src*='search-']").count();
+      visitor.expect(early === 0, where, "the search is loaded before it is wanted");
+      await page.getByRole("button", { name: "Search" }).click();
+      await findsAll(visitor, page, where);
+      await look(page, "quaternion velocity");
+      visitor.expect((await options(page).count()) > 3, where, "one word is found in few places");
+      await isAccessible(visitor, page, `${where}, the search`);
+      const wide = await page.evaluate(() => document.documentElement.scrollWidth > innerWidth);
+      visitor.expect(!wide, where, "the page scrolls sideways");
+      await page.keyboard.press("Escape");
+      await page.keyboard.press("/");
+      await opensAtSection(visitor, page, where);
+    });
+  }
+  await visitor.visit("guide/A.2-text.html", {}, (page) => turnsPages(visitor, page, "the keys"));
+  await visitor.visit(lesson, {}, async (page) => {
+    page.removeAllListeners("request"); // it leaves the server on purpose
+    await page.goto(pathToFileURL(join(folder, lesson)).href);
+    await page.keyboard.press("/");
+    await findsAll(visitor, page, "from the disk");
+    await opensAtSection(visitor, page, "from the disk");
+  });
+  await visitor.visit(lesson, { javaScript: false }, async (page) => {
+    const buttons = await page.getByRole("button", { name: "Search" }).count();
+    visitor.expect(buttons === 0, lesson, "without JavaScript there is a search that does nothing");
+  });
+});
