@@ -3,20 +3,21 @@
 //   node tests/tidy.mjs BUILD     BUILD: the folder with compile_commands.json
 //
 // A file takes seconds, so one in which nothing was found is not looked at again before it, a
-// header of ours that it includes, its flags or .clang-tidy change: BUILD/tidy/ holds a stamp for
-// each, named by a hash of all that.
+// header of ours that it includes, its flags or .clang-tidy change: the user's cache holds a stamp
+// for each, named by a hash of all that. Other checkouts find it, too.
 
 import { execFile, execFileSync } from "node:child_process";
 import { createHash } from "node:crypto";
-import { existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from "node:fs";
-import { availableParallelism } from "node:os";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import { availableParallelism, homedir } from "node:os";
 import { join, relative, resolve } from "node:path";
 
 const tidy = "clang-tidy-16";
 const root = resolve(import.meta.dirname, "..");
 const generator = join(root, "generator");
 const build = resolve(process.argv[2] ?? "build/release");
-const stamps = join(build, "tidy");
+const cache = process.env.XDG_CACHE_HOME || join(homedir(), ".cache");
+const stamps = join(cache, "mjcourse", "tidy");
 // The flags are g++'s, and may name warnings that clang does not know.
 const flags = ["-p", build, "--quiet", "--extra-arg=-Wno-unknown-warning-option"];
 
@@ -34,11 +35,11 @@ function addIncludes(file, closure) {
 
 const tool =
   execFileSync(tidy, ["--version"], { encoding: "utf8" }) +
-  flags.join(" ") +
+  flags.slice(2).join(" ") +
   readFileSync(join(root, ".clang-tidy"), "utf8");
 
 function stampOf({ file, command }) {
-  const hash = createHash("sha256").update(tool).update(command);
+  const hash = createHash("sha256").update(tool).update(command.replaceAll(root, "."));
   for (const [, text] of [...addIncludes(file, new Map())].sort()) hash.update(text);
   return hash.digest("hex");
 }
@@ -57,8 +58,7 @@ const tasks = commands
   .filter(({ file }) => file.startsWith(generator))
   .map((command) => ({ file: command.file, stamp: stampOf(command) }));
 mkdirSync(stamps, { recursive: true });
-const known = new Set(readdirSync(stamps));
-const waiting = tasks.filter(({ stamp }) => !known.has(stamp));
+const waiting = tasks.filter(({ stamp }) => !existsSync(join(stamps, stamp)));
 const looked = waiting.length;
 
 let failed = 0;
@@ -72,9 +72,5 @@ async function work() {
 }
 await Promise.all(Array.from({ length: availableParallelism() }, work));
 
-const current = new Set(tasks.map(({ stamp }) => stamp));
-for (const stamp of readdirSync(stamps)) {
-  if (!current.has(stamp)) rmSync(join(stamps, stamp));
-}
 console.log(`${tasks.length} files, ${looked} looked at, findings in ${failed}`);
 process.exitCode = failed > 0 || tasks.length === 0 ? 1 : 0;
