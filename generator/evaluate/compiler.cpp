@@ -7,6 +7,7 @@
 #include "base/cache_folder.h"
 #include "base/files.h"
 #include "evaluate/driver_steps.h"
+#include "evaluate/linked_libraries.h"
 #include "evaluate/warm_header.h"
 
 namespace mjcourse {
@@ -93,6 +94,7 @@ struct Compiler::Program {
   fs::path source;
   IncludeFolders include;
   fs::path binary, folder;
+  std::vector<std::string> libraries;
   bool optimize = false;
 };
 
@@ -134,7 +136,8 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
   std::vector<std::string> link;
   if (header) append(link, (header->folder / "header.o").string());
   if (handlers) append(link, (handlers->folder / "handlers.o").string());
-  append(link, "-lmujoco", "-o", program.binary.string());
+  for (const std::string& library : program.libraries) append(link, "-l" + library);
+  append(link, "-o", program.binary.string());
   // Of the warm header a program needs little.
   if (fast && toolchain_.has_mold) append(link, "-fuse-ld=mold", "-Wl,--gc-sections");
 
@@ -170,13 +173,15 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
 
 Compiled Compiler::compile(const fs::path& source, const fs::path& examples, const fs::path& binary,
                            const fs::path& folder, bool optimize) const {
-  const Program program{source, include_folders_of(examples, helper_), binary, folder, optimize};
+  // What cannot be read, the compiler will say.
+  const std::string text =
+      DiskFiles(source.parent_path()).read(source.filename().string()).value_or("");
+  const Program program{
+      source,  include_folders_of(examples, helper_), binary, folder, linked_libraries(text),
+      optimize};
   const WarmObjects::Entry handlers = warm_->handlers(program.include);
   WarmObjects::Entry header;
-  if (!optimize) {
-    const auto text = DiskFiles(source.parent_path()).read(source.filename().string());
-    if (text) header = warm_->header(warm_roots(*text, program.include), program.include);
-  }
+  if (!optimize) header = warm_->header(warm_roots(text, program.include), program.include);
   const auto silent = [](const Compiled& compiled) {
     return compiled.succeeded && compiled.raw.empty();
   };

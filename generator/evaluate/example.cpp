@@ -67,7 +67,8 @@ Command run_command(const Example& example, const fs::path& binary, const fs::pa
   command.folder = folder / "run";
   fs::create_directory(command.folder);
   command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string(),
-                         "MJCOURSE_RECORDS=" + fs::absolute(records).string()};
+                         "MJCOURSE_RECORDS=" + fs::absolute(records).string(),
+                         "MESA_SHADER_CACHE_DISABLE=true"};  // it would lie in a user's home
   command.seconds = example.seconds;
   write_file(records, "");
   command.sandbox = program_sandbox(binary, command.folder, records, root);

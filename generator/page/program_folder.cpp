@@ -1,12 +1,15 @@
 #include "page/program_folder.h"
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "evaluate/linked_libraries.h"
 
 namespace mjcourse {
 namespace {
 
-// Before and behind the list of sources. The target has a name of its own, as not every program's
-// is one that CMake takes.
+// Around the libraries that are looked for and the list of sources. The target has a name of its
+// own, as not every program's is one that CMake takes.
 constexpr const char* kCMakeHead = R"(cmake_minimum_required(VERSION 3.20)
 project(program LANGUAGES CXX)
 
@@ -17,14 +20,11 @@ endif()
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 # Not find_package(mujoco): Debian's package file for it names folders that no package brings.
 find_path(MUJOCO_INCLUDE_DIR mujoco/mujoco.h REQUIRED)
-find_library(MUJOCO_LIBRARY mujoco REQUIRED)
-
-add_executable(program)";
-constexpr const char* kCMakeTail = R"()
+)";
+constexpr const char* kCMakeTail = R"( Eigen3::Eigen)
 target_compile_features(program PRIVATE cxx_std_20)
 target_include_directories(program PRIVATE include)
 target_include_directories(program SYSTEM PRIVATE ${MUJOCO_INCLUDE_DIR})
-target_link_libraries(program PRIVATE ${MUJOCO_LIBRARY} Eigen3::Eigen)
 target_compile_definitions(program PRIVATE MJCOURSE_MODELS="${CMAKE_CURRENT_SOURCE_DIR}/models")
 set_target_properties(program PROPERTIES OUTPUT_NAME )";
 
@@ -34,12 +34,19 @@ std::string path_in_folder(const std::string& path) {
   return path.starts_with(examples) ? path.substr(examples.size()) : path;
 }
 
-std::string cmake_lists(const TakenProgram& program) {
+std::string cmake_lists(const TakenProgram& program, const std::string& text) {
+  std::string find, link;
+  for (const std::string& library : linked_libraries(text)) {
+    find += "find_library(LIB_" + library + " " + library + " REQUIRED)\n";
+    link += " ${LIB_" + library + "}";
+  }
   std::string sources = " \"" + program.example.name() + ".cpp\"";
   for (const std::string& file : program.result.files) {
     if (file.ends_with(".cpp")) sources += " \"" + path_in_folder(file) + "\"";
   }
-  return kCMakeHead + sources + kCMakeTail + "\"" + program.example.name() + "\")\n";
+  return kCMakeHead + find + "\nadd_executable(program" + sources +
+         ")\ntarget_link_libraries(program PRIVATE" + link + kCMakeTail + "\"" +
+         program.example.name() + "\")\n";
 }
 
 // A word of a command line.
@@ -53,14 +60,16 @@ std::string quoted(const std::string& word) {
   return "'" + inside + "'";
 }
 
-std::string readme(const TakenProgram& program, const SiteData& site) {
+std::string readme(const TakenProgram& program, const std::string& text, const SiteData& site) {
   const Example& example = program.example;
+  const bool draws = std::ranges::count(linked_libraries(text), "OSMesa") > 0;
   std::string run = quoted("build/" + example.name());
   for (const std::string& argument : example.arguments) run += " " + quoted(argument);
   return example.name() + ".cpp: a program of “" + site.course.title + "”, for MuJoCo " +
          site.evaluation.versions.mujoco +
-         " and Eigen 3.4 (Debian: libmujoco-dev, libeigen3-dev)\n" + "Lesson " +
-         program.lesson.number + ": " + program.lesson.front.title.text + "\n" +
+         (draws ? ", Eigen 3.4 and OSMesa (Debian: libmujoco-dev, libeigen3-dev, libosmesa6-dev)\n"
+                : " and Eigen 3.4 (Debian: libmujoco-dev, libeigen3-dev)\n") +
+         "Lesson " + program.lesson.number + ": " + program.lesson.front.title.text + "\n" +
          "cmake -S . -B build && cmake --build build, then " + run + "\n";
 }
 
@@ -77,10 +86,10 @@ std::string read_either(const std::string& path, const SiteData& site) {
 std::map<std::string, std::string> program_folder(const TakenProgram& program,
                                                   const SiteData& site) {
   const std::string folder = program.example.name() + "/";
-  std::map<std::string, std::string> files{
-      {folder + program.example.name() + ".cpp", read_either(program.example.file.text, site)},
-      {folder + "CMakeLists.txt", cmake_lists(program)},
-      {folder + "README.txt", readme(program, site)}};
+  const std::string text = read_either(program.example.file.text, site);
+  std::map<std::string, std::string> files{{folder + program.example.name() + ".cpp", text},
+                                           {folder + "CMakeLists.txt", cmake_lists(program, text)},
+                                           {folder + "README.txt", readme(program, text, site)}};
   for (const std::string& path : program.result.files) {
     files[folder + path_in_folder(path)] = read_either(path, site);
   }

@@ -21,10 +21,12 @@ class ProgramFolder : public testing::Test {
     return program_folder({std::get<Example>(lesson.blocks.at(0)), result, lesson}, site);
   }
 
-  const MemoryFiles course_files_{{{"examples/a.cpp", "int main() {}\n"},
-                                   {"examples/sub/b c.cpp", "int main() {}\n"},
-                                   {"examples/include/own.hpp", "// own\n"},
-                                   {"models/m/x.xml", "<mujoco/>\n"}}};
+  const MemoryFiles course_files_{
+      {{"examples/a.cpp", "int main() {}\n"},
+       {"examples/draws.cpp", "#include <GL/osmesa.h>\nint main() {}\n"},
+       {"examples/sub/b c.cpp", "int main() {}\n"},
+       {"examples/include/own.hpp", "// own\n"},
+       {"models/m/x.xml", "<mujoco/>\n"}}};
   const MemoryFiles assets_{{{"examples/include/mjcourse/handlers.cpp", "// tool\n"},
                              {"examples/include/own.hpp", "// hidden\n"}}};
   Course course_;
@@ -58,6 +60,17 @@ TEST_F(ProgramFolder, SaysInThreeLinesWhatItIs) {
       << text;
   EXPECT_TRUE(text.starts_with("b c.cpp: a program of “Course”")) << text;
   EXPECT_EQ(files.size(), 3u);
+}
+
+TEST_F(ProgramFolder, FindsOSMesaForAProgramThatDraws) {
+  const auto plain = folder_of("```cpp file=examples/a.cpp\n```\n", {});
+  EXPECT_EQ(plain.at("a/CMakeLists.txt").find("OSMesa"), std::string::npos);
+  const auto files = folder_of("```cpp file=examples/draws.cpp\n```\n", {});
+  const std::string& cmake = files.at("draws/CMakeLists.txt");
+  EXPECT_NE(cmake.find("find_library(LIB_OSMesa OSMesa REQUIRED)\n"), std::string::npos) << cmake;
+  EXPECT_NE(cmake.find("PRIVATE ${LIB_mujoco} ${LIB_OSMesa} Eigen3::Eigen)\n"), std::string::npos)
+      << cmake;
+  EXPECT_NE(files.at("draws/README.txt").find("libosmesa6-dev"), std::string::npos);
 }
 
 TEST_F(ProgramFolder, FailsWhereAFileIsGone) {
