@@ -5,7 +5,10 @@
 import { openKeys, openSearch } from "./search/opener.js";
 import { singleKeys } from "./single-keys.js";
 
-const typed = "input, textarea, select, [contenteditable]:not([contenteditable=false])";
+// A select finds its options by their first letters; a checkbox does nothing with a character.
+const typed =
+  "input:not([type=checkbox], [type=radio], [type=range]), textarea, select, " +
+  "[contenteditable]:not([contenteditable=false])";
 
 function turn(way: "prev" | "next"): void {
   document.querySelector<HTMLAnchorElement>(`a[rel=${way}]`)?.click();

@@ -60,7 +60,7 @@ class Visitor {
       ...others,
     });
     const page = await context.newPage();
-    page.setDefaultTimeout(10_000);
+    page.setDefaultTimeout(60_000);
     this.#watch(page, path);
     await before?.(page);
     await page.goto(this.address(path));
