@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
   ctrl(model, data) << 1.4, 1.8;
   for (int step = 0; step < 300; ++step) mj_step(model, data);
 
+  // #region timers
   results = find_results(model, data);
   for (const std::span<double> array : results)
     std::ranges::fill(array, std::numeric_limits<double>::quiet_NaN());
@@ -79,6 +80,7 @@ int main(int argc, char** argv) {
   const auto spent = [&](mjtTimer timer) {
     return data->timer[timer].duration;
   };
+  // #endregion
   const double all = spent(mjTIMER_FORWARD);
   const struct {
     const char* name;
