@@ -59,7 +59,7 @@ double limit(const Model& model, Kind kind) {
 
 int main() {
   const Model model = load_model("flywheel");
-  std::printf("          spring  damping  servo   energy kept\n");
+  std::printf("          spring damping   servo  energy kept\n");
   for (const auto& [integrator, name] :
        {std::pair{mjINT_EULER, "Euler"}, std::pair{mjINT_RK4, "RK4"},
         std::pair{mjINT_IMPLICIT, "implicit"}}) {
@@ -67,15 +67,17 @@ int main() {
     std::printf("%-8s", name);
     for (const Kind kind : {kSpring, kDamping, kServo}) {
       const double found = limit(model, kind);
-      const bool none = found > 9e5;
-      std::printf("  %6s", none ? "none" : to_text(found, 3).c_str());
-      const char* names[] = {"spring", "damping", "servo"};
-      if (!none) result(std::string(name) + "_" + names[kind], found);
+      if (found < 9e5)
+        std::printf("  %6.3f", found);
+      else
+        std::printf("    none");
+      const char* kinds[] = {"spring", "damping", "servo"};
+      if (found < 9e5) result(std::string(name) + "_" + kinds[kind], found);
     }
     give(model, kSpring, 0.5);
     const double swings = 100, steps = swings * 2 * M_PI / 0.5;
     const double kept = 100 * std::pow(growth(model), 2 * steps);
-    std::printf("  %8.1f %%\n", kept);
+    std::printf("  %9.1f %%\n", kept);
     result(std::string(name) + "_kept", kept);
   }
 }
