@@ -73,6 +73,9 @@ int main() {
   }
   result("late_limit", late_limit);
   result("middle_limit", middle_limit);
-  result("late_at_one_half", growth(model, late, 1.5));
+  const Data data = make_data(model);
+  Vector2d wheel(5, 5);  // rad/s
+  for (int step = 0; step < 10; ++step) wheel = late(model, data, 1.5, wheel);
+  result("faster", wheel[0] / 5);
   table("growth", {{"gain", gains}, {"late", after}, {"middle", between}});
 }

@@ -59,7 +59,7 @@ double limit(const Model& model, Kind kind) {
 
 int main() {
   const Model model = load_model("flywheel");
-  std::printf("          spring damping   servo  energy kept\n");
+  std::printf("         spring damping servo  energy kept\n");
   for (const auto& [integrator, name] :
        {std::pair{mjINT_EULER, "Euler"}, std::pair{mjINT_RK4, "RK4"},
         std::pair{mjINT_IMPLICIT, "implicit"}}) {
@@ -68,16 +68,16 @@ int main() {
     for (const Kind kind : {kSpring, kDamping, kServo}) {
       const double found = limit(model, kind);
       if (found < 9e5)
-        std::printf("  %6.3f", found);
+        std::printf(" %6.3f", found);
       else
-        std::printf("    none");
+        std::printf("   none");
       const char* kinds[] = {"spring", "damping", "servo"};
       if (found < 9e5) result(std::string(name) + "_" + kinds[kind], found);
     }
     give(model, kSpring, 0.5);
     const double swings = 100, steps = swings * 2 * M_PI / 0.5;
     const double kept = 100 * std::pow(growth(model), 2 * steps);
-    std::printf("  %9.1f %%\n", kept);
+    std::printf("  %5.1f %%\n", kept);
     result(std::string(name) + "_kept", kept);
   }
 }
