@@ -33,7 +33,7 @@ void give(const Model& model, Kind kind, double stiffness) {
 }
 
 // #region growth
-// The factor by which a step lengthens what it lengthens most.
+// How large the largest eigenvalue of a step's matrix is.
 double growth(const Model& model) {
   const double small = 1e-6;  // the servo's force stays within its range
   Eigen::Matrix2d step;
