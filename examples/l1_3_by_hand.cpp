@@ -15,7 +15,6 @@
 using namespace mjcourse;
 using Eigen::VectorXd;
 
-// #region by_hand
 void step_by_hand(const mjModel* model, mjData* data) {
   mj_fwdPosition(model, data);  // where is everything? needs qpos
   mj_sensorPos(model, data);
@@ -28,7 +27,6 @@ void step_by_hand(const mjModel* model, mjData* data) {
   mj_sensorAcc(model, data);
   mj_Euler(model, data);  // only now something moves
 }
-// #endregion
 
 void in_two_halves(const mjModel* model, mjData* data) {
   mj_step1(model, data);
