@@ -11,6 +11,8 @@
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l1_3_late
 
+#include <algorithm>
+#include <complex>
 #include <cstdio>
 #include <mjcourse/mjcourse.hpp>
 #include <vector>
@@ -44,7 +46,11 @@ double growth(const Model& model, Brake brake, double gain) {
   const Data data = make_data(model);
   Matrix2d step;
   step << brake(model, data, gain, {1, 0}), brake(model, data, gain, {0, 1});
-  return step.eigenvalues().cwiseAbs().maxCoeff();
+  // Its eigenvalues solve x^2 - trace x + determinant = 0.
+  const double half = step.trace() / 2;
+  const std::complex<double> square = half * half - step.determinant();
+  const std::complex<double> root = std::sqrt(square);
+  return std::max(std::abs(half + root), std::abs(half - root));
 }
 // #endregion
 
