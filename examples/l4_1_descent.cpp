@@ -1,22 +1,20 @@
 // Lesson 4.1, exercise: the same rotation error, walked down by two losses.
 //
-// INPUT    a target and an estimate 40 degrees beside it, with the other sign
-// PROCESS  25 steps of gradient descent on |q - target|^2 / 2, back to unit
-//          length after each; 25 on angle^2 / 2, by mju_subQuat and
-//          mju_quatIntegrate
+// INPUT    a target, and an estimate 40 degrees from it
+// PROCESS  eight steps of gradient descent on |q - target|^2 / 2, back to unit
+//          length after each; and on angle^2 / 2, by mju_subQuat and
+//          mju_quatIntegrate; each from q, and from -q
 // OUTPUT   the angle that is left, step by step; for the lesson, "descent"
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l4_1_descent
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <mjcourse/mjcourse.hpp>
-#include <vector>
 
 using namespace mjcourse;
-using Eigen::Vector3d, Eigen::Vector4d;
+using Eigen::ArrayXd, Eigen::Vector3d, Eigen::Vector4d;
 
 // #region steps
 // The rotation vector from the target to q, along the target's axes.
@@ -37,26 +35,35 @@ void step_by_norm(Vector4d& q, const Vector4d& target, double rate) {
   mju_normalize4(q.data());
 }
 
-int main() {
-  const double degree = M_PI / 180, rate = 0.2;
-  const Vector3d axis = Vector3d(1, 2, 2) / 3;
+// The angle to the target, in degrees, before and after each of eight steps.
+template <typename Step>
+ArrayXd walk(Vector4d q, Step step) {
   const Vector4d target(1, 0, 0, 0);
-  Vector4d by_norm;
-  mju_axisAngle2Quat(by_norm.data(), axis.data(), 40 * degree);
-  by_norm *= -1;  // the same rotation
-  Vector4d by_angle = by_norm;
-
-  std::vector<double> steps, norm, angle;
-  for (int step = 0; step <= 25; ++step) {
-    steps.push_back(step);
-    norm.push_back(error(by_norm, target).norm() / degree);
-    angle.push_back(error(by_angle, target).norm() / degree);
-    if (step % 5 == 0)
-      std::printf("step %2d  by norm %6.2f  by angle %5.2f degrees off\n", step,
-                  norm.back(), angle.back());
-    step_by_norm(by_norm, target, rate);
-    step_by_angle(by_angle, target, rate);
+  ArrayXd left(9);
+  for (double& angle : left) {
+    angle = error(q, target).norm() * 180 / M_PI;
+    step(q, target, 0.5);
   }
-  result("worst", *std::max_element(norm.begin(), norm.end()));
-  table("descent", {{"step", steps}, {"norm", norm}, {"angle", angle}});
+  return left;
+}
+
+int main() {
+  const Vector3d axis = Vector3d(1, 2, 2) / 3;
+  Vector4d q;
+  mju_axisAngle2Quat(q.data(), axis.data(), 40 * M_PI / 180);
+  const ArrayXd norm = walk(-q, step_by_norm), angle = walk(-q, step_by_angle);
+  const ArrayXd norm_q = walk(q, step_by_norm),
+                angle_q = walk(q, step_by_angle);
+
+  std::printf("         from -q           from q\n");
+  std::printf("step    norm   angle     norm   angle\n");
+  for (int n = 0; n < norm.size(); ++n)
+    std::printf("%4d  %6.2f  %6.2f   %6.2f  %6.2f\n", n, norm[n], angle[n],
+                norm_q[n], angle_q[n]);
+  result("norm_first", norm[1]);
+  result("norm_fifth", norm[5]);
+  result("angle_fifth", angle[5]);
+  table("descent", {{"step", ArrayXd::LinSpaced(9, 0, 8)},
+                    {"norm", norm},
+                    {"angle", angle}});
 }

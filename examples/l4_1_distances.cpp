@@ -54,17 +54,17 @@ int main() {
     Vector3d a, b;
   };
   const Pair pairs[] = {
-      {"around", "once around", {0, 0, 0}, {360, 0, 0}},
-      {"half", "half a turn", {0, 0, 0}, {180, 0, 0}},
-      {"south", "left and right of south", {179, 0, 0}, {-179, 0, 0}},
-      {"lock", "nose up, rings turned", {0, -90, 0}, {60, -90, -60}},
+      {"around", "full turn", {0, 0, 0}, {360, 0, 0}},
+      {"half", "half turn", {0, 0, 0}, {180, 0, 0}},
+      {"south", "near south", {179, 0, 0}, {-179, 0, 0}},
+      {"lock", "nose up", {0, -90, 0}, {60, -90, -60}},
   };
-  std::printf("%-24sEuler  quaternion  matrix   angle\n", "");
+  std::printf("norm of      Euler   quat. matrix  angle\n");
   for (const auto& [name, text, a, b] : pairs) {
     const Vector4d qa = from_euler(a), qb = from_euler(b);
     const double euler = (b - a).norm(), quaternion = (qb - qa).norm();
-    std::printf("%-24s%5.1f    %7.3f   %6.3f   %5.1f\n", text, euler,
-                quaternion, (matrix(qb) - matrix(qa)).norm(), angle(qa, qb));
+    std::printf("%-11s  %5.1f   %5.3f  %5.3f  %5.1f\n", text, euler, quaternion,
+                (matrix(qb) - matrix(qa)).norm(), angle(qa, qb));
     result(name + std::string("_euler"), euler);
     result(name + std::string("_quaternion"), quaternion);
     result(name + std::string("_angle"), angle(qa, qb));

@@ -4,7 +4,7 @@
 // PROCESS  fit its quaternion, and two columns of its matrix, by sines and
 //          cosines of how far it has gone; make rotations of what was fitted,
 //          and measure their angles to the true ones, between the samples too
-// OUTPUT   the largest angle, for more and more waves
+// OUTPUT   the largest angle and the mean, for more and more waves
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l4_1_fit
@@ -60,39 +60,46 @@ VectorXd features(double s, int waves) {
   return f;
 }
 
-// The largest angle between the fitted rotation and the true one, in degrees.
+// The angle between the fitted rotation and the true one, in degrees.
+struct Error {
+  double largest = 0, mean = 0;
+};
+
 template <typename Written>
-double worst(int waves) {
+Error fit(int waves) {
   const int samples = 360, tests = 7200;
-  MatrixXd A(samples, 1 + 2 * waves),
-      B(samples, Written::write(tumble(0)).size());
+  const auto numbers = Written::write(tumble(0)).size();
+  MatrixXd A(samples, 1 + 2 * waves), B(samples, numbers);
   for (int k = 0; k < samples; ++k) {
     const double s = 2 * M_PI * k / samples;
     A.row(k) = features(s, waves);
     B.row(k) = Written::write(tumble(s));
   }
   const MatrixXd weights = A.householderQr().solve(B);
-  double angle = 0;
+  Error error;
   for (int k = 0; k < tests; ++k) {
     const double s = 2 * M_PI * k / tests;
     const Matrix3d R = Written::read(weights.transpose() * features(s, waves));
-    const Matrix3d error = tumble(s).transpose() * R;
-    angle = std::max(angle, AngleAxisd(error).angle());
+    const Matrix3d turn = tumble(s).transpose() * R;
+    const double angle = AngleAxisd(turn).angle() * 180 / M_PI;
+    error.largest = std::max(error.largest, angle);
+    error.mean += angle / tests;
   }
-  return angle * 180 / M_PI;
+  return error;
 }
 
 int main() {
-  std::printf("waves  quaternion  two columns (degrees)\n");
-  double quaternion = 0, columns = 0;
-  int last = 0;
+  Error quaternion, columns;
+  std::printf("waves   quaternion      two columns\n");
+  std::printf("      largest   mean   largest   mean\n");
   for (const int waves : {1, 2, 4, 8, 16}) {
-    quaternion = worst<AsQuaternion>(waves);
-    columns = worst<AsColumns>(waves);
-    last = waves;
-    std::printf("%3d      %6.1f    %10.6f\n", waves, quaternion, columns);
+    quaternion = fit<AsQuaternion>(waves);
+    columns = fit<AsColumns>(waves);
+    std::printf("%3d     %5.1f  %5.1f    %6.3f %6.3f\n", waves,
+                quaternion.largest, quaternion.mean, columns.largest,
+                columns.mean);
   }
-  result("waves", last);
-  result("quaternion", quaternion);
-  result("columns", columns);
+  result("quaternion", quaternion.largest);  // with 16 waves
+  result("mean", quaternion.mean);
+  result("columns", columns.largest);
 }

@@ -37,13 +37,13 @@ Vector4d quaternion(const Matrix3d& R) {
   mju_mat2Quat(q.data(), rows.data());
   return q;
 }
+// #endregion
 
 Vector3d rotation_vector(const Vector4d& q) {
   Vector3d v;
   mju_quat2Vel(v.data(), q.data(), 1);
   return v;
 }
-// #endregion
 
 // The largest step from one column to the next.
 double jump(const MatrixXd& x) {
