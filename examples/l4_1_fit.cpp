@@ -26,6 +26,7 @@ Matrix3d tumble(double s) {
 }
 
 struct AsQuaternion {
+  static constexpr int size = 4;
   static VectorXd write(const Matrix3d& R) {
     const Matrix3d rows = R.transpose();  // MuJoCo's matrices go row by row
     VectorXd q(4);
@@ -38,6 +39,7 @@ struct AsQuaternion {
 };
 
 struct AsColumns {
+  static constexpr int size = 6;
   static VectorXd write(const Matrix3d& R) {
     return R.leftCols<2>().reshaped();
   }
@@ -60,7 +62,7 @@ VectorXd features(double s, int waves) {
   return f;
 }
 
-// The angle between the fitted rotation and the true one, in degrees.
+// Of the angle between the fitted rotation and the true one, in degrees.
 struct Error {
   double largest = 0, mean = 0;
 };
@@ -68,19 +70,20 @@ struct Error {
 template <typename Written>
 Error fit(int waves) {
   const int samples = 360, tests = 7200;
-  const auto numbers = Written::write(tumble(0)).size();
-  MatrixXd A(samples, 1 + 2 * waves), B(samples, numbers);
-  for (int k = 0; k < samples; ++k) {
-    const double s = 2 * M_PI * k / samples;
-    A.row(k) = features(s, waves);
-    B.row(k) = Written::write(tumble(s));
+  MatrixXd weights = MatrixXd::Zero(Written::size, 1 + 2 * waves);
+  VectorXd squares = VectorXd::Zero(1 + 2 * waves);
+  for (int k = 0; k < samples; ++k) {  // on whole turns waves are orthogonal,
+    const double s = 2 * M_PI * k / samples;  // so each is fitted by itself
+    const VectorXd f = features(s, waves);
+    weights += Written::write(tumble(s)) * f.transpose();
+    squares += f.cwiseAbs2();
   }
-  const MatrixXd weights = A.householderQr().solve(B);
+  weights.array().rowwise() /= squares.transpose().array();
   Error error;
   for (int k = 0; k < tests; ++k) {
     const double s = 2 * M_PI * k / tests;
-    const Matrix3d R = Written::read(weights.transpose() * features(s, waves));
-    const Matrix3d turn = tumble(s).transpose() * R;
+    const Matrix3d fitted = Written::read(weights * features(s, waves));
+    const Matrix3d turn = tumble(s).transpose() * fitted;
     const double angle = AngleAxisd(turn).angle() * 180 / M_PI;
     error.largest = std::max(error.largest, angle);
     error.mean += angle / tests;

@@ -17,7 +17,7 @@ using namespace mjcourse;
 using Eigen::AngleAxisd, Eigen::Matrix3d, Eigen::MatrixXd;
 using Eigen::Vector3d, Eigen::Vector4d, Eigen::VectorXd;
 
-// #region write
+// #region tumble
 // Once around a tilted axis as s goes from 0 to 2 pi, nodding on the way.
 Matrix3d tumble(double s) {
   const Vector3d axis = Vector3d(1, 0, 2).normalized();
@@ -25,6 +25,7 @@ Matrix3d tumble(double s) {
           AngleAxisd(0.8 * std::sin(2 * s), Vector3d::UnitY()))
       .toRotationMatrix();
 }
+// #endregion
 
 Vector3d euler(const Matrix3d& R) {  // about z, y, x
   return {std::atan2(R(1, 0), R(0, 0)), std::asin(-R(2, 0)),
@@ -37,7 +38,6 @@ Vector4d quaternion(const Matrix3d& R) {
   mju_mat2Quat(q.data(), rows.data());
   return q;
 }
-// #endregion
 
 Vector3d rotation_vector(const Vector4d& q) {
   Vector3d v;
