@@ -69,7 +69,7 @@ struct Error {
 
 template <typename Written>
 Error fit(int waves) {
-  const int samples = 360, tests = 7200;
+  const int samples = 360, tests = 3600;
   MatrixXd weights = MatrixXd::Zero(Written::size, 1 + 2 * waves);
   VectorXd squares = VectorXd::Zero(1 + 2 * waves);
   for (int k = 0; k < samples; ++k) {  // on whole turns waves are orthogonal,
