@@ -80,6 +80,6 @@ int main() {
                     (hand.inertia - compiled.inertia).norm() < 1e-12;
   std::printf("within 1e-12: %s\n", same ? "yes" : "no");
   result("mass", hand.mass);
-  result("centre", hand.centre.z());
+  result("below", -hand.centre.z());
   return same ? 0 : 1;
 }
