@@ -16,7 +16,6 @@
 using namespace mjcourse;
 using Eigen::Map, Eigen::Vector2d, Eigen::Vector3d, Eigen::Vector4d;
 
-// #region show
 void show_geom(const Model& model, const char* name) {
   const int geom = id_of(model, mjOBJ_GEOM, name);
   std::printf("%s\n", name);
@@ -34,10 +33,8 @@ void show_body(const Model& model, const char* name) {
   print("  body_iquat  ", Map<Vector4d>(model->body_iquat + 4 * body));
   std::printf("  body_inertia %s\n", to_text(inertia, 7).c_str());
 }
-// #endregion
 
-// The lines of a saved model from one that has `first` in it to the next
-// </body>.
+// Lines of a saved model, from the one with `first` in it to its </body>.
 void print_lines(const char* path, const std::string& first) {
   std::ifstream file(path);
   bool inside = false;
