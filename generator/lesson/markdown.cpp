@@ -3,6 +3,7 @@
 #include <cmark-gfm-core-extensions.h>
 
 #include <mutex>
+#include <string_view>
 
 #include "lesson/math_syntax.h"
 
@@ -19,6 +20,27 @@ Document finish(cmark_parser* parser) {
   static std::mutex mutex;
   const std::lock_guard guard(mutex);
   return Document(cmark_parser_finish(parser));
+}
+
+// cmark takes the ' of `qvel`'s for one that opens a quote, as code, a formula or emphasis before
+// it ends with punctuation. Where words go on right behind such a thing, it is an apostrophe.
+void mend_apostrophes(cmark_node* root) {
+  constexpr std::string_view kOpening = "\u2018", kApostrophe = "\u2019";
+  const std::unique_ptr<cmark_iter, decltype(&cmark_iter_free)> walk(cmark_iter_new(root),
+                                                                     cmark_iter_free);
+  while (cmark_iter_next(walk.get()) != CMARK_EVENT_DONE) {
+    cmark_node* node = cmark_iter_get_node(walk.get());
+    if (cmark_node_get_type(node) != CMARK_NODE_TEXT) continue;
+    const std::string text = cmark_node_get_literal(node);
+    cmark_node* before = cmark_node_previous(node);
+    if (before == nullptr || !text.starts_with(kOpening)) continue;
+    const cmark_node_type type = cmark_node_get_type(before);
+    const bool opens = type == CMARK_NODE_SOFTBREAK || type == CMARK_NODE_LINEBREAK ||
+                       type == CMARK_NODE_HTML_INLINE;
+    if (opens) continue;
+    const std::string mended = std::string(kApostrophe) + text.substr(kOpening.size());
+    cmark_node_set_literal(node, mended.c_str());
+  }
 }
 
 }  // namespace
@@ -39,6 +61,7 @@ Document parse_markdown(const std::string& text) {
   cmark_parser_feed(parser.get(), text.data(), text.size());
   Document document = finish(parser.get());
   cmark_consolidate_text_nodes(document.get());
+  mend_apostrophes(document.get());
   return document;
 }
 

@@ -26,8 +26,8 @@ void report_unknown(const Fence& fence, Reading& reading) {
   const std::string kind = word(fence, 0);
   std::vector<std::string> known;
   for (const FenceKind& one : fence_kinds()) {
-    known.push_back(one.words.substr(0, one.words.find(' ')));
-    if (std::ranges::count(known, known.back()) > 1) known.pop_back();
+    const std::string first = one.words.substr(0, one.words.find(' '));
+    if (std::ranges::count(known, first) == 0) known.push_back(first);
   }
   if (fence.indented()) {
     reading.error("E-fence-kind", fence.span(), "an indented block is code that nobody ran",

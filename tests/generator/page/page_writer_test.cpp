@@ -77,7 +77,7 @@ TEST_F(PageWriterTest, ShowsAFormulaWithoutResultAsItsTeX) {
 }
 
 TEST_F(PageWriterTest, DisplaysAFormulaAlsoInsideOfAParagraph) {
-  EXPECT_EQ(body("$$\nx\n$$\n"), "<div class=\"math display\">x\n</div>\n");
+  EXPECT_EQ(body("$$\nx\n$$\n"), "<div class=\"math display\">\nx\n</div>\n");
   EXPECT_EQ(body("a\n$$x$$\nb\n"), "<p>a\n<span class=\"math display\">x</span>\nb</p>\n");
 }
 
