@@ -1,23 +1,5 @@
 // What the tests of the reader's own pages share.
 
-import { readFileSync } from "node:fs";
-
-const axe = readFileSync(
-  new URL("../../site/node_modules/axe-core/axe.min.js", import.meta.url),
-  "utf8",
-);
-
-// What axe has to say of the page as it is now.
-export async function violations(page) {
-  await page.evaluate(axe);
-  return page.evaluate(async () => {
-    const { violations } = await globalThis.axe.run();
-    return violations.map(
-      ({ id, nodes }) => `${id}: ${nodes[0].target} ${nodes[0].failureSummary}`,
-    );
-  });
-}
-
 // Fills a question's form with `given`: a number, or letters, in order where order is asked.
 export async function answer(question, given) {
   const kind = await question.getAttribute("data-kind");

@@ -1,24 +1,14 @@
 // 404.html, which a host shows at any address where there is no page: styled and with links that
 // work from every depth of a site, and with a way home in words where there is no JavaScript.
 
-import { readFileSync } from "node:fs";
-
+import { violations } from "./axe.mjs";
 import { testSite } from "./browser.mjs";
 
-const axe = readFileSync(
-  new URL("../../site/node_modules/axe-core/axe.min.js", import.meta.url),
-  "utf8",
-);
 const wrong = [
   "1.2-generalised-coordinates.html",
   "1-state/generalised-coordinates.html",
   "1-state/no/such/1.2-Generalised%20coordinates",
 ];
-
-async function violations() {
-  const { violations } = await globalThis.axe.run();
-  return violations.map(({ id, nodes }) => `${id}: ${nodes[0].target} ${nodes[0].failureSummary}`);
-}
 
 // Whether the page has the site's own stylesheet.
 const isStyled = () =>
@@ -46,9 +36,7 @@ await testSite(async (visitor) => {
         { width, scheme: index % 2 ? "dark" : "light", before: forgive },
         async (page) => {
           visitor.expect(await page.evaluate(isStyled), path, "it is not styled");
-          await page.evaluate(axe);
-          for (const violation of await page.evaluate(violations))
-            visitor.complain(path, violation);
+          for (const violation of await violations(page)) visitor.complain(path, violation);
           for (const [link, status] of await answersOf(page)) {
             visitor.expect(status === 200 || link === page.url(), path, `${status} for ${link}`);
           }

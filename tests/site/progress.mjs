@@ -8,7 +8,8 @@ import { readFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 
 import { folder, pages, testSite } from "./browser.mjs";
-import { answerRightly, violations } from "./learner.mjs";
+import { violations } from "./axe.mjs";
+import { answerRightly } from "./learner.mjs";
 
 const lesson = pages.find((path) => /^\d/.test(path));
 const kept = (page) => page.evaluate(() => JSON.stringify(Object.entries(localStorage).sort()));

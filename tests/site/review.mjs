@@ -6,8 +6,9 @@
 import { readFileSync, globSync } from "node:fs";
 import { join } from "node:path";
 
+import { violations } from "./axe.mjs";
 import { folder, pages, testSite } from "./browser.mjs";
-import { answer, answerRightly, violations } from "./learner.mjs";
+import { answer, answerRightly } from "./learner.mjs";
 
 const path = "review.html";
 const asked = (page) =>

@@ -2,16 +2,12 @@
 // and opens there; with the keyboard alone, on a phone, and on a page that was opened from the disk.
 // Single keys turn pages, never while somebody types, and can be switched off.
 
-import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
+import { violations } from "./axe.mjs";
 import { folder, testSite } from "./browser.mjs";
 
-const axe = readFileSync(
-  new URL("../../site/node_modules/axe-core/axe.min.js", import.meta.url),
-  "utf8",
-);
 const lesson = "1-state/1.2-generalized-coordinates.html";
 
 // What is typed, and how the address ends that must be found first.
@@ -47,14 +43,8 @@ async function findsAll(visitor, page, where) {
   visitor.expect(nothing === null, where, "something is found for a word that is not there");
 }
 
-async function violations() {
-  const { violations } = await globalThis.axe.run();
-  return violations.map(({ id, nodes }) => `${id}: ${nodes[0].target} ${nodes[0].failureSummary}`);
-}
-
 async function isAccessible(visitor, page, where) {
-  await page.evaluate(axe);
-  for (const violation of await page.evaluate(violations)) visitor.complain(where, violation);
+  for (const violation of await violations(page)) visitor.complain(where, violation);
 }
 
 async function opensAtSection(visitor, page, where) {

@@ -1,23 +1,9 @@
 // axe finds nothing in labs that are live, with all that can be opened open: the editor, the push
 // form, an answer, an alert, a menu; in either scheme, on a wide and on a narrow screen.
 
-import { readFileSync } from "node:fs";
-
+import { violations } from "../axe.mjs";
 import { testSite } from "../browser.mjs";
 import { fourLabs, Lab, trouble } from "./lab.mjs";
-
-const axe = readFileSync(
-  new URL("../../../site/node_modules/axe-core/axe.min.js", import.meta.url),
-  "utf8",
-);
-
-async function violations() {
-  const { violations } = await globalThis.axe.run();
-  return violations.map(({ id, help, nodes }) => {
-    const places = nodes.slice(0, 3).map((node) => `${node.target}\n      ${node.failureSummary}`);
-    return `${id}: ${help} (${nodes.length})\n    ${places.join("\n    ")}`;
-  });
-}
 
 await testSite(async (visitor) => {
   for (const scheme of ["light", "dark"]) {
@@ -28,8 +14,7 @@ await testSite(async (visitor) => {
       ]) {
         await visitor.visit(path, { scheme, width }, async (page) => {
           await open(page);
-          await page.evaluate(axe);
-          for (const violation of await page.evaluate(violations)) {
+          for (const violation of await violations(page)) {
             visitor.complain(`${path} (${scheme}, ${width} px)`, violation);
           }
         });
