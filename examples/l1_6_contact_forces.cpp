@@ -40,9 +40,6 @@ int main() {
   print("first contact, tangent 1 =", Vector3d(data->contact[0].frame + 3));
   print("sum, in the world (N)    =", sum);
 
-  result("contacts", data->ncon);
   result("weight", sum.z());
   result("friction", -sum.x());
-  result("depth_um", -1e6 * data->contact[0].dist);
-  result("creep_mm", 1000 * qvel(model, data)[0]);
 }
