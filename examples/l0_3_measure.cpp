@@ -114,13 +114,16 @@ int main() {
     const float buffer = picture.depth[column + kWidth * row];
     const double found = metres(model, buffer);
     std::printf("%-18s  %.4f m    %.6f  %.4f m\n", what, z, buffer, found);
-    if (what == std::string("ball")) result("ball_mm", 1000 * (found - z));
+    result(what + std::string("_um"), 1e6 * (found - z));
   };
   const double f = kHeight / 2 / std::tan(model->cam_fovy[0] / 2 * M_PI / 180);
   std::printf("surface             by hand     buffer    as metres\n");
   compare("ball", 160, 120, 1.6 - 0.08);
   compare("crate", 92, 86, 1.6 + 0.25 - 0.15);
-  compare("floor, row 20", 160, 20, f * 0.35 / (kHeight / 2 - 20.5));
+  compare("floor", 160, 20, f * 0.35 / (kHeight / 2 - 20.5));
+
+  const double near = metres(model, 0);
+  result("step_um", 1e6 * 1.7 * 1.7 / near / (1 << 24));  // dz, for db = 2^-24
 
   const std::vector<int> ids = geom_ids(renderer, data, eye);
   std::vector<double> x, y, z, geom, at, buffer;
