@@ -114,7 +114,7 @@ int main() {
     const float buffer = picture.depth[column + kWidth * row];
     const double found = metres(model, buffer);
     std::printf("%-18s  %.4f m    %.6f  %.4f m\n", what, z, buffer, found);
-    result(what + std::string("_um"), 1e6 * (found - z));
+    result(what + std::string("_um"), 1e6 * std::abs(found - z));
   };
   const double f = kHeight / 2 / std::tan(model->cam_fovy[0] / 2 * M_PI / 180);
   std::printf("surface             by hand     buffer    as metres\n");
