@@ -34,15 +34,17 @@ inline Pose raised(Pose pose, double height) {
 }
 
 // How the hand takes hold of an object that stands upright: so far above its
-// centre (m), and with the fingers turned so far from the object's own y axis
-// (rad). The carton is taken across its narrow side, high enough that the palm
-// stays clear of its top.
+// centre (m), with the fingers turned so far from its own y axis (rad), across
+// so much of it to either side (m). The carton is taken across its narrow side,
+// high enough that the palm stays clear of its top.
 struct Hold {
   const char* object;
-  double above, turn;
+  double above, turn, half_width;
 };
-inline constexpr Hold kHolds[] = {
-    {"cube", 0, 0}, {"carton", 0.015, M_PI / 2}, {"ball", 0, 0}};
+inline constexpr Hold kHolds[] = {{"cube", 0, 0, 0.023},
+                                  {"carton", 0.015, M_PI / 2, 0.024},
+                                  {"ball", 0, 0, 0.032}};
+inline constexpr double kOpen = 0.041;  // from a pad to the middle, m
 
 // Where the hand must be for that, as things stand. Of the two ways round, the
 // fingers being alike, the shorter one.

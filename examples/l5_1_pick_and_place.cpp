@@ -1,0 +1,119 @@
+// Lesson 5.1: pick up the cube, put it into the tray, and watch the friction.
+//
+// INPUT    pick_place.xml at its keyframe "home"
+// PROCESS  approach, close, wait, lift, carry, lower, open, leave; at each step
+//          add up the contact forces between the two pads and the cube
+// OUTPUT   at the end of each phase: how hard the pads press, what friction
+//          lifts, and the share of its cone that the worst contact uses
+//
+// Run: cmake -S examples -B build && cmake --build build
+//      build/l5_1_pick_and_place
+
+#include <algorithm>
+#include <cstdio>
+#include <mjcourse/arm.hpp>
+
+using namespace mjcourse;
+using Eigen::Vector3d;
+
+// #region cone
+struct Grasp {
+  double press = 0;  // of both pads together, N
+  double lifts = 0;  // the upward part of friction, N
+  double could = 0;  // the friction that this pressing allows, N
+  double share = 0;  // of its cone, used by the contact that uses most
+};
+
+Grasp grasp_of(const mjModel* model, const mjData* data, int object) {
+  Grasp grasp;
+  for (int i = 0; i < data->ncon; ++i) {
+    const mjContact& contact = data->contact[i];
+    const bool second = contact.geom2 == object;
+    if (!second && contact.geom1 != object) continue;
+    const int other = second ? contact.geom1 : contact.geom2;
+    const int pad = model->geom_bodyid[other];
+    if (pad != id_of(model, mjOBJ_BODY, "finger_left") &&
+        pad != id_of(model, mjOBJ_BODY, "finger_right"))
+      continue;
+
+    double force[6];  // normal, two tangents, three torques; on geom2
+    mj_contactForce(model, data, i, force);
+    double used = 0;  // squared
+    for (int k = 1; k < contact.dim; ++k)
+      used += std::pow(force[k] / contact.friction[k - 1], 2);
+    const double* up = contact.frame + 2;  // z of each of its three axes
+    const double lift = force[1] * up[3] + force[2] * up[6];
+    grasp.press += force[0];
+    grasp.could += contact.friction[0] * force[0];
+    grasp.lifts += second ? lift : -lift;
+    if (force[0] > 0)
+      grasp.share = std::max(grasp.share, std::sqrt(used) / force[0]);
+  }
+  return grasp;
+}
+// #endregion
+
+int main() {
+  const Model model = load_model("pick_place");
+  const Data data = make_data(model);
+  mj_resetDataKeyframe(model, data, id_of(model, mjOBJ_KEY, "home"));
+  mj_forward(model, data);
+  const int cube = id_of(model, mjOBJ_GEOM, "cube");
+  const double* at = data->geom_xpos + 3 * cube;
+
+  Arm arm(model, data);
+  std::vector<double> time, lifts, could;
+  arm.watch = [&] {
+    if (data->time < 2.2 || data->time > 6.2) return;  // s; nothing is held
+    const Grasp grasp = grasp_of(model, data, cube);
+    time.push_back(data->time);
+    lifts.push_back(grasp.lifts);
+    could.push_back(grasp.could);
+  };
+  const auto report = [&](const char* phase) {
+    const Grasp grasp = grasp_of(model, data, cube);
+    std::printf("%-7s  %4.1f  %8.3f  %8.3f  %9.2f  %9.2f  %7.3f\n", phase,
+                data->time, arm.hand().position[2], at[2], grasp.press,
+                grasp.lifts, grasp.share);
+    snapshot(phase, model, data);
+    return grasp;
+  };
+
+  // #region phases
+  std::printf(
+      "phase    time  hand (m)  cube (m)  press (N)  lifts (N)  share\n");
+  const Pose cube_pose = pose_for(kHolds[0], model, data);
+  const Pose tray{{0.62, 0.28, 0.435}, pointing_down(0)};
+
+  arm.move(raised(cube_pose, 0.12), 1.2);
+  report("above");
+  arm.move(cube_pose, 1.0);
+  report("around");
+  arm.grip(0);
+  arm.wait(0.6);  // patience
+  report("closed");
+  arm.move(raised(cube_pose, 0.15), 0.8);
+  arm.wait(0.5);
+  const Grasp held = report("held");
+  arm.move(raised(tray, 0.15), 1.2);
+  report("carried");
+  arm.move(tray, 0.8);
+  arm.grip(0.04);
+  arm.wait(0.4);
+  report("opened");
+  arm.move(raised(tray, 0.15), 0.8);
+  report("left");
+  // #endregion
+
+  const double weight = model->body_mass[id_of(model, mjOBJ_BODY, "cube")] *
+                        -model->opt.gravity[2];
+  result("weight", weight);
+  result("press", held.press / 2);  // of one pad
+  result("lifts", held.lifts);
+  result("could", held.could);
+  result("margin", held.could / weight);
+  result("share", 100 * held.share);  // %
+  result("off_by_mm",
+         1000 * std::hypot(at[0] - tray.position[0], at[1] - tray.position[1]));
+  table("forces", {{"time", time}, {"lifts", lifts}, {"could", could}});
+}
