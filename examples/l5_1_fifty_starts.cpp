@@ -18,22 +18,18 @@ using namespace mjcourse;
 int main() {
   const Model model = load_model("pick_place");
   std::mt19937 random(1);
-  std::vector<Start> starts;
-  for (int i = 0; i < 50; ++i) starts.push_back(draw(random));
-  const std::vector<Outcome> patient = attempt_all(starts, model, 0.6);
-  const std::vector<Outcome> hasty = attempt_all(starts, model, 0);
-
   int placed = 0, placed_hastily = 0, foretold = 0, slippery = 0;
   std::printf("start  not placed  room       could carry  weight\n");
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    const auto& [room, could, weight, in_tray] = patient[i];
+  for (int i = 1; i <= 50; ++i) {
+    const Start start = draw(random);
+    const auto [room, could, weight, in_tray] = attempt(start, model, 0.6);
     placed += in_tray;
-    placed_hastily += hasty[i].placed;
+    placed_hastily += attempt(start, model, 0).placed;
     foretold += in_tray == (room > 0 && could > weight);
     slippery += could < weight;
     if (in_tray) continue;
-    std::printf("%4zu   %-10s  %5.1f mm     %5.2f N   %5.2f N\n", i + 1,
-                kHolds[starts[i].which].object, 1000 * room, could, weight);
+    std::printf("%4d   %-10s  %5.1f mm     %5.2f N   %5.2f N\n", i,
+                kHolds[start.which].object, 1000 * room, could, weight);
   }
   std::printf("placed: %d of 50; without patience: %d of 50\n", placed,
               placed_hastily);

@@ -7,7 +7,6 @@
 //   if (attempt(start, model, 0.6).placed) ...
 #pragma once
 
-#include <future>
 #include <mjcourse/arm.hpp>
 #include <random>
 
@@ -117,20 +116,6 @@ inline Outcome attempt(const Start& start, const mjModel* base,
   outcome.placed = std::abs(at[0] - 0.62) < 0.12 &&
                    std::abs(at[1] - 0.28) < 0.09 && at[2] < 0.48;
   return outcome;
-}
-
-// All of them, on two threads.
-inline std::vector<Outcome> attempt_all(const std::vector<Start>& starts,
-                                        const mjModel* base, double patience) {
-  std::vector<Outcome> outcomes(starts.size());
-  const auto every_second = [&](std::size_t first) {
-    for (std::size_t i = first; i < starts.size(); i += 2)
-      outcomes[i] = attempt(starts[i], base, patience);
-  };
-  const auto odd = std::async(std::launch::async, every_second, 1);
-  every_second(0);
-  odd.wait();
-  return outcomes;
 }
 
 }  // namespace mjcourse
