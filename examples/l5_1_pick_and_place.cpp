@@ -74,7 +74,7 @@ int main() {
     const Grasp grasp = grasp_of(model, data, cube);
     std::printf("%-7s  %4.1f  %8.3f  %8.3f  %9.2f  %9.2f  %7.3f\n", phase,
                 data->time, arm.hand().position[2], at[2], grasp.press,
-                grasp.lifts, grasp.share);
+                std::max(grasp.lifts, 0.0), grasp.share);
     snapshot(phase, model, data);
     return grasp;
   };
