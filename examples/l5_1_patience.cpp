@@ -62,6 +62,7 @@ int main() {
     };
     arm.grip(0);
     arm.wait(0.6);
+    // A pad is 1 mm further from the middle than its slide says.
     const double said = tau * std::log(0.04 / (hold.half_width - 0.001));
     std::printf("%-6s     %.3f s   %.3f s\n", hold.object, said, touch);
     result(std::string(hold.object) + "_said", said);

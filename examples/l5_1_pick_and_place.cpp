@@ -115,5 +115,5 @@ int main() {
   result("share", 100 * held.share);  // %
   result("off_by_mm",
          1000 * std::hypot(at[0] - tray.position[0], at[1] - tray.position[1]));
-  table("forces", {{"time", time}, {"lifts", lifts}, {"could", could}});
+  table("forces", {{"time", time}, {"could carry", could}, {"carries", lifts}});
 }
