@@ -63,8 +63,9 @@ int main() {
 
   Arm arm(model, data);
   std::vector<double> time, lifts, could;
-  arm.watch = [&] {
-    if (data->time < 2.2 || data->time > 6.2) return;  // s; nothing is held
+  arm.watch = [&] {  // every 10 ms while something may be held
+    const long step = std::lround(data->time / model->opt.timestep);
+    if (data->time < 2.2 || data->time > 6.2 || step % 5 != 0) return;
     const Grasp grasp = grasp_of(model, data, cube);
     time.push_back(data->time);
     lifts.push_back(grasp.lifts);
