@@ -97,6 +97,7 @@ const std::vector<std::string>& readable_system_paths() {
                                               "/proc/meminfo",
                                               "/proc/stat",
                                               "/proc/filesystems",
+                                              "/proc/sys/vm/overcommit_memory",
                                               "/sys/devices/system/cpu",
                                               "/sys/devices/system/node"};
   return paths;

@@ -70,6 +70,12 @@ TEST_F(SandboxTest, LetsAProgramReadItsModelsAndWriteItsFolder) {
   }
 }
 
+// The C library asks for this where a thread gives back memory.
+TEST_F(SandboxTest, LetsAProgramAskHowMemoryIsGivenOut) {
+  const Outcome outcome = run(shell("read x </proc/sys/vm/overcommit_memory; echo ${#x}"));
+  EXPECT_EQ(outcome.out, "1\n") << outcome.refused << outcome.err;
+}
+
 // A course, or the folder for temporary files, may be closed to everybody but us.
 TEST_F(SandboxTest, ReadsAndWritesInAFolderThatIsClosedToOthers) {
   fs::permissions(folder_.path(), fs::perms::owner_all);
