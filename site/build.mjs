@@ -5,6 +5,7 @@
 //   OUTDIR/versions.json   {"katex": "0.19.1"}, of what runs in the generator
 //   OUTDIR/templates/      the Handlebars templates, as they are
 //   OUTDIR/preview/        what `mjcourse preview` adds to pages
+//   OUTDIR/worker/         the service worker, without its edition
 //   OUTDIR/script/         what runs in the generator's script engine: no DOM, no Node
 //
 // ENGINE is the folder with MuJoCo for the browser; where that was not built, labs stay pictures.
@@ -20,6 +21,7 @@ import { buildLab } from "./bundle/lab.mjs";
 import { copyLicenses } from "./bundle/licenses.mjs";
 import { buildPreview } from "./bundle/preview.mjs";
 import { buildPublic } from "./bundle/public.mjs";
+import { buildWorker } from "./bundle/worker.mjs";
 
 const site = import.meta.dirname ?? path.dirname(new URL(import.meta.url).pathname);
 const [out, engine] = process.argv.slice(2);
@@ -29,7 +31,15 @@ if (!out || !engine) {
 }
 
 // What an earlier run left is removed, since its hashed names may be others.
-const produced = ["preview", "public", "templates", "script", "manifest.json", "versions.json"];
+const produced = [
+  "preview",
+  "public",
+  "worker",
+  "templates",
+  "script",
+  "manifest.json",
+  "versions.json",
+];
 await Promise.all(
   produced.map((name) => rm(path.join(out, name), { recursive: true, force: true })),
 );
@@ -39,6 +49,7 @@ const [page, lab] = await Promise.all([
   buildPublic(site, path.join(out, "public")),
   buildLab(site, path.join(out, "public"), engine),
   buildPreview(site, path.join(out, "preview")),
+  buildWorker(site, out),
   buildScripts(site, path.join(out, "script")),
   copyLicenses(site, path.join(out, "public", "licenses")),
   cp(path.join(site, "templates"), path.join(out, "templates"), { recursive: true }),

@@ -17,10 +17,10 @@ int build(const Options& options) {
   }
   if (!options.base_url.empty()) verified.course->url = options.base_url;
   try {
-    write_site(
-        *verified.course, verified.evaluation,
-        {options.course, assets_folder(), std::filesystem::absolute(options.out), options.jobs},
-        last_changed(options.course, "content"));
+    write_site(*verified.course, verified.evaluation,
+               {options.course, assets_folder(), std::filesystem::absolute(options.out),
+                options.jobs, options.compress},
+               last_changed(options.course, "content"));
   } catch (const BrokenTemplate& broken) {
     const DiskFiles course(options.course);
     if (!is_themed(broken.error().name, course)) throw;

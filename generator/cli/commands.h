@@ -24,6 +24,7 @@ struct Options {
                                    // it is called
   bool dry_run = false;
   std::filesystem::path report;  // a folder for the report; empty for none
+  bool compress = false;         // the site's files also as servers send them
   bool strict = false;           // nothing without proof or reason, and no warnings
   std::filesystem::path store;   // of results; empty for the user's
   std::size_t jobs = core_count();

@@ -50,6 +50,10 @@ constexpr Option kReport{"--report", "a folder", [](Options& options, const std:
                            options.report = value;
                            return true;
                          }};
+constexpr Option kCompress{"--compress", "", [](Options& options, const std::string&) {
+                             options.compress = true;
+                             return true;
+                           }};
 constexpr Option kStrict{"--strict", "", [](Options& options, const std::string&) {
                            options.strict = true;
                            return true;
@@ -124,7 +128,9 @@ struct Named {
 const std::vector<Named>& commands() {
   static const std::vector<Named> all{
       {"accept", accept, {kCourse, kDryRun, kStore, kJobs}, true},
-      {"build", build, {kCourse, kOut, kBaseUrl, kReport, kStore, kJobs, kTimings, kTrace}},
+      {"build",
+       build,
+       {kCourse, kOut, kBaseUrl, kCompress, kReport, kStore, kJobs, kTimings, kTrace}},
       {"check", check, {kCourse, kReport, kStrict, kFormat, kStore, kJobs, kTimings, kTrace}},
       {"doctor", doctor, {kStore}},
       {"explain", explain, {kCourse, kStore}, true},
@@ -163,6 +169,8 @@ constexpr std::string_view kHelp =
     "                 lsp, the folder that is open in the editor)\n"
     "  --out DIR      where build puts the site (default: build/site in the course)\n"
     "  --base-url URL build: where the site is published, whatever course.yaml says\n"
+    "  --compress     build: each file of text also as NAME.br and NAME.gz, for servers that send "
+    "these\n"
     "  --report DIR   write what was verified, and how, to DIR/index.html and verification.json\n"
     "  --strict       check: no warnings, and a reason for all that was not proved\n"
     "  --format NAME  check: say it to another tool on stdout, and to you on stderr: json, "

@@ -101,6 +101,7 @@ json pages_data(const Course& course, const Evaluation& evaluation, const std::s
   }
   pages.push_back(
       {{"title", kProgressTitle}, {"href", kProgressPage}, {"current", kind == "progress"}});
+  pages.push_back({{"title", kKeptTitle}, {"href", kKeptPage}, {"current", kind == "kept"}});
   return pages;
 }
 

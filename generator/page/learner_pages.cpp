@@ -73,4 +73,17 @@ void write_review(const SiteData& site, const std::vector<LessonParts>& parts, P
               body, styles);
 }
 
+void write_kept(const SiteData& site, PagePress& press) {
+  InlineStyles styles;
+  const std::string body = render_template(press.templates(), "kept",
+                                           {{"title", kKeptTitle},
+                                            {"sheet", site.manifest.at("learner.css")},
+                                            {"script", site.manifest.at("kept.js")}});
+  press.write(
+      kKeptPage,
+      {"kept", kKeptTitle,
+       "What this device keeps of " + site.course.title + ", to be read without a network."},
+      body, styles);
+}
+
 }  // namespace mjcourse

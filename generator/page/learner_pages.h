@@ -1,8 +1,8 @@
-// The pages of what a reader's browser remembers: how far each lesson was read, and the questions
-// that come again after some days.
+// The pages of what a reader's browser remembers: how far each lesson was read, the questions that
+// come again after some days, and the pages that can be read without a network.
 //
 // The generator knows nothing of readers. It lists what there is to be remembered, and the pages'
-// own scripts (site/client/progress, site/client/review) say what was.
+// own scripts (site/client/progress, site/client/review, site/client/offline) say what was.
 #pragma once
 
 #include <vector>
@@ -16,6 +16,8 @@ inline constexpr const char* kProgressTitle = "Your progress";
 inline constexpr const char* kProgressPage = "progress.html";
 inline constexpr const char* kReviewTitle = "Review";
 inline constexpr const char* kReviewPage = "review.html";
+inline constexpr const char* kKeptTitle = "On this device";
+inline constexpr const char* kKeptPage = "offline.html";
 
 // `parts` are those of the lessons, by their index.
 void write_progress(const SiteData& site, const std::vector<LessonParts>& parts, PagePress& press,
@@ -26,5 +28,7 @@ void write_progress(const SiteData& site, const std::vector<LessonParts>& parts,
 // is.
 void write_review(const SiteData& site, const std::vector<LessonParts>& parts, PagePress& press,
                   SiteFiles& directory, const Spool& spool);
+
+void write_kept(const SiteData& site, PagePress& press);
 
 }  // namespace mjcourse

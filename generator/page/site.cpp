@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "page/edition_manifest.h"
+#include "page/precompressed.h"
 #include "page/site_directory.h"
 #include "page/site_pages.h"
 #include "page/theme.h"
@@ -29,6 +31,8 @@ void write_site(const Course& course, const Evaluation& evaluation, const SitePa
   for (const auto& entry : std::filesystem::directory_iterator(paths.assets / "public")) {
     directory.copy(entry.path(), entry.path().filename().string());
   }
+  write_edition(directory.folder(), course, assets, paths.threads);
+  if (paths.compress) precompress(directory.folder(), paths.threads);
   directory.commit();
 }
 

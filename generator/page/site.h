@@ -3,7 +3,8 @@
 // Steps: each lesson's page and its pictures; the home page; what was verified; the pages that
 // explain: the glossary, MuJoCo's names, models; the examples, to download; what other sites read,
 // and what leads on from former addresses; the assets that the site's build made (styles, fonts,
-// scripts). All of it goes into a SiteDirectory, which replaces the old site at once.
+// scripts); what a browser needs to keep all this. All of it goes into a SiteDirectory, which
+// replaces the old site at once.
 #pragma once
 
 #include <cstddef>
@@ -20,6 +21,7 @@ struct SitePaths {
   std::filesystem::path assets;  // what site/build.mjs made
   std::filesystem::path out;     // the site
   std::size_t threads = 1;       // on which the lessons are written
+  bool compress = false;         // precompressed.h
 };
 
 // `changes` is when the lessons' files were changed, as far as that is known. Throws

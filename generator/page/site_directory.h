@@ -31,6 +31,8 @@ class SiteDirectory : public SiteFiles {
   void write(const std::string& path, const std::function<void(std::ostream&)>& writer) override;
   void copy(const std::filesystem::path& from, const std::string& path) override;
 
+  // Where it is until commit().
+  const std::filesystem::path& folder() const { return staging_; }
   void commit();
 
  private:

@@ -74,6 +74,7 @@ void SitePages::write_others(PressEngines& engines) {
   write_home(site_, parts_, press, spool_);
   write_verification(site_, parts_, press, out_, spool_);
   write_progress(site_, parts_, press, spool_);
+  write_kept(site_, press);
   if (has_questions(course)) write_review(site_, parts_, press, out_, spool_);
   if (course.glossary) write_glossary(press);
   if (!evaluation.api.empty()) write_api(press);

@@ -57,6 +57,7 @@ json sitemap_pages(const SiteData& site) {
   for (const ModelPage& model : site.evaluation.models) add(model_page_path(model.name));
   if (has_questions(course)) add(kReviewPage);
   add(kProgressPage);
+  add(kKeptPage);
   add(kVerificationPage);
   return pages;
 }

@@ -230,6 +230,8 @@ std::optional<std::string> Preview::file(const std::string& path) {
     const fs::path folder = setup_.assets / "preview";
     return read_inside(folder, folder / path.substr(std::string(".preview/").size()));
   }
+  // A site that was served here before may have left its worker in the browser; this one ends it.
+  if (path == "sw.js") return DiskFiles(setup_.assets).read("preview/sw.js").value();
   if (stylesheet_) {
     if (auto bytes = read_inside(stylesheet_->folder(), stylesheet_->folder() / path)) return bytes;
   }

@@ -24,6 +24,8 @@ export function pageBuild(site, out) {
       { in: "client/review/review.ts", out: "review" },
       { in: "styles/learner.css", out: "learner" },
       { in: "client/moved.ts", out: "moved" },
+      { in: "client/offline/offline.ts", out: "offline" },
+      { in: "client/offline/kept.ts", out: "kept" },
       { in: "icons/favicon.svg", out: "favicon" },
     ],
     outdir: path.resolve(out),

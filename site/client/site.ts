@@ -6,6 +6,7 @@ import { localizeDates } from "./dates.js";
 import { listenToKeys } from "./keys.js";
 import { upgradeLabs } from "./lab-loader.js";
 import { loadListing } from "./listing-loader.js";
+import { loadOffline } from "./offline/loader.js";
 import { upgradeQuizzes } from "./quiz/quiz.js";
 import { loadReading } from "./reading/loader.js";
 import { claimPage } from "./root.js";
@@ -27,6 +28,7 @@ function begin(): void {
   upgradeQuizzes();
   upgradeLabs();
   loadReading();
+  loadOffline();
 }
 
 if (claimPage()) {

@@ -49,7 +49,8 @@ class Visitor {
     return this.#root + path;
   }
 
-  // Opens the page at `path` for a new reader, hands it to `look`, and shuts it. `before` is given
+  // Opens the page at `path` for a new reader, without a service worker, hands it to `look`, and shuts
+  // it. `before` is given
   // the page while it is empty; all other options are those of a context.
   async visit(path, options, look) {
     const { width = 1440, scheme = "light", javaScript = true, before, ...others } = options;
@@ -62,6 +63,8 @@ class Visitor {
     const page = await context.newPage();
     page.setDefaultTimeout(60_000);
     this.#watch(page, path);
+    // Nor is it there in every browser. What it does, tests/site/offline.mjs sees.
+    await page.addInitScript(() => delete Navigator.prototype.serviceWorker);
     await before?.(page);
     await page.goto(this.address(path));
     await look(page);

@@ -20,10 +20,9 @@ const types = {
   ".webp": "image/webp",
   ".woff2": "font/woff2",
 };
-const base = "/some/course/";
 
-// Gives the address of the site's root, and what ends the server.
-export async function serve(folder) {
+// Gives the address of the site's root, and what ends the server. Without a port, one that is free.
+export async function serve(folder, { base = "/some/course/", port = 0 } = {}) {
   const server = createServer(async (request, response) => {
     const path = decodeURIComponent(new URL(request.url, "http://localhost").pathname);
     try {
@@ -36,7 +35,11 @@ export async function serve(folder) {
       response.writeHead(404, { "content-type": types[".html"] }).end(missing);
     }
   });
-  await new Promise((listening) => server.listen(0, "127.0.0.1", listening));
+  await new Promise((listening) => server.listen(port, "127.0.0.1", listening));
   const root = `http://127.0.0.1:${server.address().port}${base}`;
-  return { root, close: () => server.close() };
+  const close = () => {
+    server.close();
+    server.closeAllConnections(); // or a browser goes on asking
+  };
+  return { root, close };
 }

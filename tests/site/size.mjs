@@ -61,7 +61,8 @@ for (const page of globSync("**/*.html", { cwd: folder }).sort()) {
   const pictures = [...all.slice(0, 1), ...atOnce];
   weigh(`${page} before a lab is played`, [page, ...scripts, ...styles, ...pictures], 100);
   weigh(`its script`, scripts, 20);
-  for (const path of addresses(page, html, /data-reading="([^"]+\.js)"/g)) later.add(path);
+  for (const path of addresses(page, html, /data-(?:reading|offline)="([^"]+\.js)"/g))
+    later.add(path);
   for (const path of addresses(page, html, /data-code="([^"]+)"/g)) labCode.add(path);
   for (const path of addresses(page, html, /data-(?:engine|wasm)="([^"]+)"/g)) engine.add(path);
 }

@@ -86,8 +86,8 @@ std::string pages_beside(const std::string& front) {
 }
 
 TEST(PagesData, HaveAReviewWhereThereIsAQuestion) {
-  EXPECT_EQ(pages_beside("title: T\n"), "Review Your progress! ");
-  EXPECT_EQ(pages_beside("title: T\ndraft: true\n"), "Your progress! ");
+  EXPECT_EQ(pages_beside("title: T\n"), "Review Your progress! On this device ");
+  EXPECT_EQ(pages_beside("title: T\ndraft: true\n"), "Your progress! On this device ");
 }
 
 }  // namespace

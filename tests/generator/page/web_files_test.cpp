@@ -59,6 +59,7 @@ TEST_F(WebFiles, TellOfNoChangeThatNobodyKnows) {
             "<url><loc>https://example.org/c/1-a/1.1-x.html</loc></url>\n"
             "<url><loc>https://example.org/c/1-a/1.2-y.html</loc></url>\n"
             "<url><loc>https://example.org/c/progress.html</loc></url>\n"
+            "<url><loc>https://example.org/c/offline.html</loc></url>\n"
             "<url><loc>https://example.org/c/verification.html</loc></url>\n"
             "</urlset>\n");
 }

@@ -1,0 +1,23 @@
+// The files of a site as a server would send them: beside each whose format is not compressed
+// already, NAME.br and NAME.gz where these are smaller. nginx (`brotli_static`, `gzip_static`),
+// Caddy (`precompressed`) and others give those to browsers that take them, packed better than they
+// have time for themselves.
+//
+// The same bytes give the same bytes: the heads of .gz say no time.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace mjcourse {
+
+// As tightly as they can. Throw std::runtime_error where there is no memory.
+std::string brotli(std::string_view bytes);
+std::string gzip(std::string_view bytes);
+
+// On so many threads.
+void precompress(const std::filesystem::path& site, std::size_t threads);
+
+}  // namespace mjcourse
