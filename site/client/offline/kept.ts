@@ -29,7 +29,7 @@ async function show(worker: ServiceWorker): Promise<void> {
   const megabytes = Math.max(sizeOf(inventory, open) / 1e6, 0.1).toFixed(1);
   button("keep-all").textContent = `Keep the whole course on this device (${megabytes} MB)`;
   button("keep-all").hidden = open.length === 0;
-  button("forget").hidden = false;
+  button("forget-kept").hidden = false;
   if (open.length === 0) told.textContent = "The whole course is kept on this device.";
   await listPages(inventory.kept);
 }
@@ -40,7 +40,7 @@ async function keepAll(worker: ServiceWorker): Promise<void> {
   cancel.onclick = () => stop.abort();
   bar.value = 0;
   bar.hidden = cancel.hidden = false;
-  button("keep-all").hidden = button("forget").hidden = true;
+  button("keep-all").hidden = button("forget-kept").hidden = true;
   told.textContent = "Keeping the whole course.";
   cancel.focus();
   void navigator.storage.persist(); // else the browser may forget it when it wants room
@@ -94,7 +94,7 @@ async function begin(): Promise<void> {
   }
   const worker = (await navigator.serviceWorker.ready).active!;
   button("keep-all").onclick = () => void keepAll(worker);
-  button("forget").onclick = () => void forget(worker);
+  button("forget-kept").onclick = () => void forget(worker);
   await show(worker);
 }
 
