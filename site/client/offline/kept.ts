@@ -20,7 +20,9 @@ async function listPages(kept: readonly string[]): Promise<void> {
   const known = new Set(kept);
   const pages = window.mjcourse!.pages!.filter(({ href }) => known.has(href));
   const items = pages.map((page) => make("li", {}, make("a", { href: page.href }, nameOf(page))));
-  article.querySelector(".kept-pages")!.replaceChildren(...items);
+  const section = article.querySelector<HTMLElement>(".kept-pages")!;
+  section.querySelector("ul")!.replaceChildren(...items);
+  section.hidden = items.length === 0;
 }
 
 async function show(worker: ServiceWorker): Promise<void> {
