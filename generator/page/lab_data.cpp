@@ -5,6 +5,7 @@
 #include "page/lesson_pictures.h"
 #include "page/page_writer.h"
 #include "page/site_paths.h"
+#include "page/web_place.h"
 
 namespace mjcourse {
 namespace {
@@ -17,6 +18,12 @@ std::string label_of(const Lab::Control& control) {
   return std::visit([](const auto& of_kind) { return of_kind.label.text; }, control);
 }
 
+// Where a reader of a printed lab finds it: below the site's root, where that has no address.
+std::string address_of(const Course& course, const Lesson& lesson, const std::string& id) {
+  const std::string path = page_path(lesson);
+  return (course.url.empty() ? path : web_address(course, path)) + "#" + id;
+}
+
 }  // namespace
 
 json PageWriter::data_of(const Lab& lab, std::size_t index) {
@@ -25,6 +32,7 @@ json PageWriter::data_of(const Lab& lab, std::size_t index) {
             {"title", lab.title},
             {"dock", lab.dock},
             {"live", nullptr},
+            {"address", address_of(course_, lesson_, block_name(lesson_, index))},
             {"poster", nullptr},
             {"controls", json::array()},
             {"readouts", json::array()},

@@ -10,6 +10,7 @@
 #include "page/learner_pages.h"
 #include "page/lesson_page.h"
 #include "page/lesson_pictures.h"
+#include "page/printed_course.h"
 #include "page/search_index.h"
 #include "page/site_paths.h"
 #include "page/web_files.h"
@@ -63,14 +64,14 @@ void write_lesson(const SiteData& site, std::size_t index, PagePress& press, Sit
   const std::string path = page_path(lesson);
   InlineStyles styles;
   PageWriter writer(site.course, lesson, results, press.press(styles, path));
-  const std::string body = lesson_page(site, lesson, index, writer, press.templates());
+  const LessonPage page = lesson_page(site, lesson, index, writer, press.templates());
   const Document& summary = lesson.front.summary;
   const std::string description = summary ? plain_text(summary.get()) : site.course.description;
   const std::optional<SharedPicture> picture = shared_picture(lesson, results);
   press.write(path,
               {"lesson", lesson.number + " " + lesson.front.title.text, description, "../",
                &resting, picture},
-              body, styles);
+              page.body, styles);
   write_pictures(lesson, results, directory);
   copy_images(lesson, results, directory);
   write_tables(lesson, results, directory);
@@ -82,6 +83,9 @@ void write_lesson(const SiteData& site, std::size_t index, PagePress& press, Sit
                               is_card ? claims_of_prose(lesson, site.evaluation) : results.claims,
                               press.templates(), spool);
   add_search_part(lesson, results, search_share(site.course), spool, *parts);
+  if (has_print(site.course)) {
+    add_printed_parts(site, lesson, page, writer, press.templates(), spool, *parts);
+  }
   parts->picture = picture;
   parts->news = spool.put(feed_entry(site, lesson, summary ? description : "", press.templates()));
   const bool beside = level_of(site.course, lesson).number.empty();

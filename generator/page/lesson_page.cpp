@@ -1,23 +1,37 @@
 #include "page/lesson_page.h"
 
+#include <utility>
+
 #include "page/anchors.h"
 #include "page/course_data.h"
 #include "page/lesson_history.h"
+#include "page/moved_html.h"
 #include "page/verification.h"
 
 namespace mjcourse {
 
 using nlohmann::json;
 
-std::string lesson_page(const SiteData& site, const Lesson& lesson, std::size_t index,
-                        PageWriter& writer, Templates& templates) {
+namespace {
+
+// A solution has ids that it also has where it is folded away.
+std::string answers_of(const json& answers, Templates& templates) {
+  if (answers.empty()) return "";
+  return moved_html(render_template(templates, "answers", {{"answers", answers}}), {"told-"});
+}
+
+}  // namespace
+
+LessonPage lesson_page(const SiteData& site, const Lesson& lesson, std::size_t index,
+                       PageWriter& writer, Templates& templates) {
   const Course& course = site.course;
   const Evaluation& evaluation = site.evaluation;
   const LessonResults& results = evaluation.lessons[index];
   const std::string mark =
       "\x02"
       "prose\x03";
-  const std::string prose = writer.body();
+  std::string prose = writer.body();
+  const std::string answers = answers_of(writer.answers(), templates);
   json objectives = json::array(), prerequisites = json::array();
   for (const Document& objective : lesson.front.objectives) {
     objectives.push_back(writer.inline_html(objective));
@@ -47,6 +61,7 @@ std::string lesson_page(const SiteData& site, const Lesson& lesson, std::size_t 
        {"tags", lesson.front.tags},
        {"contents", writer.contents()},
        {"body", mark},
+       {"answers", answers},
        {"verified",
         verified_data(results.tally, evaluation.versions.mujoco,
                       "../" + std::string(kVerificationPage) + "#" + lesson_anchor(lesson))},
@@ -56,7 +71,7 @@ std::string lesson_page(const SiteData& site, const Lesson& lesson, std::size_t 
        {"history", history_data(site, lesson)},
        {"root", "../"}});
   body.replace(body.find(mark), mark.size(), prose);
-  return body;
+  return {std::move(body), std::move(prose), answers};
 }
 
 }  // namespace mjcourse

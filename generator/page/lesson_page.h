@@ -8,8 +8,14 @@
 
 namespace mjcourse {
 
-// The body of the page of `lesson`, lesson `index` of the course, which `writer` writes.
-std::string lesson_page(const SiteData& site, const Lesson& lesson, std::size_t index,
-                        PageWriter& writer, Templates& templates);
+struct LessonPage {
+  std::string body;     // of the page
+  std::string prose;    // of that, the lesson's text
+  std::string answers;  // of that, what is told behind it on paper; "" where nothing is asked
+};
+
+// The page of `lesson`, lesson `index` of the course, which `writer` writes.
+LessonPage lesson_page(const SiteData& site, const Lesson& lesson, std::size_t index,
+                       PageWriter& writer, Templates& templates);
 
 }  // namespace mjcourse

@@ -20,6 +20,7 @@ struct LessonParts {
   Spool::Piece json;                          // of verification.json
   Spool::Piece asserted, unchecked, section;  // HTML, of the page of what was verified
   StatusCounts counts{};                      // of its claims
+  Spool::Piece printed, printed_answers;      // HTML, of print.html; the answers may be empty
   Spool::Piece search;                        // JSON, of the search's index (search_index.h)
   std::string search_hash;                    // of that
   Spool::Piece news;                          // XML, of the feed; empty where it is not in there

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "page/course_data.h"
+#include "page/printed_course.h"
 #include "page/verification.h"
 #include "page/verification_page.h"
 
@@ -74,6 +75,7 @@ void write_home(const SiteData& site, const std::vector<LessonParts>& parts, Pag
       {{"course", {{"title", course.title}, {"description", course.description}}},
        {"root", ""},
        {"script", site.manifest.at("home.js")},
+       {"print", has_print(course) ? kPrintPage : ""},
        {"levels", std::move(levels)},
        {"verified", verified_data(total, site.evaluation.versions.mujoco, kVerificationPage)}});
   press.write_long("index.html",

@@ -115,6 +115,20 @@ std::string PageWriter::write_heading(cmark_node* node, const std::string& inner
          "</a></" + tag + ">\n";
 }
 
+void PageWriter::tell_later(const nlohmann::json& quiz) {
+  answers_.push_back({{"title", quiz["title"]}, {"questions", quiz["questions"]}});
+}
+
+void PageWriter::tell_later(const Callout& callout, const nlohmann::json& data) {
+  if (callout.kind != "solution") return;
+  // Its own title seldom says what it solves; the section's does.
+  const nlohmann::json section = contents_.empty() ? "" : contents_.back()["title"];
+  answers_.push_back({{"section", section},
+                      {"label", data["label"]},
+                      {"title", data["title"]},
+                      {"body", data["body"]}});
+}
+
 void PageWriter::list_heading(int level, const std::string& id, const std::string& title) {
   nlohmann::json entry{{"id", id}, {"title", title}, {"children", nlohmann::json::array()}};
   if (level == 2 || contents_.empty()) {
@@ -212,11 +226,19 @@ std::string PageWriter::write_block(cmark_node* node, std::size_t i, const std::
         return image != nullptr ? render("image", data_of(shown, *image)) : "";
       },
       [&](const Io& io) { return render("io", data_of(io)); },
-      [&](const Callout& callout) { return render("callout", data_of(callout, inner)); },
+      [&](const Callout& callout) {
+        const nlohmann::json data = data_of(callout, inner);
+        tell_later(callout, data);
+        return render("callout", data);
+      },
       [&](const Lab& lab) { return render("lab", data_of(lab, i)); },
       [&](const Figure& figure) { return render("figure", data_of(figure, i)); },
       [&](const Chart& chart) { return render("plot", data_of(chart, i)); },
-      [&](const Quiz& quiz) { return render("quiz", data_of(quiz, i)); },
+      [&](const Quiz& quiz) {
+        const nlohmann::json data = data_of(quiz, i);
+        tell_later(data);
+        return render("quiz", data);
+      },
       [&](const Demo& demo) { return render("demo", data_of(demo)); },
       [](const Shown&) { return std::string(); },
   };

@@ -41,6 +41,9 @@ class PageWriter {
   std::string body();
   // The headings as a two-level list; complete once body() was written.
   nlohmann::json contents() const { return contents_; }
+  // What is told at its end on paper, as answers.hbs wants it: the answers of its knowledge checks
+  // and its solutions; complete once body() was written.
+  nlohmann::json answers() const { return answers_; }
   // All that its knowledge checks ask, each as question.hbs wants it.
   nlohmann::json questions();
   // What its labs need beside the page; complete once body() was written.
@@ -61,6 +64,8 @@ class PageWriter {
   bool takes(cmark_node* node) const;
   std::string write(cmark_node* node, const std::string& inner);
   std::string write_heading(cmark_node* node, const std::string& inner);
+  void tell_later(const nlohmann::json& quiz);
+  void tell_later(const Callout& callout, const nlohmann::json& data);
   void list_heading(int level, const std::string& id, const std::string& title);
   std::string write_link(cmark_node* node, const std::string& inner) const;
   std::string write_math(cmark_node* node, const Math& math, std::size_t index) const;
@@ -105,6 +110,7 @@ class PageWriter {
   Press press_;
   NodeWriter writer_;
   nlohmann::json contents_ = nlohmann::json::array();
+  nlohmann::json answers_ = nlohmann::json::array();
   std::vector<LabFiles> lab_files_;
   std::set<std::string> ids_;  // of listings
 };

@@ -18,6 +18,7 @@
 #include "page/long_pages.h"
 #include "page/model_page.h"
 #include "page/moved_pages.h"
+#include "page/printed_course.h"
 #include "page/program_folder.h"
 #include "page/search_index.h"
 #include "page/site_paths.h"
@@ -76,7 +77,8 @@ void SitePages::write_others(PressEngines& engines) {
   write_progress(site_, parts_, press, spool_);
   write_kept(site_, press);
   if (has_questions(course)) write_review(site_, parts_, press, out_, spool_);
-  if (course.glossary) write_glossary(press);
+  const std::string glossary = course.glossary ? write_glossary(press) : "";
+  if (has_print(course)) write_printed_course(site_, parts_, glossary, press, spool_, out_);
   if (!evaluation.api.empty()) write_api(press);
   for (const ModelPage& model : evaluation.models) write_model(model, press);
   if (!evaluation.models.empty()) write_gallery(press);
@@ -90,7 +92,7 @@ void SitePages::write_others(PressEngines& engines) {
   }
 }
 
-void SitePages::write_glossary(PagePress& press) {
+std::string SitePages::write_glossary(PagePress& press) {
   const Course& course = site_.course;
   const Lesson& glossary = course.glossary->page;
   const std::string path = page_path(glossary);
@@ -103,6 +105,7 @@ void SitePages::write_glossary(PagePress& press) {
               {"glossary", glossary.front.title.text,
                summary ? plain_text(summary.get()) : course.description},
               body, styles);
+  return body;
 }
 
 void SitePages::write_api(PagePress& press) {

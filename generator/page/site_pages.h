@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "page/lesson_parts.h"
@@ -31,7 +32,8 @@ class SitePages {
   void write_others(PressEngines& engines);
 
  private:
-  void write_glossary(PagePress& press);
+  // Gives the body, which is printed with the course as well.
+  std::string write_glossary(PagePress& press);
   void write_api(PagePress& press);
   void write_gallery(PagePress& press);
   void write_model(const ModelPage& model, PagePress& press);

@@ -7,6 +7,7 @@
 #include "page/course_data.h"
 #include "page/gallery_page.h"
 #include "page/learner_pages.h"
+#include "page/printed_course.h"
 #include "page/site_paths.h"
 #include "page/verification.h"
 #include "page/web_place.h"
@@ -59,6 +60,7 @@ json sitemap_pages(const SiteData& site) {
   add(kProgressPage);
   add(kKeptPage);
   add(kVerificationPage);
+  if (has_print(course)) add(kPrintPage);
   return pages;
 }
 

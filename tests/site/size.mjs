@@ -53,6 +53,7 @@ const engine = new Set();
 const later = new Set();
 for (const page of globSync("**/*.html", { cwd: folder }).sort()) {
   if (page === "404.html") continue; // it looks for its assets in several folders
+  if (page === "print.html") continue; // all of the course, for a printer
   const html = readFileSync(join(folder, page), "utf8");
   const scripts = addresses(page, html, /<script src="([^"]+)"/g);
   const styles = addresses(page, html, /<link rel="stylesheet" href="([^"]+)"/g);

@@ -15,8 +15,8 @@ function upgrade(quiz: Element): void {
   quiz.append(reset);
 }
 
-/** Those in `root`, which may be one itself. */
+/** Those in `root`, which may be one itself; none of the document that is made to be printed. */
 export function upgradeQuizzes(root: Document | Element = document): void {
   if (root instanceof Element && root.matches(".quiz")) upgrade(root);
-  for (const quiz of root.querySelectorAll(".quiz")) upgrade(quiz);
+  for (const quiz of root.querySelectorAll(".quiz:not(.printed *)")) upgrade(quiz);
 }
