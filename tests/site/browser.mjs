@@ -16,9 +16,12 @@ const files = globSync("**/*.html", { cwd: folder })
   .filter((path) => path !== "404.html")
   .sort();
 const leadsOn = (path) => readFileSync(join(folder, path), "utf8").includes('http-equiv="refresh"');
-// The paths of all pages, below the site's root; and of those that lead on to one of them, where
-// nobody can stay.
-export const pages = files.filter((path) => !leadsOn(path));
+// The course as one document, to be printed, if the site has it. It is all lessons once more, and
+// as large, so only those look at it who ask for it.
+export const documents = files.filter((path) => path === "print.html");
+// The paths of all other pages, below the site's root; and of those that lead on to one of them,
+// where nobody can stay.
+export const pages = files.filter((path) => !leadsOn(path) && !documents.includes(path));
 export const movedPages = files.filter(leadsOn);
 
 class Visitor {

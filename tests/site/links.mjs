@@ -5,7 +5,7 @@
 import { existsSync, readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 
-import { folder, pages, testSite } from "./browser.mjs";
+import { documents, folder, pages, testSite } from "./browser.mjs";
 
 // What a page refers to, as whole addresses, and what can be referred to on it.
 function references() {
@@ -76,8 +76,9 @@ async function checkPublished(visitor, found, root) {
 
 await testSite(async (visitor) => {
   const found = new Map();
-  for (const path of pages) {
-    await visitor.visit(path, {}, async (page) => {
+  const before = (page) => page.setDefaultTimeout(60_000); // a document is long
+  for (const path of [...pages, ...documents]) {
+    await visitor.visit(path, { before }, async (page) => {
       found.set(path, await page.evaluate(references));
     });
   }
