@@ -61,6 +61,7 @@ TEST_F(LabDataTest, SaysThatItCannotWakeUpWithoutOne) {
 </ul>
 <p class="toggles"><span>Can be shown</span> frames</p>
 <div class="lab-note"><em>N</em></div>
+<p class="lab-address">Live at <span>1-a/1.1-x.html#lab-1</span></p>
 </div>
 </figure>
 </sim-lab>

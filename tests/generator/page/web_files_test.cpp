@@ -61,6 +61,7 @@ TEST_F(WebFiles, TellOfNoChangeThatNobodyKnows) {
             "<url><loc>https://example.org/c/progress.html</loc></url>\n"
             "<url><loc>https://example.org/c/offline.html</loc></url>\n"
             "<url><loc>https://example.org/c/verification.html</loc></url>\n"
+            "<url><loc>https://example.org/c/print.html</loc></url>\n"
             "</urlset>\n");
 }
 
