@@ -28,6 +28,7 @@ const std::string& InlineStyles::class_of(const std::string& style) {
 }
 
 std::string InlineStyles::take(const std::string& html) {
+  if (html.find("style=") == html.npos) return html;
   return with_tags(html, [this](const HtmlTag& tag) {
     const std::string_view style = tag.value_of("style");
     if (style.empty()) return std::string(tag.text);

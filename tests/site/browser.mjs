@@ -53,8 +53,7 @@ class Visitor {
   }
 
   // Opens the page at `path` for a new reader, without a service worker, hands it to `look`, and shuts
-  // it. `before` is given
-  // the page while it is empty; all other options are those of a context.
+  // it. `before` is given the page while it is empty; all other options are those of a context.
   async visit(path, options, look) {
     const { width = 1440, scheme = "light", javaScript = true, before, ...others } = options;
     const context = await this.#browser.newContext({
