@@ -40,7 +40,7 @@ const server = createServer((request, response) => {
 await new Promise((listening) => server.listen(0, "127.0.0.1", listening));
 after(() => server.close());
 
-const chromium = "/usr/bin/chromium";
+const chromium = "/usr/bin/chromium-headless-shell";
 test("the same bits in a page and in its worker", { skip: !existsSync(chromium) }, async () => {
   const launch = { executablePath: chromium, args: ["--no-sandbox"] };
   const browser = await require("playwright-core").chromium.launch(launch);

@@ -15,5 +15,5 @@ const quiet = [
 ];
 
 export function launch() {
-  return chromium.launch({ executablePath: "/usr/bin/chromium", args: quiet });
+  return chromium.launch({ executablePath: "/usr/bin/chromium-headless-shell", args: quiet });
 }

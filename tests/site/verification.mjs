@@ -82,7 +82,7 @@ const pinned = (angle) => `\`\`\`figure
 async function opened(page) {
   const quiet = ["--no-sandbox", "--disable-quic", "--no-first-run"];
   const browser = await chromium.launch({
-    executablePath: "/usr/bin/chromium",
+    executablePath: "/usr/bin/chromium-headless-shell",
     args: quiet,
   });
   const tab = await browser.newPage();

@@ -94,7 +94,9 @@ async function begin(): Promise<void> {
     offer();
     return;
   }
+  told.textContent = "Getting what every page needs …";
   const worker = (await navigator.serviceWorker.ready).active!;
+  told.textContent = "";
   button("keep-all").onclick = () => void keepAll(worker);
   button("forget-kept").onclick = () => void forget(worker);
   await show(worker);

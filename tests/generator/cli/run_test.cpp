@@ -118,7 +118,7 @@ TEST(Run, NeedsOptionsThatThereAre) {
             "mjcourse: accept has no option --dry-runn; did you mean `--dry-run`?");
   EXPECT_EQ(usage_error({"build", "--strict"}),
             "mjcourse: build has no option --strict; known: --course, --out, --base-url, "
-            "--report, --store, --jobs, --timings, --trace");
+            "--compress, --report, --store, --jobs, --timings, --trace");
   EXPECT_EQ(usage_error({"check", "--course"}), "mjcourse: --course needs a folder");
   EXPECT_EQ(usage_error({"build", "--course", "x", "--out"}), "mjcourse: --out needs a folder");
   EXPECT_EQ(usage_error({"check", "--jobs", "0"}),

@@ -27,8 +27,8 @@ TEST(FenceSuggestions, AreKindsWithWhatTheyNeed) {
   Suggestions found;
   add_fences(found);
   EXPECT_EQ(names(found),
-            "cpp file=|cpp snippet model=|xml model=|xml mjcf|text|io|demo|lab simlab|quiz|figure|"
-            "plot|sh unchecked because=|cmake unchecked because=|python unchecked because=|"
+            "cpp file=|cpp snippet model=|xml model=|xml mjcf|text|io|lab simlab|quiz|figure|plot|"
+            "demo|sh unchecked because=|cmake unchecked because=|python unchecked because=|"
             "yaml unchecked because=|json unchecked because=|markdown unchecked because=|"
             "cpp unchecked because=|xml unchecked because=|text unchecked because=|");
 }

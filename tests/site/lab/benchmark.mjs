@@ -66,7 +66,7 @@ const folder = mkdtempSync(join(tmpdir(), "mjcourse-benchmark-"));
 try {
   const server = await serve(build(folder));
   const browser = await chromium.launch({
-    executablePath: "/usr/bin/chromium",
+    executablePath: "/usr/bin/chromium-headless-shell",
     args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
   });
   const page = await browser.newPage({ viewport: { width: 1440, height: 900 } });

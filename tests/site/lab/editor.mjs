@@ -52,7 +52,7 @@ before(async () => {
   await writeFile(path.join(folder, "favicon.svg"), '<svg xmlns="http://www.w3.org/2000/svg"/>');
   server = await serve(folder);
   browser = await require("playwright-core").chromium.launch({
-    executablePath: "/usr/bin/chromium",
+    executablePath: "/usr/bin/chromium-headless-shell",
     args: ["--no-sandbox", "--disable-gpu"],
   });
 });
