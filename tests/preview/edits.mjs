@@ -36,9 +36,10 @@ async function whatIsAroundStays(previewed, page) {
   await lab.locator(".lab-play").click();
   await page.locator("details.callout > summary").click();
   await page.locator("form.question input").fill("17");
-  const before = await page.evaluate(() => {
+  const before = await page.evaluate(async () => {
     document.querySelector("sim-lab").touched = true;
     scrollTo({ top: document.querySelector("table").offsetTop, behavior: "instant" });
+    await document.fonts.ready; // what was opened may have asked for one
     return document.querySelector("table").getBoundingClientRect().top;
   });
   const folded = () => page.evaluate(() => document.querySelector("details.callout").open);

@@ -123,7 +123,7 @@ async function compareWithBuild(previewed) {
         .toString()
         .replace(/<script src="\/\.preview\/preview\.js" data-page="\w+"><\/script>\n/, "");
       bytes = Buffer.from(text.replace(/<!--lines( \d+-\d+)?-->\n/g, ""));
-      expected = Buffer.from(expected.toString().replace(/ data-offline="[^"]+"/, ""));
+      expected = Buffer.from(expected.toString().replace(/ data-offline="[^"]+"/g, ""));
     }
     previewed.expect(answer.status === 200, `${path}: ${answer.status}`);
     previewed.expect(bytes.equals(expected), `${path} is not what a build writes`);

@@ -24,6 +24,10 @@ export const documents = files.filter((path) => path === "print.html");
 export const pages = files.filter((path) => !leadsOn(path) && !documents.includes(path));
 export const movedPages = files.filter(leadsOn);
 
+// The pages that hold `text` in their HTML, so that a test need not open all others.
+export const pagesWith = (text) =>
+  pages.filter((path) => readFileSync(join(folder, path), "utf8").includes(text));
+
 class Visitor {
   #browser;
   #root;

@@ -5,7 +5,7 @@
 //
 // The site must have demos: the author guide is made of them.
 
-import { pages, testSite } from "./browser.mjs";
+import { pagesWith, testSite } from "./browser.mjs";
 
 // What a demo's two halves hold, and where they are.
 function halves() {
@@ -43,7 +43,7 @@ await testSite(async (visitor) => {
     { width: 360, javaScript: false },
     { width: 700, media: "print" },
   ];
-  for (const path of pages) {
+  for (const path of pagesWith('class="demo"')) {
     for (const { media, ...options } of ways) {
       await visitor.visit(path, options, async (page) => {
         if (media) await page.emulateMedia({ media });

@@ -1,6 +1,6 @@
 // Each formula is there twice: as MathML, for what reads aloud and copies, and drawn, for the eye.
 
-import { pages, testSite } from "./browser.mjs";
+import { pagesWith, testSite } from "./browser.mjs";
 
 function formulas() {
   return [...document.querySelectorAll(".katex")].map((formula) => ({
@@ -11,6 +11,7 @@ function formulas() {
     // Roots, arrows and wide accents.
     drawings: [...formula.querySelectorAll("svg")].map((svg) => svg.getBoundingClientRect().height),
     folded: formula.closest("details:not([open])") !== null,
+    onPaper: formula.closest(".answers") !== null,
   }));
 }
 
@@ -18,13 +19,13 @@ const errors = () => [...document.querySelectorAll(".katex-error, merror")].map(
 
 await testSite(async (visitor) => {
   let count = 0;
-  for (const path of pages) {
+  for (const path of pagesWith('class="katex')) {
     await visitor.visit(path, { javaScript: false }, async (page) => {
       for (const error of await page.evaluate(errors)) visitor.complain(path, error);
       for (const formula of await page.evaluate(formulas)) {
-        const { tex, spoken, drawn, height, drawings, folded } = formula;
+        const { tex, spoken, drawn, height, drawings, folded, onPaper } = formula;
         ++count;
-        const seen = folded || (height > 0 && drawings.every((svg) => svg > 1));
+        const seen = folded || onPaper || (height > 0 && drawings.every((svg) => svg > 1));
         const whole = tex !== "" && spoken === 1 && drawn === 1 && seen;
         visitor.expect(whole, path, `a formula that is not whole: ${tex}`);
       }

@@ -1,12 +1,12 @@
 // Each question of a knowledge check has its answer and explanation folded beneath it, to be opened
 // and read without JavaScript too.
 
-import { pages, testSite } from "./browser.mjs";
+import { pagesWith, testSite } from "./browser.mjs";
 
 await testSite(async (visitor) => {
   let count = 0;
   for (const javaScript of [true, false]) {
-    for (const path of pages) {
+    for (const path of pagesWith('class="quiz')) {
       await visitor.visit(path, { javaScript }, async (page) => {
         for (const question of await page.locator(".quiz .question").all()) {
           ++count;

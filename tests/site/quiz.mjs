@@ -6,14 +6,14 @@
 // The site must have questions of these kinds. They are answered with the keyboard alone; an order is
 // also tried with the pointer.
 
-import { pages, testSite } from "./browser.mjs";
+import { pagesWith, testSite } from "./browser.mjs";
 import { Trial } from "./question-trial.mjs";
 
 const wanted = process.argv.slice(3);
 
 await testSite(async (visitor) => {
   const met = new Set();
-  for (const path of pages) {
+  for (const path of pagesWith('class="quiz')) {
     await visitor.visit(path, {}, async (page) => {
       const questions = await page.locator(".quiz .question").all();
       for (const question of questions) {
