@@ -3,7 +3,7 @@
 //   a lesson's page before a lab is played   100 KB: HTML, styles, script and poster, which is the
 //                                            first picture; those that wait to be scrolled to are
 //                                            not in it
-//   of that, script                           20 KB
+//   of that, script                           20 KB, beside the questions that review.html draws from
 //   the search, which comes at its first use  20 KB and its index
 //   what a page loads once it is shown          3 KB
 //   a lab's own code, without the engine     240 KB; its editor is loaded only where one is opened
@@ -61,7 +61,8 @@ for (const page of globSync("**/*.html", { cwd: folder }).sort()) {
   const atOnce = addresses(page, html, /srcset="([^"]+)"><img (?![^>]*loading="lazy")/g);
   const pictures = [...all.slice(0, 1), ...atOnce];
   weigh(`${page} before a lab is played`, [page, ...scripts, ...styles, ...pictures], 100);
-  weigh(`its script`, scripts, 20);
+  const code = scripts.filter((path) => !path.startsWith("review/questions-"));
+  weigh(`its script`, code, 20);
   for (const path of addresses(page, html, /data-(?:reading|offline)="([^"]+\.js)"/g))
     later.add(path);
   for (const path of addresses(page, html, /data-code="([^"]+)"/g)) labCode.add(path);
