@@ -39,7 +39,7 @@ HtmlMove into_document(const Course& course, const std::string& from, const std:
     // A page lies in the root or one folder below it, and so does what it speaks of.
     const bool up = address.starts_with("../");
     const std::string folder = up ? "" : from.substr(0, from.rfind('/') + 1);
-    const std::string whole = folder + std::string(address.substr(up ? 3 : 0));
+    std::string whole = folder + std::string(address.substr(up ? 3 : 0));
     const std::size_t hash = std::min(whole.find('#'), whole.size());
     const std::string target = anchor_of(course, whole.substr(0, hash));
     if (target.empty()) return whole;
