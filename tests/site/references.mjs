@@ -14,8 +14,8 @@ function links() {
       term: link.classList.contains("term"),
       used: link.closest(".used-in") !== null,
     }))
-    .filter(({ href, term }) => term || /\/(api\.html#|models\/)[^/]*$/.test(href))
-    .filter(({ href, used }) => !used && !href.endsWith(".xml"));
+    .filter(({ href, term }) => term || /\/(api|models\/[^/]*)\.html#?[^/]*$/.test(href))
+    .filter(({ used }) => !used);
 }
 
 // What a page explains, by its address: the text of each entry, and where it is used.
