@@ -3,21 +3,20 @@
 //   node tests/tidy.mjs BUILD     BUILD: the folder with compile_commands.json
 //
 // A file takes seconds, so one in which nothing was found is not looked at again before it, a
-// header of ours that it includes, its flags or .clang-tidy change: the user's cache holds a stamp
-// for each, named by a hash of all that. Other checkouts find it, too.
+// header of ours that it includes, its flags or .clang-tidy change.
 
 import { execFile, execFileSync } from "node:child_process";
-import { createHash } from "node:crypto";
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
-import { availableParallelism, homedir } from "node:os";
+import { existsSync, readFileSync } from "node:fs";
+import { availableParallelism } from "node:os";
 import { join, relative, resolve } from "node:path";
+
+import { Stamps } from "./stamps.mjs";
 
 const tidy = "clang-tidy-16";
 const root = resolve(import.meta.dirname, "..");
 const generator = join(root, "generator");
 const build = resolve(process.argv[2] ?? "build/release");
-const cache = process.env.XDG_CACHE_HOME || join(homedir(), ".cache");
-const stamps = join(cache, "mjcourse", "tidy");
+const stamps = new Stamps("tidy");
 // The flags are g++'s, and may name warnings that clang does not know.
 const flags = ["-p", build, "--quiet", "--extra-arg=-Wno-unknown-warning-option"];
 
@@ -39,9 +38,8 @@ const tool =
   readFileSync(join(root, ".clang-tidy"), "utf8");
 
 function stampOf({ file, command }) {
-  const hash = createHash("sha256").update(tool).update(command.replaceAll(root, "."));
-  for (const [, text] of [...addIncludes(file, new Map())].sort()) hash.update(text);
-  return hash.digest("hex");
+  const texts = [...addIncludes(file, new Map())].sort().map(([, text]) => text);
+  return Stamps.of(tool, command.replaceAll(root, "."), ...texts);
 }
 
 // What clang-tidy says about one file; "" for nothing.
@@ -57,15 +55,14 @@ const commands = JSON.parse(readFileSync(join(build, "compile_commands.json"), "
 const tasks = commands
   .filter(({ file }) => file.startsWith(generator))
   .map((command) => ({ file: command.file, stamp: stampOf(command) }));
-mkdirSync(stamps, { recursive: true });
-const waiting = tasks.filter(({ stamp }) => !existsSync(join(stamps, stamp)));
+const waiting = tasks.filter(({ stamp }) => !stamps.has(stamp));
 const looked = waiting.length;
 
 let failed = 0;
 async function work() {
   for (let task = waiting.shift(); task; task = waiting.shift()) {
     const found = await findings(task.file);
-    if (found === "") writeFileSync(join(stamps, task.stamp), relative(root, task.file));
+    if (found === "") stamps.put(task.stamp, relative(root, task.file));
     else ++failed;
     process.stdout.write(found);
   }
