@@ -30,16 +30,17 @@ function ask(previewed, path, headers) {
 
 async function whatIsAroundStays(previewed, page) {
   const lab = page.locator("sim-lab");
+  // A smooth scroll that is still under way would be taken for a page that moves.
+  await page.evaluate(() => (document.documentElement.style.scrollBehavior = "auto"));
   await lab.scrollIntoViewIfNeeded();
   await page.locator("sim-lab[data-live]").waitFor();
   await lab.getByRole("button", { name: "Push", exact: true }).click();
   await lab.locator(".lab-play").click();
   await page.locator("details.callout > summary").click();
   await page.locator("form.question input").fill("17");
-  const before = await page.evaluate(async () => {
+  const before = await page.evaluate(() => {
     document.querySelector("sim-lab").touched = true;
     scrollTo({ top: document.querySelector("table").offsetTop, behavior: "instant" });
-    await document.fonts.ready; // what was opened may have asked for one
     return document.querySelector("table").getBoundingClientRect().top;
   });
   const folded = () => page.evaluate(() => document.querySelector("details.callout").open);

@@ -1,6 +1,7 @@
 // What a browser keeps of a site that lies below a path of its host, with the host gone: pages that were
-// opened can be read, with search and labs; one that was not says so and lists what is kept. A second deployment is announced,
-// shown when the reader says so, and never mixed with the first. The whole course can be kept.
+// opened can be read, with search and labs; one that was not says so and lists what is kept. A second
+// deployment is announced, shown when the reader says so, and never mixed with the first. The whole
+// course can be kept.
 //
 //   node tests/site/offline.mjs SITE MJCOURSE COURSE
 //
@@ -85,8 +86,9 @@ class Reader {
     return reader;
   }
 
+  // Until all of it has come: what a later deployment breaks off is no mistake of the page's.
   async go(path) {
-    await this.page.goto(this.root + path);
+    await this.page.goto(this.root + path, { waitUntil: "networkidle" });
   }
 
   // Until the worker has the page, and all that it has loaded before there was a worker.
@@ -221,7 +223,7 @@ async function test(browser) {
 
   await goOnline();
   await reader.page.getByRole("link", { name: "Try again" }).click();
-  await reader.page.waitForURL(`**/${unread}`);
+  await reader.page.waitForURL(`**/${unread}`, { waitUntil: "networkidle" });
 
   // A page that was not kept is the new one, and so is all that it shows.
   deploy("second");
