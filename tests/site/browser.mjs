@@ -28,6 +28,10 @@ export const movedPages = files.filter(leadsOn);
 export const pagesWith = (text) =>
   pages.filter((path) => readFileSync(join(folder, path), "utf8").includes(text));
 
+function saveData() {
+  Object.defineProperty(Navigator.prototype, "connection", { value: { saveData: true } });
+}
+
 class Visitor {
   #browser;
   #root;
@@ -57,9 +61,11 @@ class Visitor {
   }
 
   // Opens the page at `path` for a new reader, without a service worker, hands it to `look`, and shuts
-  // it. `before` is given the page while it is empty; all other options are those of a context.
+  // it. For one who saves data, no lab wakes by itself. `before` is given the page while it is empty; all
+  // other options are those of a context.
   async visit(path, options, look) {
-    const { width = 1440, scheme = "light", javaScript = true, before, ...others } = options;
+    const { width = 1440, scheme = "light", javaScript = true, ...rest } = options;
+    const { savesData = false, before, ...others } = rest;
     const context = await this.#browser.newContext({
       viewport: { width, height: 900 },
       colorScheme: scheme,
@@ -71,6 +77,7 @@ class Visitor {
     this.#watch(page, path);
     // Nor is it there in every browser. What it does, tests/site/offline.mjs sees.
     await page.addInitScript(() => delete Navigator.prototype.serviceWorker);
+    if (savesData) await page.addInitScript(saveData);
     await before?.(page);
     await page.goto(this.address(path));
     await look(page);

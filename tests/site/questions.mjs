@@ -7,7 +7,7 @@ await testSite(async (visitor) => {
   let count = 0;
   for (const javaScript of [true, false]) {
     for (const path of pagesWith('class="quiz')) {
-      await visitor.visit(path, { javaScript }, async (page) => {
+      await visitor.visit(path, { javaScript, savesData: true }, async (page) => {
         for (const question of await page.locator(".quiz .question").all()) {
           ++count;
           const where = `${path} ${await question.getAttribute("id")}`;

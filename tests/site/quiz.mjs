@@ -14,7 +14,7 @@ const wanted = process.argv.slice(3);
 await testSite(async (visitor) => {
   const met = new Set();
   for (const path of pagesWith('class="quiz')) {
-    await visitor.visit(path, {}, async (page) => {
+    await visitor.visit(path, { savesData: true }, async (page) => {
       const questions = await page.locator(".quiz .question").all();
       for (const question of questions) {
         const trial = await Trial.of(question, page, path, visitor);
