@@ -7,7 +7,7 @@ import { ask } from "./messages.js";
 const bar = make("div", { class: "newer", role: "status" });
 
 function show(waiting: ServiceWorker): void {
-  const button = make("button", { type: "button" }, "Show it");
+  const button = make("button", { type: "button", class: "plain-button" }, "Show it");
   button.addEventListener("click", () => void ask(waiting, "take over"));
   bar.replaceChildren("A newer version of this course is there. ", button);
 }

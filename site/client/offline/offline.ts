@@ -19,9 +19,9 @@ async function keepThisPage(worker: ServiceWorker): Promise<void> {
 }
 
 async function begin(): Promise<void> {
+  const isFirst = !navigator.serviceWorker.controller; // by and by the first one has this page, too
   const registration = await register();
   if (!registration) return;
-  const isFirst = !navigator.serviceWorker.controller;
   announceNewer(registration);
   const { active } = await navigator.serviceWorker.ready;
   if (isFirst && active) await keepThisPage(active);
