@@ -5,6 +5,7 @@
 
 #include "base/content_hash.h"
 #include "page/course_data.h"
+#include "page/placeholder.h"
 
 namespace mjcourse {
 namespace {
@@ -36,7 +37,7 @@ void write_progress(const SiteData& site, const std::vector<LessonParts>& parts,
   json levels = json::array();
   std::vector<PagePart> rows;
   for (const Level& level : site.course.levels) {
-    PagePart& of_level = rows.emplace_back(PagePart{"\x02" + level.folder + "\x03", {}});
+    PagePart& of_level = rows.emplace_back(PagePart{placeholder(level.folder), {}});
     for (const std::size_t index : published(site.course, level)) {
       of_level.pieces.push_back(parts[index].progress);
     }

@@ -6,6 +6,7 @@
 #include "page/course_data.h"
 #include "page/lesson_history.h"
 #include "page/moved_html.h"
+#include "page/placeholder.h"
 #include "page/verification.h"
 
 namespace mjcourse {
@@ -27,9 +28,6 @@ LessonPage lesson_page(const SiteData& site, const Lesson& lesson, std::size_t i
   const Course& course = site.course;
   const Evaluation& evaluation = site.evaluation;
   const LessonResults& results = evaluation.lessons[index];
-  const std::string mark =
-      "\x02"
-      "prose\x03";
   std::string prose = writer.body();
   const std::string answers = answers_of(writer.answers(), templates);
   json objectives = json::array(), prerequisites = json::array();
@@ -60,7 +58,7 @@ LessonPage lesson_page(const SiteData& site, const Lesson& lesson, std::size_t i
        {"prerequisites", prerequisites},
        {"tags", lesson.front.tags},
        {"contents", writer.contents()},
-       {"body", mark},
+       {"body", placeholder("prose")},
        {"answers", answers},
        {"verified",
         verified_data(results.tally, evaluation.versions.mujoco,
@@ -70,7 +68,7 @@ LessonPage lesson_page(const SiteData& site, const Lesson& lesson, std::size_t i
        {"level", {{"title", level.title}, {"href", "index.html#" + level_anchor(level)}}},
        {"history", history_data(site, lesson)},
        {"root", "../"}});
-  body.replace(body.find(mark), mark.size(), prose);
+  fill_placeholder(body, "prose", prose);
   return {std::move(body), std::move(prose), answers};
 }
 

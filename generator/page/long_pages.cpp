@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "page/course_data.h"
+#include "page/placeholder.h"
 #include "page/printed_course.h"
 #include "page/verification.h"
 #include "page/verification_page.h"
@@ -15,11 +16,6 @@ namespace {
 
 using nlohmann::json;
 using Piece = Spool::Piece;
-
-// Stands in a template's data for the parts that are put there.
-std::string mark_of(const std::string& name) {
-  return "\x02" + name + "\x03";
-}
 
 // The lessons and pages that the site has: all but the drafts.
 std::vector<const LessonParts*> published_parts(const SiteData& site,
@@ -59,7 +55,7 @@ void write_home(const SiteData& site, const std::vector<LessonParts>& parts, Pag
   std::optional<SharedPicture> picture;
   Tally total = site.evaluation.glossary.tally;
   for (const Level& level : course.levels) {
-    PagePart& of_level = cards.emplace_back(PagePart{mark_of(level.folder), {}});
+    PagePart& of_level = cards.emplace_back(PagePart{placeholder(level.folder), {}});
     for (const std::size_t index : published(course, level)) {
       of_level.pieces.push_back(parts[index].card);
       if (!picture) picture = parts[index].picture;
@@ -87,7 +83,7 @@ void write_verification(const SiteData& site, const std::vector<LessonParts>& pa
                         PagePress& press, SiteFiles& directory, Spool& spool) {
   const std::vector<const LessonParts*> lessons = published_parts(site, parts);
   json all = verification_of_none(site.course.title, site.evaluation.versions);
-  PagePart open{mark_of("open"), {}}, sections{mark_of("lessons"), {}};
+  PagePart open{placeholder("open"), {}}, sections{placeholder("lessons"), {}};
   const auto add = [](PagePart& part, Piece piece) {
     if (piece.size > 0) part.pieces.push_back(piece);
   };

@@ -6,16 +6,11 @@
 #include "base/content_hash.h"
 #include "evaluate/workshop.h"
 #include "page/course_data.h"
+#include "page/placeholder.h"
 #include "page/web_place.h"
 
 namespace mjcourse {
 namespace {
-
-// The body never takes the way through the script engine: the template leaves a mark, and the body
-// is put there.
-constexpr const char* kBody =
-    "\x02"
-    "body\x03";
 
 // Of a page that may be shown anywhere, the assets are looked for in its folder and in those above.
 // What is not there costs a request that fails, so there are not more of them than folders of a
@@ -40,7 +35,8 @@ void PagePress::write(const std::string& path, const PageHead& head, const std::
                       InlineStyles& styles) {
   const std::string styled = styles.take(body);
   std::string html = frame(path, head, styles);
-  directory_.write(path, html.replace(html.find(kBody), std::string(kBody).size(), styled));
+  fill_placeholder(html, "body", styled);
+  directory_.write(path, html);
 }
 
 void PagePress::write_long(const std::string& path, const PageHead& head, const std::string& body,
@@ -52,7 +48,7 @@ void PagePress::write_long(const std::string& path, const PageHead& head, const 
     for (Spool::Piece& piece : part.pieces) piece = spool.put(styles.take(spool.get(piece)));
   }
   std::string html = frame(path, head, styles);
-  html.replace(html.find(kBody), std::string(kBody).size(), body);
+  fill_placeholder(html, "body", body);
   directory_.write(path, [&](std::ostream& file) {
     std::size_t at = 0;
     for (const PagePart& part : styled) {
@@ -102,7 +98,7 @@ std::string PagePress::frame(const std::string& path, const PageHead& head,
                           {"levels", std::move(levels)},
                           {"more", more},
                           {"pages", pages_data(course, site_.evaluation, head.kind)},
-                          {"body", kBody}});
+                          {"body", placeholder("body")}});
 }
 
 }  // namespace mjcourse

@@ -7,6 +7,7 @@
 #include "course/link_target.h"
 #include "evaluate/workshop.h"
 #include "page/place_marks.h"
+#include "page/placeholder.h"
 #include "page/site_paths.h"
 
 namespace mjcourse {
@@ -116,17 +117,20 @@ std::string PageWriter::write_heading(cmark_node* node, const std::string& inner
 }
 
 void PageWriter::tell_later(const nlohmann::json& quiz) {
-  answers_.push_back({{"title", quiz["title"]}, {"questions", quiz["questions"]}});
+  answers_.push_back({{"quiz", {{"title", quiz["title"]}, {"questions", quiz["questions"]}}},
+                      {"solution", nullptr}});
 }
 
 void PageWriter::tell_later(const Callout& callout, const nlohmann::json& data) {
   if (callout.kind != "solution") return;
   // Its own title seldom says what it solves; the section's does.
   const nlohmann::json section = contents_.empty() ? "" : contents_.back()["title"];
-  answers_.push_back({{"section", section},
-                      {"label", data["label"]},
-                      {"title", data["title"]},
-                      {"body", data["body"]}});
+  answers_.push_back({{"quiz", nullptr},
+                      {"solution",
+                       {{"section", section},
+                        {"label", data["label"]},
+                        {"title", data["title"]},
+                        {"body", data["body"]}}}});
 }
 
 void PageWriter::list_heading(int level, const std::string& id, const std::string& title) {
@@ -197,16 +201,12 @@ std::string PageWriter::write_value(const InlineValue& value, std::size_t index)
          escape_html(result->text) + "</span>";
 }
 
-// The code never takes the way through the script engine: the template leaves a mark, and the code
-// is put there.
 std::string PageWriter::write_listing(nlohmann::json data) {
-  constexpr const char* kMark =
-      "\x02"
-      "code\x03";
   if (data["code"].is_null()) return render("example", data);
-  const auto code = std::exchange(data["code"], kMark).get<std::string>();
+  const auto code = std::exchange(data["code"], placeholder("code")).get<std::string>();
   std::string html = render("example", data);
-  return html.replace(html.find(kMark), std::char_traits<char>::length(kMark), code);
+  fill_placeholder(html, "code", code);
+  return html;
 }
 
 std::string PageWriter::write_block(cmark_node* node, std::size_t i, const std::string& inner) {

@@ -10,6 +10,7 @@
 #include "page/course_data.h"
 #include "page/lesson_history.h"
 #include "page/moved_html.h"
+#include "page/placeholder.h"
 #include "page/site_paths.h"
 
 namespace mjcourse {
@@ -46,10 +47,6 @@ HtmlMove into_document(const Course& course, const std::string& from, const std:
     return "#" + target + (hash < whole.size() ? "-" + whole.substr(hash + 1) : "");
   };
   return move;
-}
-
-std::string replaced(std::string html, const std::string& mark, const std::string& text) {
-  return html.replace(html.find(mark), mark.size(), text);
 }
 
 // A text between quotes in CSS.
@@ -113,13 +110,13 @@ bool has_print(const Course& course) {
 void add_printed_parts(const SiteData& site, const Lesson& lesson, const LessonPage& page,
                        const PageWriter& writer, Templates& templates, Spool& spool,
                        LessonParts& parts) {
-  const std::string anchor = lesson_anchor(lesson), mark = "\x02prose\x03";
+  const std::string anchor = lesson_anchor(lesson);
   const HtmlMove move = into_document(site.course, page_path(lesson), anchor);
   json objectives = json::array();
   for (const Document& objective : lesson.front.objectives) {
     objectives.push_back(moved_html(writer.inline_html(objective), move));
   }
-  const std::string head =
+  std::string html =
       render_template(templates, "printed-lesson",
                       {{"anchor", anchor},
                        {"number", lesson.number},
@@ -127,8 +124,9 @@ void add_printed_parts(const SiteData& site, const Lesson& lesson, const LessonP
                        {"level", level_of(site.course, lesson).title},
                        {"summary", moved_html(writer.inline_html(lesson.front.summary), move)},
                        {"objectives", std::move(objectives)},
-                       {"body", mark}});
-  parts.printed = spool.put(replaced(head, mark, moved_html(page.prose, move)));
+                       {"body", placeholder("prose")}});
+  fill_placeholder(html, "prose", moved_html(page.prose, move));
+  parts.printed = spool.put(html);
   if (page.answers.empty()) return;
   parts.printed_answers = spool.put(render_template(templates, "printed-answers",
                                                     {{"anchor", anchor},
@@ -141,11 +139,8 @@ void write_printed_course(const SiteData& site, const std::vector<LessonParts>& 
                           const std::string& glossary, PagePress& press, Spool& spool,
                           SiteFiles& directory) {
   const Course& course = site.course;
-  PagePart text{"\x02text\x03", {}}, terms{"\x02terms\x03", {}},
-      answers{
-          "\x02"
-          "answers\x03",
-          {}};
+  PagePart text{placeholder("text"), {}}, terms{placeholder("terms"), {}},
+      answers{placeholder("answers"), {}};
   for (const Level& level : course.levels) {
     for (const std::size_t index : published(course, level)) {
       text.pieces.push_back(parts[index].printed);

@@ -1,0 +1,16 @@
+// Stands in a template's data for a piece that never takes the way through the script engine: large
+// ones would only be copied there. It is put in its place once the template is rendered.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace mjcourse {
+
+// Between two control characters, which no page has.
+std::string placeholder(std::string_view name);
+
+// Puts `text` where `html` has the placeholder of that name; it must have it.
+void fill_placeholder(std::string& html, std::string_view name, std::string_view text);
+
+}  // namespace mjcourse
