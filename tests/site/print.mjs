@@ -150,7 +150,8 @@ function colours(file) {
   return shares;
 }
 
-// Each picture, but for those made of lines, is in the document, and where pictures and plots are, pixels have colours.
+// Each picture, but for those made of lines, is in the document, and where pictures and plots are, pixels
+// have colours.
 function checkDrawn(expect, file, shown) {
   const listed = run("pdfimages", "-list", file).match(/^ *\d+ +\d+ image /gm) ?? [];
   const drawn = `${listed.length} pictures are drawn, of ${shown.pictures}`;

@@ -65,6 +65,7 @@ export class Question {
     const row = document.createElement("div");
     row.className = "check";
     const button = document.createElement("button");
+    button.className = "plain-button";
     button.textContent = "Check";
     row.append(button, this.#verdict.element);
     this.#form.querySelector("fieldset")?.after(row);

@@ -7,7 +7,7 @@ function upgrade(quiz: Element): void {
   const questions = [...forms].map((form) => new Question(form));
   const reset = document.createElement("button");
   reset.type = "button";
-  reset.className = "forget";
+  reset.className = "plain-button forget";
   reset.textContent = "Forget my answers";
   reset.addEventListener("click", () => {
     for (const question of questions) question.forget();

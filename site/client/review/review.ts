@@ -61,7 +61,7 @@ function deal(card: Card): void {
 function nextButton(): HTMLButtonElement {
   const button = document.createElement("button");
   button.type = "button";
-  button.className = "next-card";
+  button.className = "plain-button next-card";
   button.textContent = openedCards().some((card) => card.isDue) ? "Next question" : "Finish";
   button.addEventListener("click", () => {
     show();
