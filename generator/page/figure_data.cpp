@@ -1,6 +1,7 @@
 // The data that the template of a figure is fed with; its own comment describes it.
 #include "page/page_writer.h"
 #include "page/site_paths.h"
+#include "page/still_data.h"
 
 namespace mjcourse {
 
@@ -13,11 +14,7 @@ nlohmann::json PageWriter::data_of(const Figure& figure, std::size_t index) {
                       {"picture", nullptr},
                       {"caption", inline_html(figure.caption)}};
   if (result == nullptr) return data;
-  data["picture"] = {{"webp", path + ".webp"},
-                     {"png", path + ".png"},
-                     {"width", figure.width},
-                     {"height", figure.height},
-                     {"alt", figure.alt}};
+  data["picture"] = still_data(path, figure.width, figure.height, figure.alt);
   return data;
 }
 

@@ -16,9 +16,10 @@ std::string gallery_page(const Course& course, const Evaluation& evaluation, con
     nlohmann::json uses = uses_data(uses_of_model(course, model.name), course, evaluation, "");
     // The sections stand on the model's own page.
     for (nlohmann::json& page : uses) page["sections"] = nlohmann::json::array();
+    const Loaded loaded = models.empty() ? Loaded::at_once : Loaded::when_near;
     models.push_back({{"name", model.name},
                       {"href", model_page_path(model.name)},
-                      {"poster", poster_data(model, "")},
+                      {"poster", poster_data(model, "", loaded)},
                       {"sizes", {sizes.at(0), sizes.at(1), sizes.at(2)}},
                       {"uses", std::move(uses)}});
   }

@@ -5,6 +5,7 @@
 #include "page/lesson_pictures.h"
 #include "page/page_writer.h"
 #include "page/site_paths.h"
+#include "page/still_data.h"
 #include "page/web_place.h"
 
 namespace mjcourse {
@@ -41,12 +42,9 @@ json PageWriter::data_of(const Lab& lab, std::size_t index) {
             {"note", inline_html(lab.note)}};
   if (result != nullptr) data["live"] = live_data(lab, *result, index);
   if (result != nullptr && result->poster) {
-    const std::string path = "../" + block_path(lesson_, index);
-    data["poster"] = {{"webp", path + ".webp"},
-                      {"png", path + ".png"},
-                      {"width", result->poster->width},
-                      {"height", result->poster->height},
-                      {"alt", alt_of(lab)}};
+    const Poster& poster = *result->poster;
+    data["poster"] =
+        still_data("../" + block_path(lesson_, index), poster.width, poster.height, alt_of(lab));
   }
   for (const Lab::Control& control : lab.controls) {
     data["controls"].push_back(label_of(control));

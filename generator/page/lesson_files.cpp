@@ -89,8 +89,10 @@ void write_lesson(const SiteData& site, std::size_t index, PagePress& press, Sit
   parts->picture = picture;
   parts->news = spool.put(feed_entry(site, lesson, summary ? description : "", press.templates()));
   const bool beside = level_of(site.course, lesson).number.empty();
+  const CardPlace place =
+      beside ? CardPlace::beside : (index == 0 ? CardPlace::first : CardPlace::within);
   const PageWriter home(site.course, lesson, results, press.press(styles, "index.html"));
-  parts->card = spool.put(home_card(lesson, results, beside, home, press.templates()));
+  parts->card = spool.put(home_card(lesson, results, place, home, press.templates()));
   PageWriter review(site.course, lesson, results, press.press(styles, kReviewPage));
   const nlohmann::json questions = review.questions();
   parts->progress = spool.put(progress_row(lesson, questions, press.templates()));

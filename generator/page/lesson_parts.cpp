@@ -7,6 +7,7 @@
 #include "page/course_data.h"
 #include "page/lesson_pictures.h"
 #include "page/site_paths.h"
+#include "page/still_data.h"
 #include "page/verification_page.h"
 
 namespace mjcourse {
@@ -15,15 +16,11 @@ namespace {
 using nlohmann::json;
 
 // A lesson's picture, as its card shows it.
-json card_poster(const Lesson& lesson, const LessonResults& results) {
+json card_poster(const Lesson& lesson, const LessonResults& results, Loaded loaded) {
   const std::vector<LessonPicture> pictures = pictures_of(lesson, results);
   const LessonPicture* picture = foremost(pictures);
   if (picture == nullptr) return nullptr;
-  return {{"webp", picture->path + ".webp"},
-          {"png", picture->path + ".png"},
-          {"width", picture->poster->width},
-          {"height", picture->poster->height},
-          {"alt", ""}};
+  return still_data(picture->path, picture->poster->width, picture->poster->height, "", loaded);
 }
 
 // Those of `claims`, as claim.hbs wants them, that came to `status`.
@@ -38,12 +35,14 @@ Spool::Piece list_of(const json& claims, const char* status, Templates& template
 
 }  // namespace
 
-std::string home_card(const Lesson& lesson, const LessonResults& results, bool beside,
+std::string home_card(const Lesson& lesson, const LessonResults& results, CardPlace place,
                       const PageWriter& writer, Templates& templates) {
   json card = reference_to(lesson);
   card["summary"] = writer.inline_html(lesson.front.summary);
   card["minutes"] = lesson.front.minutes ? json(*lesson.front.minutes) : json(nullptr);
-  card["poster"] = beside ? json(nullptr) : card_poster(lesson, results);
+  const Loaded loaded = place == CardPlace::first ? Loaded::at_once : Loaded::when_near;
+  card["poster"] =
+      place == CardPlace::beside ? json(nullptr) : card_poster(lesson, results, loaded);
   return render_template(templates, "card", card);
 }
 

@@ -27,8 +27,12 @@ struct LessonParts {
   std::optional<SharedPicture> picture{};     // of the home page, where it is the first
 };
 
+// On the home page: the first of all, another one of the course, or of what stands beside it,
+// without a picture.
+enum class CardPlace { first, within, beside };
+
 // The card of `lesson`, which `writer` writes for the home page.
-std::string home_card(const Lesson& lesson, const LessonResults& results, bool beside,
+std::string home_card(const Lesson& lesson, const LessonResults& results, CardPlace place,
                       const PageWriter& writer, Templates& templates);
 
 // The row of `lesson` in the table of a reader's progress; `questions` as PageWriter gives them.

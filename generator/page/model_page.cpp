@@ -59,13 +59,9 @@ std::string model_poster_path(const ModelPage& model) {
   return "models/" + model.name + "-" + model.poster.webp.hash().substr(0, 10);
 }
 
-json poster_data(const ModelPage& model, const std::string& root) {
-  const std::string poster = root + model_poster_path(model);
-  return {{"webp", poster + ".webp"},
-          {"png", poster + ".png"},
-          {"width", model.poster.width},
-          {"height", model.poster.height},
-          {"alt", "The model " + model.name + " in its initial state"}};
+json poster_data(const ModelPage& model, const std::string& root, Loaded loaded) {
+  return still_data(root + model_poster_path(model), model.poster.width, model.poster.height,
+                    "The model " + model.name + " in its initial state", loaded);
 }
 
 json sizes_data(const ModelPage& model) {
@@ -90,7 +86,7 @@ std::string model_page(const ModelPage& model, const Course& course, const Evalu
   return render_template(
       press.templates, "model",
       {{"name", model.name},
-       {"poster", poster_data(model, "../")},
+       {"poster", poster_data(model, "../", Loaded::at_once)},
        {"sizes", sizes_data(model)},
        {"timestep", model.timestep},
        {"tables", tables_of(model)},

@@ -6,6 +6,7 @@
 
 #include "evaluate/evaluate.h"
 #include "page/page_writer.h"
+#include "page/still_data.h"
 
 namespace mjcourse {
 
@@ -15,7 +16,7 @@ std::string model_page(const ModelPage& model, const Course& course, const Evalu
 
 // The model's picture, as picture.hbs wants it, and its sizes; `root` is the way to the site's
 // root.
-nlohmann::json poster_data(const ModelPage& model, const std::string& root);
+nlohmann::json poster_data(const ModelPage& model, const std::string& root, Loaded loaded);
 nlohmann::json sizes_data(const ModelPage& model);
 
 // Where the model's picture lies, below the site's root and without the extension.

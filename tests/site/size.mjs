@@ -59,7 +59,7 @@ for (const page of globSync("**/*.html", { cwd: folder }).sort()) {
   const styles = addresses(page, html, /<link rel="stylesheet" href="([^"]+)"/g);
   const all = addresses(page, html, /srcset="([^"]+)"/g);
   const atOnce = addresses(page, html, /srcset="([^"]+)"><img (?![^>]*loading="lazy")/g);
-  const pictures = [...all.slice(0, 1), ...atOnce];
+  const pictures = new Set([...all.slice(0, 1), ...atOnce]);
   weigh(`${page} before a lab is played`, [page, ...scripts, ...styles, ...pictures], 100);
   const code = scripts.filter((path) => !path.startsWith("review/questions-"));
   weigh(`its script`, code, 20);
