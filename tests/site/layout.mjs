@@ -1,9 +1,39 @@
 // Every page, on wide and narrow screens, light, and dark without JavaScript: nothing is wider than the
-// window, and every picture is there.
+// window, and every picture is there. Enlarged and spaced out as readers may have it, no text is cut off.
 
 import { pages, testSite } from "./browser.mjs";
 
 const widths = [1440, 1000, 390, 360];
+const narrowest = 320; // a window of 1280 px, enlarged to 400 %
+
+// The spacing that readers may choose (WCAG 2.2, 1.4.12). Formulas have one of their own.
+const spacing = `
+  * { letter-spacing: 0.12em !important; line-height: 1.5 !important; word-spacing: 0.16em !important; }
+  p { margin-block-end: 2em !important; }
+  .katex, .katex * {
+    letter-spacing: normal !important; line-height: 1.2 !important; word-spacing: normal !important;
+  }`;
+
+function spaceOut(css) {
+  const sheet = new CSSStyleSheet();
+  sheet.replaceSync(css);
+  document.adoptedStyleSheets = [sheet];
+}
+
+// Texts that are cut off. What is there for screen readers alone is 1 px wide; a formula's strut is higher
+// than all that is seen of it.
+function cutOff() {
+  const cut = [...document.querySelectorAll("main *, header *, footer *")].filter((element) => {
+    const { overflowX, overflowY } = getComputedStyle(element);
+    if (element.clientWidth <= 1 || element.closest(".math")) return false;
+    const hides = (overflow) => overflow === "hidden" || overflow === "clip";
+    return (
+      (hides(overflowX) && element.scrollWidth > element.clientWidth + 1) ||
+      (hides(overflowY) && element.scrollHeight > element.clientHeight + 1)
+    );
+  });
+  return cut.slice(0, 5).map((element) => element.outerHTML.slice(0, 80));
+}
 
 // What sticks out of the window, where the page as a whole can be scrolled sideways.
 function overflowing() {
@@ -35,13 +65,22 @@ await testSite(async (visitor) => {
     ]) {
       await visitor.visit(path, { scheme, javaScript }, async (page) => {
         const how = `${path} (${scheme}${javaScript ? "" : ", no JavaScript"}`;
-        for (const width of widths) {
+        const fits = async (width, where) => {
           await page.setViewportSize({ width, height: 900 });
           const wide = await page.evaluate(overflowing);
-          visitor.expect(wide.length === 0, `${how}, ${width} px)`, `too wide: ${wide}`);
+          visitor.expect(wide.length === 0, where, `too wide: ${wide}`);
+        };
+        for (const width of widths) await fits(width, `${how}, ${width} px)`);
+        if (/^(index|models).*html$/.test(path)) {
+          const loading = await page.evaluate(() => document.images[0].loading);
+          visitor.expect(loading !== "lazy", how, "what is seen first waits until it is near");
         }
         const missing = await page.evaluate(missingPictures);
         visitor.expect(missing.length === 0, `${how})`, `pictures did not load: ${missing}`);
+        await page.evaluate(spaceOut, spacing);
+        await fits(narrowest, `${how}, ${narrowest} px, spaced out)`);
+        const cut = await page.evaluate(cutOff);
+        visitor.expect(cut.length === 0, `${how}, spaced out)`, `cut off: ${cut}`);
         pictures += await page.locator(":is(.lab, .figure) picture img").count();
       });
     }
