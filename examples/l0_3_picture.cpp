@@ -12,11 +12,16 @@
 
 #include <cstdio>
 #include <fstream>
+#include <memory>
 #include <mjcourse/offscreen.hpp>
 #include <vector>
 
 using namespace mjcourse;
 using Bytes = std::vector<unsigned char>;
+
+// Calls a mjv_ or mjr_ function that frees, when its scope ends.
+template <typename T>
+using Freed = std::unique_ptr<T, void (*)(T*)>;
 
 constexpr int kWidth = 320, kHeight = 240;
 
@@ -36,10 +41,12 @@ int main() {
   mjvScene scene;  // what is to be drawn: a list of geoms, lights, a camera
   mjv_defaultScene(&scene);
   mjv_makeScene(model, &scene, 100);
+  const Freed<mjvScene> scene_freed(&scene, mjv_freeScene);
 
   mjrContext context;  // what OpenGL keeps: meshes, textures, pixels
   mjr_defaultContext(&context);
   mjr_makeContext(model, &context, mjFONTSCALE_100);
+  const Freed<mjrContext> context_freed(&context, mjr_freeContext);
   mjr_setBuffer(mjFB_OFFSCREEN, &context);
   // #endregion
 
@@ -79,7 +86,4 @@ int main() {
   for (int row = kHeight - 1; row >= 0; --row)  // the top one comes first
     file.write(reinterpret_cast<const char*>(&first[3 * kWidth * row]),
                3 * kWidth);
-
-  mjr_freeContext(&context);
-  mjv_freeScene(&scene);
 }
