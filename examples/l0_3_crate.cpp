@@ -28,18 +28,20 @@ int main() {
 
   const double near = model->vis.map.znear * model->stat.extent;
   const double far = model->vis.map.zfar * model->stat.extent;
-  const double front = 1.7;  // m, by the depth of any pixel of the front
-  int count = 0;
-  for (int row = 0; row < height; ++row) {
+  const auto depth = [&](int row) {  // m
     const double buffer = picture.depth[column + width * row];
-    const double depth = near * far / (far - buffer * (far - near));
-    count += std::abs(depth - front) < 0.001;
-  }
+    return near * far / (far - buffer * (far - near));
+  };
+  const double front = depth(170);  // a row that shows the crate's front
+  int count = 0;
+  for (int row = 0; row < height; ++row)
+    count += std::abs(depth(row) - front) < 0.001;
 
   const double half = model->cam_fovy[0] / 2 * M_PI / 180;
   const double f = height / 2 / std::tan(half);  // in pixels
   std::printf("%d pixels, %.1f mm each: %.3f m\n", count, 1000 * front / f,
               count * front / f);
+  result("front", front);
   result("pixels", count);
   result("pixel_mm", 1000 * front / f);
   result("height", count * front / f);
