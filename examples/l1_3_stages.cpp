@@ -19,7 +19,7 @@
 #include <mjcourse/mjcourse.hpp>
 #include <set>
 #include <span>
-#include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -30,7 +30,7 @@ std::vector<std::span<double>> results;
 
 // All arrays of numbers in `data` but the state and the inputs.
 std::vector<std::span<double>> find_results(const mjModel* m, mjData* data) {
-  const std::set<std::string> given{
+  const std::set<std::string_view> given{
       "qpos",           "qvel",         "act",          "ctrl",
       "qacc_warmstart", "qfrc_applied", "xfrc_applied", "mocap_pos",
       "mocap_quat",     "userdata"};
@@ -62,7 +62,7 @@ double seconds() {
 // #endregion
 
 int main(int argc, char** argv) {
-  const bool real = argc > 1 && std::string(argv[1]) == "seconds";
+  const bool real = argc > 1 && std::string_view(argv[1]) == "seconds";
   const Model model = load_model("arm_and_crate");
   const Data data = make_data(model);
   ctrl(model, data) << 1.4, 1.8;
@@ -77,22 +77,14 @@ int main(int argc, char** argv) {
   for (int step = 0; step < (real ? 10000 : 1); ++step) mj_step(model, data);
   mjcb_time = nullptr;
 
-  const auto spent = [&](mjtTimer timer) {
-    return data->timer[timer].duration;
-  };
+  const auto spent = [&](auto timer) { return data->timer[timer].duration; };
   // #endregion
   const double all = spent(mjTIMER_FORWARD);
-  const struct {
-    const char* name;
-    mjtTimer timer;
-  } stages[] = {{"position", mjTIMER_POSITION},
-                {"velocity", mjTIMER_VELOCITY},
-                {"actuation", mjTIMER_ACTUATION},
-                {"acceleration", mjTIMER_ACCELERATION},
-                {"constraint", mjTIMER_CONSTRAINT}};
   std::vector<double> number, found;
-  for (const auto& [name, timer] : stages) {
-    found.push_back(spent(timer));
+  for (const char* name :
+       {"position", "velocity", "actuation", "acceleration", "constraint"}) {
+    // MuJoCo's timers of the stages follow one another in the same order.
+    found.push_back(spent(mjTIMER_POSITION + number.size()));
     number.push_back(number.size() + 1.0);
     std::printf("%-13s %5.3g  %3.0f %%\n", name, found.back(),
                 100 * found.back() / all);
