@@ -21,14 +21,6 @@ using RowMatrix =
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 // #region push
-// What a force at a body's centre of mass is to each joint: J'F.
-VectorXd generalized(const Model& model, const Data& data, int body,
-                     const Vector3d& force) {
-  RowMatrix jacobian(3, model->nv);
-  mj_jacBodyCom(model, data, jacobian.data(), nullptr, body);
-  return jacobian.transpose() * force;
-}
-
 // The same push on each arm: its weight upwards, and a little more at the
 // forearm. Returns J'xfrc_applied, which MuJoCo adds up but does not keep.
 VectorXd push(const Model& model, const Data& data) {
@@ -38,7 +30,9 @@ VectorXd push(const Model& model, const Data& data) {
       const int body = id_of(model, mjOBJ_BODY, (arm + link).c_str());
       Vector3d force = -model->body_mass[body] * Vector3d(model->opt.gravity);
       if (link == "_fore") force += Vector3d(0.5, 0, 1);  // N
-      wanted += generalized(model, data, body, force);
+      RowMatrix jacobian(3, model->nv);  // of the centre of mass
+      mj_jacBodyCom(model, data, jacobian.data(), nullptr, body);
+      wanted += jacobian.transpose() * force;
       if (arm == "middle") Vector3d::Map(data->xfrc_applied + 6 * body) = force;
     }
   }
@@ -55,12 +49,7 @@ VectorXd push(const Model& model, const Data& data) {
 int main() {
   const Model model = load_model("three_arms");
   const Data data = make_data(model);
-  const auto term = [&](mjtNum* numbers) {
-    return VectorView(numbers, model->nv);
-  };
-  const auto largest = [](const VectorXd& v) {
-    return v.cwiseAbs().maxCoeff();
-  };
+  const auto term = [&](mjtNum* x) { return VectorView(x, model->nv); };
   double unbalanced = 0, not_inverted = 0, apart = 0;
   // #region balance
   for (int step = 0; step < 500; ++step) {
@@ -75,10 +64,10 @@ int main() {
         term(data->qfrc_applied) + cartesian + term(data->qfrc_actuator);
     const VectorXd sum = term(data->qfrc_passive) + doors +
                          term(data->qfrc_constraint) - term(data->qfrc_bias);
-    unbalanced = std::max(unbalanced, largest(needed - sum));
+    unbalanced = std::max(unbalanced, (needed - sum).norm());
     mj_inverse(model, data);  // from qacc back to the forces
     const VectorXd missed = term(data->qfrc_inverse) - doors;
-    not_inverted = std::max(not_inverted, largest(missed));
+    not_inverted = std::max(not_inverted, missed.norm());
 
     if (step == 0) {
       std::puts("joint            M qacc    bias | applied  J'xfrc  actuator");
@@ -90,15 +79,14 @@ int main() {
     }
     mj_step(model, data);
     const VectorXd q = qpos(model, data);
-    apart = std::max({apart, largest(q.segment<2>(2) - q.head<2>()),
-                      largest(q.tail<2>() - q.head<2>())});
+    apart = std::max({apart, (q.segment<2>(2) - q.head<2>()).norm(),
+                      (q.tail<2>() - q.head<2>()).norm()});
   }
   // #endregion
-  const auto within = [](double x) { return x < 1e-10 ? "yes" : "no"; };
-  std::printf("the equation holds within 1e-10:       %s\n",
-              within(unbalanced));
+  const auto tiny = [](double x) { return x < 1e-10 ? "yes" : "no"; };
+  std::printf("the equation holds within 1e-10:       %s\n", tiny(unbalanced));
   std::printf("mj_inverse finds what the doors added: %s\n",
-              within(not_inverted));
-  std::printf("the arms have moved as one:            %s\n", within(apart));
+              tiny(not_inverted));
+  std::printf("the arms have moved as one:            %s\n", tiny(apart));
   result("turned", data->qpos[0] - model->qpos0[0]);
 }
