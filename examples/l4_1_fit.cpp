@@ -9,37 +9,21 @@
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l4_1_fit
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <mjcourse/mjcourse.hpp>
+#include <mjcourse/tumble.hpp>
 
 using namespace mjcourse;
-using Eigen::AngleAxisd, Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Quaterniond;
-using Eigen::Vector3d, Eigen::VectorXd;
+using Eigen::Matrix3d, Eigen::MatrixXd, Eigen::Quaterniond, Eigen::VectorXd;
 
-Matrix3d tumble(double s) {
-  const Vector3d axis = Vector3d(1, 0, 2).normalized();
-  return (AngleAxisd(s, axis) *
-          AngleAxisd(0.8 * std::sin(2 * s), Vector3d::UnitY()))
-      .toRotationMatrix();
-}
-
+// How a rotation is written, and read back from what was fitted.
 struct AsQuaternion {
-  static constexpr int size = 4;
-  static VectorXd write(const Matrix3d& R) {
-    const Matrix3d rows = R.transpose();  // MuJoCo's matrices go row by row
-    VectorXd q(4);
-    mju_mat2Quat(q.data(), rows.data());
-    return q;
-  }
+  static VectorXd write(const Matrix3d& R) { return quaternion(R); }
   static Matrix3d read(const VectorXd& q) {
     return Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
   }
 };
 
 struct AsColumns {
-  static constexpr int size = 6;
   static VectorXd write(const Matrix3d& R) {
     return R.leftCols<2>().reshaped();
   }
@@ -62,47 +46,41 @@ VectorXd features(double s, int waves) {
   return f;
 }
 
-// Of the angle between the fitted rotation and the true one, in degrees.
-struct Error {
-  double largest = 0, mean = 0;
-};
-
+// The angles between the fitted rotations and the true ones, in degrees.
 template <typename Written>
-Error fit(int waves) {
+VectorXd fit(int waves) {
   const int samples = 360, tests = 3600;
-  MatrixXd weights = MatrixXd::Zero(Written::size, 1 + 2 * waves);
-  VectorXd squares = VectorXd::Zero(1 + 2 * waves);
-  for (int k = 0; k < samples; ++k) {  // on whole turns waves are orthogonal,
-    const double s = 2 * M_PI * k / samples;  // so each is fitted by itself
-    const VectorXd f = features(s, waves);
-    weights += Written::write(tumble(s)) * f.transpose();
-    squares += f.cwiseAbs2();
+  const double turn = 2 * M_PI;
+  MatrixXd seen(samples, 1 + 2 * waves);
+  MatrixXd answers(samples, Written::write(tumble(0)).size());
+  for (int k = 0; k < samples; ++k) {
+    seen.row(k) = features(turn * k / samples, waves);
+    answers.row(k) = Written::write(tumble(turn * k / samples));
   }
-  weights.array().rowwise() /= squares.transpose().array();
-  Error error;
+  const MatrixXd weights = seen.householderQr().solve(answers).transpose();
+
+  VectorXd off(tests);
   for (int k = 0; k < tests; ++k) {
-    const double s = 2 * M_PI * k / tests;
+    const double s = turn * k / tests;
     const Matrix3d fitted = Written::read(weights * features(s, waves));
-    const Matrix3d turn = tumble(s).transpose() * fitted;
-    const double angle = AngleAxisd(turn).angle() * 180 / M_PI;
-    error.largest = std::max(error.largest, angle);
-    error.mean += angle / tests;
+    const Eigen::AngleAxisd missing(tumble(s).transpose() * fitted);
+    off[k] = missing.angle() * 180 / M_PI;
   }
-  return error;
+  return off;
 }
 
 int main() {
-  Error quaternion, columns;
+  VectorXd quaternion, columns;
   std::printf("waves   quaternion      two columns\n");
   std::printf("      largest   mean   largest   mean\n");
   for (const int waves : {1, 2, 4, 8, 16}) {
     quaternion = fit<AsQuaternion>(waves);
     columns = fit<AsColumns>(waves);
     std::printf("%3d     %5.1f  %5.1f    %6.3f %6.3f\n", waves,
-                quaternion.largest, quaternion.mean, columns.largest,
-                columns.mean);
+                quaternion.maxCoeff(), quaternion.mean(), columns.maxCoeff(),
+                columns.mean());
   }
-  result("quaternion", quaternion.largest);  // with 16 waves
-  result("mean", quaternion.mean);
-  result("columns", columns.largest);
+  result("quaternion", quaternion.maxCoeff());  // with 16 waves
+  result("mean", quaternion.mean());
+  result("columns", columns.maxCoeff());
 }

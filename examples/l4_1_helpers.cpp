@@ -25,11 +25,6 @@ Vector4d wxyz(const Quaterniond& q) {
   return {q.w(), q.x(), q.y(), q.z()};
 }
 
-// Of a rotation's two quaternions, the one on the side of `like`.
-Vector4d same_sign(const Vector4d& q, const Vector4d& like) {
-  return q.dot(like) < 0 ? -q : q;
-}
-
 Quaterniond turn(const Vector3d& v) {  // by |v|, about v
   return Quaterniond(AngleAxisd(v.norm(), v.normalized()));
 }
@@ -70,7 +65,7 @@ int main() {
     mju_quat2Mat(m.data(), qa.data());  // row by row
     compare("quat2Mat", m.reshaped(), a.toRotationMatrix().reshaped());
     mju_mat2Quat(q.data(), m.data());
-    compare("mat2Quat", same_sign(q, qa), qa);
+    compare("mat2Quat", q.dot(qa) < 0 ? Vector4d(-q) : q, qa);  // either sign
     mju_quat2Vel(r.data(), qa.data(), 1);
     compare("quat2Vel", r, rotation_vector(a));
     mju_subQuat(r.data(), qa.data(), qb.data());
@@ -79,8 +74,7 @@ int main() {
     mju_quatIntegrate(q.data(), v.data(), 0.1);  // v along the body's axes
     compare("quatIntegrate", q, wxyz(a * turn(0.1 * v)));
     mju_derivQuat(q.data(), qa.data(), v.data());  // v along the world's axes
-    const Quaterniond pure(0, v.x(), v.y(), v.z());
-    compare("derivQuat", q, 0.5 * wxyz(pure * a));
+    compare("derivQuat", q, 0.5 * wxyz(Quaterniond(0, v[0], v[1], v[2]) * a));
     mju_quatZ2Vec(q.data(), v.data());
     const Vector3d across = Vector3d::UnitZ().cross(v);
     const double angle = std::atan2(across.norm(), v.z());
