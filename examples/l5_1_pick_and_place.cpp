@@ -2,7 +2,7 @@
 //
 // INPUT    pick_place.xml at its keyframe "home"
 // PROCESS  approach, close, wait, lift, carry, lower, open, leave; at each step
-//          add up the contact forces between the two pads and the cube
+//          add up the contact forces between the fingers and the cube
 // OUTPUT   at the end of each phase: how hard the pads press, what friction
 //          lifts, and the share of its cone that the worst contact uses
 //
@@ -12,46 +12,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <mjcourse/arm.hpp>
+#include <mjcourse/grasp.hpp>
 
 using namespace mjcourse;
-using Eigen::Vector3d;
-
-// #region cone
-struct Grasp {
-  double press = 0;  // of both pads together, N
-  double lifts = 0;  // the upward part of friction, N
-  double could = 0;  // the friction that this pressing allows, N
-  double share = 0;  // of its cone, used by the contact that uses most
-};
-
-Grasp grasp_of(const mjModel* model, const mjData* data, int object) {
-  Grasp grasp;
-  for (int i = 0; i < data->ncon; ++i) {
-    const mjContact& contact = data->contact[i];
-    const bool second = contact.geom2 == object;
-    if (!second && contact.geom1 != object) continue;
-    const int other = second ? contact.geom1 : contact.geom2;
-    const int pad = model->geom_bodyid[other];
-    if (pad != id_of(model, mjOBJ_BODY, "finger_left") &&
-        pad != id_of(model, mjOBJ_BODY, "finger_right"))
-      continue;
-
-    double force[6];  // normal, two tangents, three torques; on geom2
-    mj_contactForce(model, data, i, force);
-    double used = 0;  // squared
-    for (int k = 1; k < contact.dim; ++k)
-      used += std::pow(force[k] / contact.friction[k - 1], 2);
-    const double* up = contact.frame + 2;  // z of each of its three axes
-    const double lift = force[1] * up[3] + force[2] * up[6];
-    grasp.press += force[0];
-    grasp.could += contact.friction[0] * force[0];
-    grasp.lifts += second ? lift : -lift;
-    if (force[0] > 0)
-      grasp.share = std::max(grasp.share, std::sqrt(used) / force[0]);
-  }
-  return grasp;
-}
-// #endregion
 
 int main() {
   const Model model = load_model("pick_place");
@@ -113,8 +76,5 @@ int main() {
   result("lifts", held.lifts);
   result("could", held.could);
   result("margin", held.could / weight);
-  result("share", 100 * held.share);  // %
-  result("off_by_mm",
-         1000 * std::hypot(at[0] - tray.position[0], at[1] - tray.position[1]));
   table("forces", {{"time", time}, {"could carry", could}, {"carries", lifts}});
 }
