@@ -32,15 +32,19 @@ function listings() {
   );
 }
 
+// Below it there is nothing but rounding, which every optimiser does otherwise.
+const noise = 1e-12;
+
 // What is no number must be the same, and numbers to one unit in their last place: the reader's program is
 // optimised, and the lesson's is not.
 function agree(printed, shown) {
-  const number = /-?\d+\.\d+/g;
+  const number = /-?\d+\.(\d+)(?:e([+-]\d+))?/g;
   if (printed.replace(number, "#") !== shown.replace(number, "#")) return false;
-  const stated = shown.match(number) ?? [];
+  const stated = [...shown.matchAll(number)];
   return (printed.match(number) ?? []).every((text, i) => {
-    const unit = 10 ** -stated[i].split(".")[1].length;
-    return Math.abs(Number(text) - Number(stated[i])) < 1.5 * unit;
+    const [wanted, decimals, exponent = 0] = stated[i];
+    const unit = 10 ** (Number(exponent) - decimals.length);
+    return Math.abs(Number(text) - Number(wanted)) < Math.max(1.5 * unit, noise);
   });
 }
 
