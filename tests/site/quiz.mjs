@@ -30,14 +30,10 @@ await testSite(async (visitor) => {
 async function tryMemory(visitor, page, path) {
   const verdicts = () => page.locator('.question[data-verdict="right"]').count();
   const visible = (selector) => page.locator(selector).filter({ visible: true }).count();
-  const reload = async () => {
-    await page.waitForLoadState("networkidle"); // what a reload breaks off counts as failed
-    await page.reload();
-  };
   const all = await page.locator(".question").count();
   const hints = await page.locator("details.hint").count();
   const orders = () => page.locator("li[data-letter]").evaluateAll((l) => l.map((i) => i.id));
-  await reload();
+  await page.reload();
   const sorted = await orders();
   visitor.expect((await verdicts()) === all, path, "a reload forgets the answers");
   visitor.expect((await visible(".explain")) === all, path, "a reload folds the answers");
@@ -50,7 +46,7 @@ async function tryMemory(visitor, page, path) {
   );
   for (const button of await forget.all()) await button.click();
   for (const again of [false, true]) {
-    if (again) await reload();
+    if (again) await page.reload();
     const when = again ? "after a reload" : "at once";
     const forgotten = async (good, what) => visitor.expect(good, path, `${what} ${when}`);
     await forgotten((await verdicts()) === 0, "the answers are not forgotten");

@@ -6,7 +6,7 @@ import { join } from "node:path";
 import { folder, pages } from "../browser.mjs";
 
 // How long a lab may take to wake, on a machine that has other tests to run and draws in software.
-const patience = 30_000;
+const patience = 60_000;
 
 export const fourLabs = "1-labs/1.1-four-labs.html";
 export const docked = "1-labs/1.2-docked.html";

@@ -63,10 +63,12 @@ async function tryPlay(page, lab, expect) {
 // Whatever the Tab key reaches in the text is above the sheet.
 async function tryFocus(page, lab, expect) {
   const links = page.locator(".prose a");
+  // A smooth scroll takes its time.
+  await page.evaluate(() => (document.documentElement.style.scrollBehavior = "auto"));
   for (let i = 4; i < 12; ++i) {
     await links.nth(i).focus();
     await page.keyboard.press("Tab");
-    await page.waitForTimeout(400); // the page scrolls smoothly
+    await lab.settle();
     const [bottom, sheet] = await page.evaluate(() => [
       document.activeElement.getBoundingClientRect().bottom,
       document.querySelector(".sheet > figure").getBoundingClientRect().top,
