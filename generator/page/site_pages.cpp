@@ -97,8 +97,8 @@ std::string SitePages::write_glossary(PagePress& press) {
   const Lesson& glossary = course.glossary->page;
   const std::string path = page_path(glossary);
   InlineStyles styles;
-  const std::string body = glossary_page(course, site_.evaluation, press.press(styles, path),
-                                         script_bundle(site_.assets, "collate"));
+  std::string body = glossary_page(course, site_.evaluation, press.press(styles, path),
+                                   script_bundle(site_.assets, "collate"));
   copy_images(glossary, site_.evaluation.glossary, out_);
   const Document& summary = glossary.front.summary;
   press.write(path,
