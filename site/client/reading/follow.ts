@@ -71,6 +71,7 @@ class Follower {
     row.className = "done-mark";
     this.#say.setAttribute("role", "status");
     this.#button.type = "button";
+    this.#button.className = "plain-button";
     this.#button.addEventListener("click", () => this.#keep({ done: !this.#reading.done }));
     row.append(this.#say, this.#button);
     foot.querySelector(".turn")?.before(row);
