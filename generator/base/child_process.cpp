@@ -123,23 +123,6 @@ void tell(int news, int failure, int listener) {
 
 }  // namespace
 
-Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
-  if (this != &other) {
-    reset();
-    number_ = other.release();
-  }
-  return *this;
-}
-
-int Descriptor::release() {
-  return std::exchange(number_, -1);
-}
-
-void Descriptor::reset() {
-  if (number_ >= 0) close(number_);
-  number_ = -1;
-}
-
 ChildProcess::ChildProcess(const Command& command) {
   const Vectors vectors(command);
   const Confinement confinement(command.sandbox ? &*command.sandbox : nullptr,

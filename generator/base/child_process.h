@@ -5,27 +5,10 @@
 
 #include <sys/types.h>
 
+#include "base/descriptor.h"
 #include "base/subprocess.h"
 
 namespace mjcourse {
-
-// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int number = -1) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
-  Descriptor& operator=(Descriptor&& other) noexcept;
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { reset(); }
-  int get() const { return number_; }
-  bool is_open() const { return number_ >= 0; }
-  int release();
-  void reset();
-
- private:
-  int number_;
-};
 
 class ChildProcess {
  public:

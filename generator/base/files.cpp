@@ -1,11 +1,16 @@
 #include "base/files.h"
 
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
-#include <sstream>
 #include <string_view>
 #include <system_error>
+
+#include "base/descriptor.h"
 
 namespace mjcourse {
 namespace fs = std::filesystem;
@@ -18,27 +23,27 @@ constexpr std::size_t kPiece = 1 << 16;
 
 tl::expected<std::string, std::string> DiskFiles::read(const std::string& path) const {
   const fs::path full = root_ / path;
-  std::error_code error;
-  if (fs::is_directory(full, error)) return tl::unexpected(path + ": is a folder, not a file");
+  const auto refused = [&](int reason) {
+    return tl::unexpected(path + ": " + std::generic_category().message(reason));
+  };
+  struct stat status {};
+  if (stat(full.c_str(), &status) != 0) return refused(errno);
+  if (S_ISDIR(status.st_mode)) return tl::unexpected(path + ": is a folder, not a file");
   // To open a pipe is to wait for whoever writes into it.
-  if (fs::exists(full, error) && !fs::is_regular_file(full, error)) {
-    return tl::unexpected(path + ": is not a file");
-  }
-  errno = 0;
-  std::ifstream in(full, std::ios::binary);
+  if (!S_ISREG(status.st_mode)) return tl::unexpected(path + ": is not a file");
+  const Descriptor file(open(full.c_str(), O_RDONLY | O_CLOEXEC));
+  if (!file.is_open()) return refused(errno);
   std::string bytes;
   // A file may say that it is smaller than it is, as those of the kernel do.
-  const std::uintmax_t size = fs::file_size(full, error);
-  for (std::size_t more = error ? 0 : size; in.good(); more = std::max(more, kPiece)) {
+  for (std::size_t more = static_cast<std::size_t>(status.st_size);;
+       more = std::max(more, kPiece)) {
     const std::size_t known = bytes.size();
     bytes.resize(known + more + 1);  // one more byte finds the end
-    in.read(bytes.data() + known, static_cast<std::streamsize>(more + 1));
-    bytes.resize(known + static_cast<std::size_t>(in.gcount()));
+    const ssize_t count = ::read(file.get(), bytes.data() + known, more + 1);
+    if (count < 0 && errno != EINTR) return refused(errno);
+    bytes.resize(known + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
+    if (count == 0) return bytes;
   }
-  if (!in.is_open() || in.bad()) {
-    return tl::unexpected(path + ": " + std::generic_category().message(errno ? errno : EIO));
-  }
-  return bytes;
 }
 
 bool DiskFiles::exists(const std::string& path) const {

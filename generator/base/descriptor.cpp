@@ -1,0 +1,26 @@
+#include "base/descriptor.h"
+
+#include <unistd.h>
+
+#include <utility>
+
+namespace mjcourse {
+
+Descriptor& Descriptor::operator=(Descriptor&& other) noexcept {
+  if (this != &other) {
+    reset();
+    number_ = other.release();
+  }
+  return *this;
+}
+
+int Descriptor::release() {
+  return std::exchange(number_, -1);
+}
+
+void Descriptor::reset() {
+  if (number_ >= 0) close(number_);
+  number_ = -1;
+}
+
+}  // namespace mjcourse

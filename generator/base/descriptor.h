@@ -1,0 +1,23 @@
+// A file descriptor that closes itself.
+#pragma once
+
+namespace mjcourse {
+
+class Descriptor {
+ public:
+  explicit Descriptor(int number = -1) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(other.release()) {}
+  Descriptor& operator=(Descriptor&& other) noexcept;
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() { reset(); }
+  int get() const { return number_; }
+  bool is_open() const { return number_ >= 0; }
+  int release();
+  void reset();
+
+ private:
+  int number_;
+};
+
+}  // namespace mjcourse
