@@ -54,7 +54,7 @@ Dependencies Archive::last(const Task& task) {
   for (const nlohmann::json& one : nlohmann::json::parse(text)) {
     found.push_back({one.at(0), one.at(1)});
   }
-  return found;
+  return one_by_one(found);
 }
 
 }  // namespace mjcourse

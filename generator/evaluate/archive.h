@@ -33,8 +33,10 @@ class Archive {
   // know of it.
   bool find(const Task& task, TaskRecord& record, bool noted = true);
 
-  // All that the task depended on when it was last kept or found; empty where it never was.
+  // All that the task depended on when it was last kept or found, one by one; empty where it never
+  // was.
   Dependencies last(const Task& task);
+  Dependencies one_by_one(const Dependencies& traced) { return results_.one_by_one(traced); }
 
   // Keep the finding of `record`, whose work began at `begin` and looked at what is in `trace`.
   void keep(const Task& task, const Trace& trace, std::chrono::system_clock::time_point begin,

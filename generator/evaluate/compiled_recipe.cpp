@@ -51,7 +51,7 @@ void trace_compilation(const Compiled& compiled, const fs::path& folder, Worksho
   if (!compiled.dependencies) return trace.unknown();
   trace_files(*compiled.dependencies, folder, trace);
   for (const WarmObjects::Entry& entry : {compiled.header, compiled.handlers}) {
-    if (entry) trace_files(entry->inputs, folder, trace);
+    if (entry) trace.files(entry->inputs);
   }
   for (const fs::path& include : workshop.setting().include_folders()) {
     trace_folders(fs::absolute(include), trace);

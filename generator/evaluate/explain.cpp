@@ -73,7 +73,8 @@ class Explainer {
                             std::move(before_[&task])};
     Dependencies& now = explanation.now;
     if (record.reused) {
-      now.insert(now.end(), record.traced.begin(), record.traced.end());
+      const Dependencies traced = archive_.one_by_one(record.traced);
+      now.insert(now.end(), traced.begin(), traced.end());
       return explanation;
     }
     // What it looked at the last time, as that is now.

@@ -34,15 +34,17 @@ std::vector<ResultStore::Names> ResultStore::looked_at(const std::string& recipe
   return lists.is_array() ? lists.get<std::vector<Names>>() : std::vector<Names>{};
 }
 
-Dependencies ResultStore::now(const Names& names) {
+Dependencies ResultStore::known(const Names& names) {
   Dependencies found;
-  for (const std::string& name : names) found.push_back({name, fingerprints_.of(name)});
+  for (const std::string& name : names) {
+    found.push_back({name, FileSets::is_name(name) ? sets_.known(name) : fingerprints_.of(name)});
+  }
   return found;
 }
 
 std::optional<ResultStore::Found> ResultStore::find(const Dependencies& recipe) {
   for (const Names& names : looked_at(hash_of_all("recipe", recipe))) {
-    Dependencies traced = now(names);
+    Dependencies traced = known(names);
     if (auto bytes = store_.get(hash_of_all("result", recipe, traced))) {
       return Found{*std::move(bytes), std::move(traced)};
     }
@@ -54,9 +56,15 @@ std::optional<Dependencies> ResultStore::keep(const Dependencies& recipe, const 
                                               std::chrono::system_clock::time_point begin,
                                               std::string_view bytes) {
   if (!trace.complete()) return std::nullopt;
-  const Names names(trace.names().begin(), trace.names().end());
-  Dependencies traced = now(names);
-  for (const std::string& name : names) {
+  Names names(trace.names().begin(), trace.names().end());
+  Names looked_at_all = names;
+  for (const Names& set : trace.sets()) {
+    names.push_back(sets_.name_of(set));
+    sets_.now(names.back());  // what was known before the work began may be former
+    looked_at_all.insert(looked_at_all.end(), set.begin(), set.end());
+  }
+  Dependencies traced = known(names);
+  for (const std::string& name : looked_at_all) {
     if (!fingerprints_.unchanged_since(name, begin)) return std::nullopt;
   }
   if (!store_.put(hash_of_all("result", recipe, traced), bytes)) return traced;

@@ -14,6 +14,7 @@
 
 #include "base/store.h"
 #include "evaluate/dependency.h"
+#include "evaluate/file_sets.h"
 #include "evaluate/fingerprints.h"
 #include "evaluate/trace.h"
 
@@ -23,7 +24,7 @@ class ResultStore {
  public:
   // Both must outlive this.
   ResultStore(Store& store, Fingerprints& fingerprints)
-      : store_(store), fingerprints_(fingerprints) {}
+      : store_(store), fingerprints_(fingerprints), sets_(store, fingerprints) {}
 
   struct Found {
     std::string bytes;
@@ -39,15 +40,17 @@ class ResultStore {
                                    std::chrono::system_clock::time_point begin,
                                    std::string_view bytes);
 
-  Store& store() { return store_; }
+  // As FileSets (file_sets.h) has it.
+  Dependencies one_by_one(const Dependencies& traced) { return sets_.one_by_one(traced); }
 
  private:
   using Names = std::vector<std::string>;
   std::vector<Names> looked_at(const std::string& recipe);
-  Dependencies now(const Names& names);
+  Dependencies known(const Names& names);
 
   Store& store_;
   Fingerprints& fingerprints_;
+  FileSets sets_;
 };
 
 }  // namespace mjcourse

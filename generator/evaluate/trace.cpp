@@ -10,14 +10,32 @@ Trace::Trace(const fs::path& root) : root_(fs::absolute(root).lexically_normal()
 
 void Trace::clear() {
   names_.clear();
+  sets_.clear();
   complete_ = true;
 }
 
-bool Trace::file(const fs::path& path) {
+std::string Trace::name_of(const fs::path& path) const {
   const fs::path whole = (root_ / path).lexically_normal();
   const fs::path below = whole.lexically_relative(root_);
   const bool inside = !below.empty() && *below.begin() != "..";
-  return names_.insert((inside ? below : whole).string()).second;
+  return (inside ? below : whole).string();
+}
+
+bool Trace::file(const fs::path& path) {
+  return names_.insert(name_of(path)).second;
+}
+
+void Trace::files(const std::vector<std::string>& paths) {
+  std::vector<std::string> others;
+  for (const std::string& path : paths) {
+    std::string name = name_of(path);
+    if (name.starts_with('/')) {
+      others.push_back(std::move(name));
+    } else {
+      names_.insert(std::move(name));
+    }
+  }
+  if (!others.empty()) sets_.insert(std::move(others));
 }
 
 void Trace::program(const std::string& name) {

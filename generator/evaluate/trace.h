@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "base/files.h"
 
@@ -22,6 +23,9 @@ class Trace {
   // A file or a folder, there or not; relative to the course, or absolute. False when it was named
   // before.
   bool file(const std::filesystem::path& path);
+  // Files that many a piece of work has looked at (file_sets.h). Those of the course are written
+  // down one by one.
+  void files(const std::vector<std::string>& paths);
   // What the program `name` reported.
   void program(const std::string& name);
   // Something that cannot be named: the result must not be used again.
@@ -29,10 +33,15 @@ class Trace {
 
   bool complete() const { return complete_; }
   const std::set<std::string>& names() const { return names_; }
+  // Each a list of absolute paths.
+  const std::set<std::vector<std::string>>& sets() const { return sets_; }
 
  private:
+  std::string name_of(const std::filesystem::path& path) const;
+
   std::filesystem::path root_;
   std::set<std::string> names_;
+  std::set<std::vector<std::string>> sets_;
   bool complete_ = true;
 };
 

@@ -86,6 +86,36 @@ TEST_F(ResultStoreTest, RemembersSeveralWaysToLook) {
   EXPECT_EQ(found(recipe_), "nothing");
 }
 
+TEST_F(ResultStoreTest, SeesWhichFileOfASetHasChanged) {
+  const TemporaryFolder system;
+  const std::string a = system.path() / "a.h", b = system.path() / "b.h";
+  write_file(a, "one");
+  write_file(b, "one");
+  trace_.files({a, b, folder_.path() / "models/of_the_course.xml"});
+  trace_.file("models/own.xml");
+  keep(recipe_, "of one");
+  const Dependencies before = ResultStore(store_, prints_).find(recipe_)->traced;
+  ASSERT_EQ(before.size(), 3) << "two of the course, and the set";
+  const Dependencies each = results_.one_by_one(before);
+  ASSERT_EQ(each.size(), 4);
+  EXPECT_EQ(each[2].name, a);
+  EXPECT_EQ(each[3].name, b);
+
+  write_file(b, "two");
+  ResultStore later(store_, prints_);
+  EXPECT_FALSE(later.find(recipe_));
+  std::this_thread::sleep_for(50ms);
+  const auto traced = later.keep(recipe_, trace_, Clock::now(), "of two");
+  ASSERT_TRUE(traced);
+  const Dependencies now = later.one_by_one(*traced);
+  EXPECT_EQ(now[2], each[2]);
+  EXPECT_EQ(now[3].name, b);
+  EXPECT_NE(now[3].value, each[3].value);
+  EXPECT_EQ(later.find(recipe_)->bytes, "of two");
+  write_file(b, "one");
+  EXPECT_EQ(ResultStore(store_, prints_).find(recipe_)->bytes, "of one") << "both are kept";
+}
+
 TEST_F(ResultStoreTest, KeepsNothingThatIsInDoubt) {
   write("a", "one");
   trace_.file("a");
@@ -95,6 +125,16 @@ TEST_F(ResultStoreTest, KeepsNothingThatIsInDoubt) {
   trace_.unknown();
   EXPECT_FALSE(results_.keep(recipe_, trace_, Clock::now(), "of who knows what"));
   EXPECT_EQ(found(recipe_), "nothing");
+}
+
+TEST(Trace, PutsOnlyFilesOfTheSystemIntoSets) {
+  Trace trace("/home/a/course");
+  trace.files({"/usr/include/b.h", "/home/a/course/examples/c.hpp", "/usr/include/d.h"});
+  EXPECT_EQ(trace.names(), std::set<std::string>{"examples/c.hpp"});
+  EXPECT_EQ(trace.sets(),
+            (std::set<std::vector<std::string>>{{"/usr/include/b.h", "/usr/include/d.h"}}));
+  trace.clear();
+  EXPECT_TRUE(trace.sets().empty());
 }
 
 TEST(Trace, NamesTheCoursesFilesBelowIt) {
