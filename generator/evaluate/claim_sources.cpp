@@ -25,8 +25,13 @@ std::string hash_of(const std::vector<std::string>& parts) {
 
 std::string ClaimSources::model(const std::string& name) {
   if (std::find(models_.begin(), models_.end(), name) == models_.end()) return "";
+  const std::lock_guard lock(mutex_);
   const auto [known, is_new] = known_.try_emplace(name);
-  if (!is_new) return known->second;
+  if (is_new) known->second = read_model(name);
+  return known->second;
+}
+
+std::string ClaimSources::read_model(const std::string& name) const {
   const fs::path file = root_ / "models" / (name + ".xml");
   std::vector<std::string> parts{bytes_of(file)};
   if (const auto sources = find_model_sources(file.string())) {
@@ -37,7 +42,7 @@ std::string ClaimSources::model(const std::string& name) {
       }
     }
   }
-  return known->second = hash_of(parts);
+  return hash_of(parts);
 }
 
 std::string ClaimSources::models_named_in(const std::string& text) {
@@ -51,7 +56,12 @@ std::string ClaimSources::models_named_in(const std::string& text) {
 }
 
 std::string ClaimSources::helper() {
-  if (helper_) return *helper_;
+  const std::lock_guard lock(mutex_);
+  if (!helper_) helper_ = read_helper();
+  return *helper_;
+}
+
+std::string ClaimSources::read_helper() const {
   std::vector<std::string> parts;
   for (const fs::path& folder : include_) {
     std::vector<fs::path> files;
@@ -65,8 +75,7 @@ std::string ClaimSources::helper() {
       parts.push_back(bytes_of(file));
     }
   }
-  helper_ = hash_of(parts);
-  return *helper_;
+  return hash_of(parts);
 }
 
 }  // namespace mjcourse

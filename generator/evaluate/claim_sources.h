@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ class ClaimSources {
   ClaimSources(std::filesystem::path root, std::vector<std::string> models, IncludeFolders include)
       : root_(std::move(root)), models_(std::move(models)), include_(std::move(include)) {}
 
+  // All from any thread.
   // Of a model of the course: its file, and all files that this names. Empty when there is none.
   std::string model(const std::string& name);
   // Of all models that a program's or a question's text names: "joint_zoo" or joint_zoo.xml.
@@ -26,9 +28,13 @@ class ClaimSources {
   std::string helper();
 
  private:
+  std::string read_model(const std::string& name) const;
+  std::string read_helper() const;
+
   std::filesystem::path root_;
   std::vector<std::string> models_;
   IncludeFolders include_;
+  std::mutex mutex_;
   std::map<std::string, std::string> known_;  // of models, by name
   std::optional<std::string> helper_;
 };

@@ -2,6 +2,7 @@
 
 #include <variant>
 
+#include "base/parallel.h"
 #include "evaluate/lesson_claims.h"
 #include "lesson/resting_lesson.h"
 
@@ -27,22 +28,24 @@ std::set<Stand> stands_of(const Course& course) {
 }  // namespace
 
 void make_claims(const Course& course, const std::filesystem::path& root,
-                 const IncludeFolders& include, const Programs& programs, Evaluation& evaluation) {
+                 const IncludeFolders& include, const Programs& programs, std::size_t threads,
+                 Evaluation& evaluation) {
   const std::set<Stand> stands = stands_of(course);
   ClaimSources sources(root, course.models, include);
-  const auto fill = [&](const Lesson& page, std::size_t index, LessonResults& results) {
-    if (page.kept == Lesson::Kept::card) {
-      results.tally.unchecked = page.unchecked;
-      return;
-    }
-    results.claims =
-        LessonClaims(page, index, results, evaluation, programs, stands, sources).run();
-    results.tally = tally_of(results.claims);
-  };
-  for (std::size_t i = 0; i < course.lessons.size(); ++i) {
-    fill(course.lessons[i], i, evaluation.lessons[i]);
-  }
-  if (course.glossary) fill(course.glossary->page, course.lessons.size(), evaluation.glossary);
+  const std::size_t glossary = course.lessons.size();
+  for_each_index(
+      glossary + (course.glossary ? 1 : 0), threads, [&](std::size_t index, std::size_t) {
+        const bool is_lesson = index < glossary;
+        const Lesson& page = is_lesson ? course.lessons[index] : course.glossary->page;
+        LessonResults& results = is_lesson ? evaluation.lessons[index] : evaluation.glossary;
+        if (page.kept == Lesson::Kept::card) {
+          results.tally.unchecked = page.unchecked;
+          return;
+        }
+        results.claims =
+            LessonClaims(page, index, results, evaluation, programs, stands, sources).run();
+        results.tally = tally_of(results.claims);
+      });
 }
 
 Claims claims_of_prose(const Lesson& lesson, const Evaluation& evaluation) {

@@ -16,10 +16,11 @@ namespace mjcourse {
 
 // Fills the claims and the tally of every lesson of `evaluation`, whose results, diagnostics and
 // versions are complete; of a lesson that rests as a card, the tally alone. `programs` are the
-// results of the examples by their files, which find headers in `include`.
+// results of the examples by their files, which find headers in `include`. Works on `threads`.
 void make_claims(const Course& course, const std::filesystem::path& root,
                  const IncludeFolders& include,
-                 const std::map<std::string, ExampleResult>& programs, Evaluation& evaluation);
+                 const std::map<std::string, ExampleResult>& programs, std::size_t threads,
+                 Evaluation& evaluation);
 
 // The claims of a lesson that rested as a card and was woken.
 Claims claims_of_prose(const Lesson& lesson, const Evaluation& evaluation);

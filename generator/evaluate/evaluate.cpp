@@ -97,7 +97,8 @@ class Evaluator {
     }));
     evaluation_.api = evaluate_api(course_, installed_mujoco_api, evaluation_.diagnostics);
     for (std::size_t i = 0; i < course_.lessons.size(); ++i) finish(i);
-    make_claims(course_, workplace_.root, setting_.include_folders(), programs_, evaluation_);
+    make_claims(course_, workplace_.root, setting_.include_folders(), programs_, workplace_.threads,
+                evaluation_);
     return std::move(evaluation_);
   }
 
@@ -167,6 +168,10 @@ Evaluation evaluate(const Course& course, const Workplace& workplace, Progress& 
 const LessonResults& Evaluation::results_of(const Course& course, const Lesson& page) const {
   if (course.glossary && &page == &course.glossary->page) return glossary;
   return lessons.at(static_cast<std::size_t>(&page - course.lessons.data()));
+}
+
+LessonResults& Evaluation::results_of(const Course& course, const Lesson& page) {
+  return const_cast<LessonResults&>(std::as_const(*this).results_of(course, page));
 }
 
 }  // namespace mjcourse

@@ -49,6 +49,7 @@ struct Evaluation {
 
   // Those of a page of `course` (Course::pages).
   const LessonResults& results_of(const Course& course, const Lesson& page) const;
+  LessonResults& results_of(const Course& course, const Lesson& page);
 };
 
 // What to show of a block that is not known yet; nothing where there is nothing.
