@@ -61,7 +61,7 @@ class Interrupt {
 class Teller {
  public:
   void tell(const Snapshot& snapshot) {
-    if (snapshot.evaluation.open) return;  // more is known soon
+    if (snapshot.evaluation->open) return;  // more is known soon
     std::string all;
     for (const Diagnostic& one : snapshot.diagnostics) {
       all += one.place.file + std::to_string(one.place.line) + one.message + one.detail;

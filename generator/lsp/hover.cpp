@@ -53,7 +53,7 @@ std::string question_text(const QuestionResult& question) {
 
 // Where nothing is known of a claim: it may be soon.
 std::optional<Said> of_nothing(const Asked& asked, Span span) {
-  if (!asked.snapshot->evaluation.open) return std::nullopt;
+  if (!asked.snapshot->evaluation->open) return std::nullopt;
   return Said{"This is being worked out.", span};
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -19,13 +20,13 @@ class FormerResults {
   // formula by its text, what is numbered by its number.
   std::optional<Result> find(const Lesson& lesson, std::size_t block) const;
 
-  // All of them, where `course` has the same lessons with the same blocks and some of their text
-  // is another.
-  std::optional<Evaluation> all(const Course& course) const;
-
  private:
   SnapshotPtr former_;
   std::map<std::pair<std::string, std::string>, const Result*> results_;  // by file and block
 };
+
+// All that was known, where `course` has the same lessons with the same blocks and some of their
+// text is another; else null. Open are programs whose own text is.
+std::shared_ptr<const Evaluation> former_evaluation(const Snapshot& former, const Course& course);
 
 }  // namespace mjcourse

@@ -67,6 +67,7 @@ void PageRoom::work() {
       wanted_.pop_front();
     }
     next();
+    old_.reset();
   }
   // Where they were made.
   made_.reset();
@@ -109,9 +110,9 @@ PageRoom::Made& PageRoom::newest() {
   }
   if (!engines_) engines_ = std::make_unique<PressEngines>(assets_, kMemory);
   if (!made_ || made_->snapshot != snapshot_) {
-    made_ = std::make_unique<Made>();
+    old_ = std::exchange(made_, std::make_unique<Made>());
     made_->snapshot = snapshot_;
-    made_->pages = std::make_unique<SitePages>(snapshot_->course, snapshot_->evaluation, root_,
+    made_->pages = std::make_unique<SitePages>(snapshot_->course, *snapshot_->evaluation, root_,
                                                assets_, made_->site, true);
   }
   return *made_;

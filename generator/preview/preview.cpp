@@ -201,7 +201,7 @@ std::string Preview::state(const std::string& path, const std::string& known,
       diagnostics.push_back(told(one, is_about(one, page.source)));
     }
     drafts = drafts_of(page.snapshot->course);
-    running = page.snapshot->evaluation.open || page.snapshot->guessed;
+    running = page.snapshot->evaluation->open || page.snapshot->guessed;
   }
   const std::string css = newest_css();
   const std::string hash = sent_.keep(page.html);

@@ -10,7 +10,8 @@ namespace mjcourse {
 
 struct Snapshot {
   Course course;
-  Evaluation evaluation;    // of this course; open where work is going on
+  // Of this course; open where work is going on. One that still holds is shared.
+  std::shared_ptr<const Evaluation> evaluation = std::make_shared<Evaluation>();
   Diagnostics diagnostics;  // all that is to be shown, in the order of the files and lines
   Diagnostics of_work;      // those of them that reading does not find
   bool readable = false;    // false: there is no course.yaml to read, and this course is empty

@@ -24,7 +24,7 @@ constexpr std::chrono::milliseconds kFresh{15};
 constexpr std::chrono::milliseconds kShowing{40};
 
 // What is found out last is soon followed by all there is to know.
-constexpr std::chrono::milliseconds kLast{15};
+constexpr std::chrono::milliseconds kLast{100};
 
 // What work found wrong that is done again now may still be wrong: it stays until that is known.
 void keep_former(const Diagnostics& former, Diagnostics& diagnostics) {
@@ -117,10 +117,11 @@ SnapshotPtr Studio::snapshot(const SnapshotPtr& former, bool whole, Progress& pr
           return results.find(lesson, block);
         };
       }
-      made->evaluation = evaluate(made->course, workplace, progress, reading);
-      const Diagnostics& all = made->evaluation.diagnostics;
+      made->evaluation =
+          std::make_shared<const Evaluation>(evaluate(made->course, workplace, progress, reading));
+      const Diagnostics& all = made->evaluation->diagnostics;
       made->of_work.assign(all.begin() + static_cast<std::ptrdiff_t>(reading.size()), all.end());
-      if (made->evaluation.open && former) keep_former(former->of_work, made->of_work);
+      if (made->evaluation->open && former) keep_former(former->of_work, made->of_work);
     }
     made->diagnostics = std::move(reading);
   } catch (const std::exception& error) {
@@ -144,10 +145,9 @@ SnapshotPtr Studio::guess(const SnapshotPtr& former) const {
     auto course =
         read_course(*lessons_, made->diagnostics, workplace_.threads, kMostAwake, shelf_.get());
     if (!course) return nullptr;
-    auto known = FormerResults(former).all(*course);
-    if (!known) return nullptr;
+    made->evaluation = former_evaluation(*former, *course);
+    if (!made->evaluation) return nullptr;
     made->course = *std::move(course);
-    made->evaluation = *std::move(known);
   } catch (const std::exception&) {
     return nullptr;  // who looks tells why
   }
@@ -203,7 +203,7 @@ SnapshotPtr Studio::work(SnapshotPtr last) {
     const Stopwatch stopwatch;
     last = look(last);
     tell_(last);
-    if (!last->evaluation.open) return last;  // what the worker finds is the same
+    if (!last->evaluation->open) return last;  // what the worker finds is the same
     lock.lock();
     // Looking takes time from the work.
     woken_.wait_for(lock, 3 * std::chrono::duration<double>(stopwatch.seconds()), is_over);
@@ -233,16 +233,18 @@ void Studio::run() {
       if (stopped_) return;
       changed_ = false;
     }
-    if (SnapshotPtr guessed = guess(last)) {
-      last = std::move(guessed);
-      tell_(last);
+    const SnapshotPtr guessed = guess(last);
+    last = guessed ? guessed : look(last);
+    tell_(last);
+    if (guessed && !last->evaluation->open) {
       std::unique_lock lock(mutex_);
       const auto is_over = [this] { return changed_ || stopped_; };
       if (woken_.wait_for(lock, kShowing, is_over)) continue;
+      lock.unlock();
+      last = look(last);
+      tell_(last);
     }
-    last = look(last);
-    tell_(last);
-    if (last->evaluation.open) last = work(std::move(last));
+    if (last->evaluation->open) last = work(std::move(last));
     if (!warm && last->readable) {
       warm_up_for(last);
       warm = true;

@@ -26,7 +26,9 @@ TEST(PageRoom, KeepsAPageThatCannotBeMadeAnyMore) {
   write_file(course.path() / "content/1-a/1.1-b.md", "---\ntitle: B\n---\n\nText.\n");
   auto known = std::make_shared<Snapshot>();
   known->course = read_course(DiskFiles(course.path()), known->diagnostics).value();
-  known->evaluation.lessons.resize(1);
+  auto results = std::make_shared<Evaluation>();
+  results->lessons.resize(1);
+  known->evaluation = results;
   known->readable = true;
   PageRoom room(course.path(), MJCOURSE_ASSETS, "");
   room.show(known);

@@ -62,12 +62,12 @@ class StudioTest : public testing::Test {
   // The next in which all is known.
   SnapshotPtr whole() {
     SnapshotPtr snapshot = next();
-    while (snapshot->evaluation.open || snapshot->guessed) snapshot = next();
+    while (snapshot->evaluation->open || snapshot->guessed) snapshot = next();
     return snapshot;
   }
 
   static std::string value_of(const Snapshot& snapshot) {
-    const auto* value = snapshot.evaluation.lessons.at(0).get<ValueResult>(0);
+    const auto* value = snapshot.evaluation->lessons.at(0).get<ValueResult>(0);
     return value == nullptr ? "" : value->text;
   }
 
@@ -83,7 +83,7 @@ class StudioTest : public testing::Test {
 TEST_F(StudioTest, TellsWhatIsKnownAndThenWhatIsTrue) {
   begin();
   const SnapshotPtr first = next();
-  EXPECT_TRUE(first->evaluation.open);
+  EXPECT_TRUE(first->evaluation->open);
   EXPECT_EQ(value_of(*first), "");
   EXPECT_EQ(value_of(*whole()), "1");
 }
@@ -94,8 +94,8 @@ TEST_F(StudioTest, ShowsFormerResultsUntilTheyAreKnownAnew) {
   write_model(2);
   studio_->changed();
   const SnapshotPtr first = next();
-  EXPECT_TRUE(first->evaluation.open);
-  EXPECT_EQ(first->evaluation.lessons[0].open, std::set<std::size_t>{0});
+  EXPECT_TRUE(first->evaluation->open);
+  EXPECT_EQ(first->evaluation->lessons[0].open, std::set<std::size_t>{0});
   EXPECT_EQ(value_of(*first), "1");
   EXPECT_EQ(value_of(*whole()), "2");
 }
@@ -106,7 +106,7 @@ TEST_F(StudioTest, HasNoNeedToWorkForWhatItKnows) {
   write_lesson("Now it has `{swing} model.nq`, as before.");
   studio_->changed();
   const SnapshotPtr first = next();
-  EXPECT_FALSE(first->evaluation.open);
+  EXPECT_FALSE(first->evaluation->open);
   EXPECT_EQ(value_of(*first), "1");
 }
 
@@ -134,6 +134,30 @@ TEST_F(StudioTest, LooksAfterAWrongGuess) {
   EXPECT_EQ(value_of(*whole()), "2");
 }
 
+TEST_F(StudioTest, ShowsAtOnceThatAnEditedProgramRuns) {
+  const auto save = [&](const std::string& text) {
+    const std::string code = "#include <cstdio>\n\nint main() { std::puts(\"" + text + "\"); }\n";
+    write("examples/say.cpp", code);
+    write_lesson("```cpp file=examples/say.cpp\n" + code + "```");
+  };
+  const auto said = [](const Snapshot& snapshot) {
+    return snapshot.evaluation->lessons.at(0).get<ExampleResult>(0)->output;
+  };
+  save("one");
+  begin(true);
+  EXPECT_EQ(said(*whole()), "one\n");
+  save("two");
+  studio_->changed();
+  const SnapshotPtr first = next();
+  EXPECT_TRUE(first->guessed);
+  EXPECT_TRUE(first->evaluation->open);
+  EXPECT_EQ(first->evaluation->lessons[0].open, std::set<std::size_t>{0});
+  EXPECT_EQ(said(*first), "one\n");
+  EXPECT_NE(first->evaluation->lessons[0].get<ExampleResult>(0)->code.find("two"),
+            std::string::npos);
+  EXPECT_EQ(said(*whole()), "two\n");
+}
+
 TEST_F(StudioTest, DoesNotGuessWhatABlockIs) {
   begin(true);
   whole();
@@ -142,7 +166,7 @@ TEST_F(StudioTest, DoesNotGuessWhatABlockIs) {
     studio_->changed();
     const SnapshotPtr first = next();
     EXPECT_FALSE(first->guessed) << text;
-    if (first->evaluation.open) whole();
+    if (first->evaluation->open) whole();
   }
   // Nor where no lesson was edited.
   write_model(3);
@@ -157,7 +181,7 @@ TEST_F(StudioTest, KeepsMistakesUntilTheyAreKnownToBeMended) {
   write_lesson("And it has `{swing} model.nqq`.");
   studio_->changed();
   const SnapshotPtr first = next();
-  EXPECT_TRUE(first->evaluation.open);
+  EXPECT_TRUE(first->evaluation->open);
   EXPECT_EQ(first->diagnostics.size(), 1);
   EXPECT_EQ(whole()->diagnostics.size(), 1);
   write_lesson("And it has `{swing} model.nq`.");
@@ -180,7 +204,7 @@ TEST_F(StudioTest, EndsWorkThatANewerSaveMakesVain) {
   write_lesson("It has `{swing} model.nq`.\n\n```cpp file=examples/sleep.cpp timeout=300\n```");
   write("examples/sleep.cpp", "#include <unistd.h>\n\nint main() { sleep(300); }\n");
   begin();
-  EXPECT_TRUE(next()->evaluation.open);
+  EXPECT_TRUE(next()->evaluation->open);
   std::this_thread::sleep_for(std::chrono::seconds(2));  // it is compiled, or runs already
   write_lesson("It has only `{swing} model.nq`.");
   studio_->changed();
