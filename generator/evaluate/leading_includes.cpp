@@ -52,7 +52,7 @@ std::vector<Include> leading_includes(std::string_view program) {
     program.remove_prefix(line.size());
     if (line.find('\\') != line.npos || line.find("/*") != line.npos) break;
     const std::string_view directive = without_blanks_before(line.substr(1));
-    if (directive.starts_with("line ")) continue;
+    if (directive.starts_with("line ") || directive.starts_with("pragma once")) continue;
     if (!directive.starts_with("include")) break;
     std::optional<Include> include = parse_include(directive.substr(7));
     if (!include) break;

@@ -7,7 +7,7 @@
 // own document has it, by the clock of the machine, which both processes share. The last line is the
 // JSON that tests/bench/run keeps.
 
-import { readFileSync, writeFileSync } from "node:fs";
+import { readFileSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { checkOut } from "../preview/checkout.mjs";
@@ -21,6 +21,26 @@ const at = (sorted, part) => sorted[Math.min(sorted.length - 1, Math.floor(part 
 // No other run has left results of the same programs.
 const begun = Date.now();
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
+
+// The processor's ticks that a process and those it has waited for have taken.
+function ticksOf(pid) {
+  const fields = readFileSync(`/proc/${pid}/stat`, "utf8")
+    .replace(/^.*\) /, "")
+    .split(" ");
+  return fields.slice(11, 15).reduce((sum, ticks) => sum + Number(ticks), 0);
+}
+
+// Until the process has nothing to do any more, nor do those that it has begun.
+async function idle(pid) {
+  const threads = () => readdirSync(`/proc/${pid}/task`).map((id) => `/proc/${pid}/task/${id}`);
+  const children = () => threads().flatMap((at) => readFileSync(`${at}/children`, "utf8").trim());
+  for (let quiet = 0, before = 0; quiet < 5;) {
+    await pause(1000);
+    const ticks = ticksOf(pid);
+    quiet = ticks - before < 5 && children().every((ids) => ids === "") ? quiet + 1 : 0;
+    before = ticks;
+  }
+}
 
 // `save` writes the text that it is given somewhere; `wait` is run in the page with it before, and
 // gives the time at which it is there.
@@ -83,7 +103,7 @@ const checkout = checkOut("site", "build/release/assets");
 await preview(mjcourse, folder, async (previewed) => {
   await previewed.settled();
   const page = await previewed.open(address);
-  await pause(15_000); // until the page has loaded what it loads when it is idle, and the header is warm
+  await idle(previewed.process.pid); // then the page has loaded what it needs, and the headers are warm
   const prose = previewed.read(lesson);
   const [sentence] = /^[A-Z][^\n]{40,}$/m.exec(prose.slice(prose.indexOf("\n## ")));
   const edit = (text) => previewed.write(lesson, prose.replace(sentence, `${sentence} ${text}.`));

@@ -16,14 +16,15 @@ std::string includes_of(const std::string& program) {
 }
 
 TEST(LeadingIncludes, AreFoundBehindComments) {
-  EXPECT_EQ(includes_of("#line 7 \"lesson.md\"\n// A program.\n/* Of two\n   lines. */\n\n"
-                        "#include <cmath>\n  # include \"own.h\"  // ours\n#include <a/b.hpp>\r\n"
-                        "int main() {}\n#include <late>\n"),
-            "<cmath> \"own.h\" <a/b.hpp>");
+  EXPECT_EQ(
+      includes_of("#line 7 \"lesson.md\"\n#pragma once\n// A program.\n/* Of two\n   lines. */\n\n"
+                  "#include <cmath>\n  # include \"own.h\"  // ours\n#include <a/b.hpp>\r\n"
+                  "int main() {}\n#include <late>\n"),
+      "<cmath> \"own.h\" <a/b.hpp>");
 }
 
 TEST(LeadingIncludes, EndAtWhateverElseIsSaid) {
-  for (const char* said : {"#define X", "using namespace std;", "#if 1", "#pragma once",
+  for (const char* said : {"#define X", "using namespace std;", "#if 1", "#pragma pack(1)",
                            "#include NAME", "#include <b> int x;", "#include <b> /* open",
                            "#include <b", "int x;", "// goes on \\", "/* no end", "#inc\\"}) {
     EXPECT_EQ(includes_of("#include <a>\n" + std::string(said) + "\n#include <c>\n"), "<a>")

@@ -29,6 +29,18 @@ TEST_F(WarmRoots, AreTheCoursesOwnHeaders) {
             (Names{"kit/more.h", "kit/kit.h"}));
 }
 
+TEST_F(WarmRoots, AreSharedByHeadersThatBeginWithAnother) {
+  const std::string begin = "// A hand.\n#pragma once\n\n#include <cmath>\n#include <kit/kit.h>\n";
+  write_file(folder_.path() / "kit/hand.h", begin);
+  write_file(folder_.path() / "kit/trial.h", "#include <kit/hand.h>\n");
+  EXPECT_EQ(roots("#include <kit/trial.h>\n#include <kit/hand.h>\n"), Names{"kit/kit.h"});
+  EXPECT_EQ(roots("#include <GL/osmesa.h>\n#include <kit/hand.h>\n"), Names{"kit/kit.h"});
+  write_file(folder_.path() / "kit/own.h", "struct Early {};\n#include <kit/kit.h>\n");
+  EXPECT_EQ(roots("#include <kit/own.h>\n"), Names{"kit/own.h"});
+  write_file(folder_.path() / "kit/round.h", "#pragma once\n#include <kit/round.h>\n");
+  EXPECT_EQ(roots("#include <kit/round.h>\n"), Names{"kit/round.h"});
+}
+
 TEST_F(WarmRoots, AreEigensWithoutOne) {
   EXPECT_EQ(roots("#include <mujoco/mujoco.h>\n\n#include <Eigen/Dense>\n#include <cmath>\n"),
             Names{"Eigen/Dense"});
