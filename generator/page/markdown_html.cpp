@@ -53,7 +53,8 @@ class Hooks {
               int options) {
     cmark_strbuf* html = renderer->html;
     // cmark sends no exit for its own leaves.
-    const bool leaf = node->type == CMARK_NODE_CODE_BLOCK || node->type == CMARK_NODE_CODE;
+    const bool leaf = node->type == CMARK_NODE_CODE_BLOCK || node->type == CMARK_NODE_CODE ||
+                      node->type == CMARK_NODE_TEXT;
     if (event == CMARK_EVENT_ENTER) starts_.push_back(html->size);
     cmark_syntax_extension* own = lent_[node];
     if (own != nullptr && own->html_render_func != nullptr) {  // a table writes itself first

@@ -6,12 +6,16 @@
 
 #include "course/link_target.h"
 #include "evaluate/workshop.h"
+#include "page/kept_together.h"
 #include "page/place_marks.h"
 #include "page/placeholder.h"
 #include "page/site_paths.h"
 
 namespace mjcourse {
 namespace {
+
+// In TeX: so many characters, as of "-179", never fill a line.
+constexpr std::size_t kLongestNumber = 8;
 
 // HTML has no `align` any more, which is how cmark aligns the cells of a table.
 std::string aligned_by_class(std::string table) {
@@ -89,14 +93,37 @@ bool PageWriter::takes(cmark_node* node) const {
   const cmark_node_type type = cmark_node_get_type(node);
   const std::string name = cmark_node_get_type_string(node);
   return lesson_.block(node) != nullptr || type == CMARK_NODE_HEADING || type == CMARK_NODE_LINK ||
-         name == "table" || name == "tasklist";
+         name == "table" || name == "tasklist" || kept_before(node) > 0;
+}
+
+std::size_t PageWriter::kept_before(cmark_node* text) const {
+  if (text == nullptr || cmark_node_get_type(text) != CMARK_NODE_TEXT) return 0;
+  cmark_node* before = cmark_node_previous(text);
+  const Block* block = before != nullptr ? lesson_.block(before) : nullptr;
+  if (block == nullptr) return 0;
+  const auto* math = std::get_if<Math>(block);
+  const bool is_number = math != nullptr ? math->tex.text.size() <= kLongestNumber
+                                         : std::holds_alternative<InlineValue>(*block);
+  const std::string_view literal = cmark_node_get_literal(text);
+  // A value is text, behind which no browser ends a line before a comma.
+  const bool keeps = literal.starts_with(' ') ? is_number : math != nullptr && !math->display;
+  return keeps ? kept_length(literal) : 0;
 }
 
 std::string PageWriter::write(cmark_node* node, const std::string& inner) {
   if (const auto block = lesson_.block_of.find(node); block != lesson_.block_of.end()) {
-    return write_block(node, block->second, inner);
+    cmark_node* next = cmark_node_next(node);
+    if (kept_before(next) == 0) return write_block(node, block->second, inner);
+    const bool unit = cmark_node_get_literal(next)[0] == ' ';
+    return std::string("<span class=\"with-") + (unit ? "unit" : "mark") + "\">" +
+           write_block(node, block->second, inner);
   }
   const cmark_node_type type = cmark_node_get_type(node);
+  if (type == CMARK_NODE_TEXT) {
+    const std::string_view text = cmark_node_get_literal(node);
+    const std::size_t kept = kept_before(node);
+    return escape_html(text.substr(0, kept)) + "</span>" + escape_html(text.substr(kept));
+  }
   if (type == CMARK_NODE_HEADING) return write_heading(node, inner);
   if (type == CMARK_NODE_LINK) return write_link(node, inner);
   if (type == CMARK_NODE_ITEM) return with_named_box(inner);

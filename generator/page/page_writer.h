@@ -63,6 +63,8 @@ class PageWriter {
  private:
   bool takes(cmark_node* node) const;
   std::string write(cmark_node* node, const std::string& inner);
+  // Of a text node: how many of its bytes stay on the line of the formula or value before it.
+  std::size_t kept_before(cmark_node* text) const;
   std::string write_heading(cmark_node* node, const std::string& inner);
   void tell_later(const nlohmann::json& quiz);
   void tell_later(const Callout& callout, const nlohmann::json& data);

@@ -101,6 +101,20 @@ TEST_F(PageWriterTest, WritesAValueAsTextThatKnowsItsOrigin) {
   EXPECT_NE(callout.find("Of " + value), std::string::npos) << callout;
 }
 
+TEST_F(PageWriterTest, KeepsTogetherWhatALinesEndMayNotPart) {
+  results_.of_block[0] = ValueResult{"8", "x"};
+  const std::string value = "<span class=\"value\" title=\"computed: x\">8</span>";
+  EXPECT_EQ(body("`{zoo} x` mm, & so\n"),
+            "<p><span class=\"with-unit\">" + value + " mm,</span> &amp; so</p>\n");
+  EXPECT_EQ(body("`{zoo} x`, so\n"), "<p>" + value + ", so</p>\n");
+  results_.of_block[0] = FormulaResult{"<i>x</i>"};
+  const std::string math = "<span class=\"math\"><i>x</i></span>";
+  EXPECT_EQ(body("of $x$.\n"), "<p>of <span class=\"with-mark\">" + math + ".</span></p>\n");
+  EXPECT_EQ(body("$x$ mm\n"), "<p><span class=\"with-unit\">" + math + " mm</span></p>\n");
+  EXPECT_EQ(body("$x + y + z$ mm\n"), "<p>" + math + " mm</p>\n") << "a line may end in it";
+  EXPECT_EQ(body("$x$ is\n"), "<p>" + math + " is</p>\n");
+}
+
 TEST_F(PageWriterTest, SaysThatAProgramProvedAnAnswer) {
   QuestionResult question;
   question.proved = question.by_program = true;
