@@ -33,11 +33,18 @@ function ticksOf(pid) {
 // Until the process has nothing to do any more, nor do those that it has begun.
 async function idle(pid) {
   const threads = () => readdirSync(`/proc/${pid}/task`).map((id) => `/proc/${pid}/task/${id}`);
-  const children = () => threads().flatMap((at) => readFileSync(`${at}/children`, "utf8").trim());
+  const childrenOf = (thread) => {
+    try {
+      return readFileSync(`${thread}/children`, "utf8").trim();
+    } catch {
+      return ""; // it has just ended
+    }
+  };
+  const hasChildren = () => threads().some((thread) => childrenOf(thread) !== "");
   for (let quiet = 0, before = 0; quiet < 5;) {
     await pause(1000);
     const ticks = ticksOf(pid);
-    quiet = ticks - before < 5 && children().every((ids) => ids === "") ? quiet + 1 : 0;
+    quiet = ticks - before < 5 && !hasChildren() ? quiet + 1 : 0;
     before = ticks;
   }
 }
