@@ -22,29 +22,28 @@ const at = (sorted, part) => sorted[Math.min(sorted.length - 1, Math.floor(part 
 const begun = Date.now();
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
-// The processor's ticks that a process and those it has waited for have taken.
+// The processor's ticks that a process has taken, and all that it has begun.
 function ticksOf(pid) {
-  const fields = readFileSync(`/proc/${pid}/stat`, "utf8")
-    .replace(/^.*\) /, "")
-    .split(" ");
-  return fields.slice(11, 15).reduce((sum, ticks) => sum + Number(ticks), 0);
+  try {
+    const fields = readFileSync(`/proc/${pid}/stat`, "utf8")
+      .replace(/^.*\) /, "")
+      .split(" ");
+    const own = fields.slice(11, 15).reduce((sum, ticks) => sum + Number(ticks), 0);
+    const children = readdirSync(`/proc/${pid}/task`).flatMap((thread) =>
+      readFileSync(`/proc/${pid}/task/${thread}/children`, "utf8").trim().split(" "),
+    );
+    return children.filter((child) => child !== "").reduce((sum, c) => sum + ticksOf(c), own);
+  } catch {
+    return 0; // it has just ended
+  }
 }
 
 // Until the process has nothing to do any more, nor do those that it has begun.
 async function idle(pid) {
-  const threads = () => readdirSync(`/proc/${pid}/task`).map((id) => `/proc/${pid}/task/${id}`);
-  const childrenOf = (thread) => {
-    try {
-      return readFileSync(`${thread}/children`, "utf8").trim();
-    } catch {
-      return ""; // it has just ended
-    }
-  };
-  const hasChildren = () => threads().some((thread) => childrenOf(thread) !== "");
   for (let quiet = 0, before = 0; quiet < 5;) {
     await pause(1000);
     const ticks = ticksOf(pid);
-    quiet = ticks - before < 5 && !hasChildren() ? quiet + 1 : 0;
+    quiet = Math.abs(ticks - before) < 5 ? quiet + 1 : 0;
     before = ticks;
   }
 }
