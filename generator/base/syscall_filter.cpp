@@ -114,6 +114,8 @@ class Builder {
     add(no, SCMP_SYS(socket), SCMP_A0_32(SCMP_CMP_EQ, AF_UNIX));
     add(told(), SCMP_SYS(socket), SCMP_A0_32(SCMP_CMP_NE, AF_UNIX));
     if (kind_.processes) {
+      // Where Landlock does not see to it, a signal may reach whoever is of the same user.
+      deny(SCMP_SYS(kill));
       for (const auto flag : {CLONE_NEWNS, CLONE_NEWUTS, CLONE_NEWIPC, CLONE_NEWUSER, CLONE_NEWPID,
                               CLONE_NEWNET, CLONE_NEWCGROUP, CLONE_PARENT}) {
         const auto bit = static_cast<scmp_datum_t>(flag);

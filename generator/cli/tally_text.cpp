@@ -18,6 +18,7 @@ std::string tally_text(const Tally& tally) {
   std::vector<std::string> parts;
   add_count(parts, tally.programs, "program run", "programs run");
   add_count(parts, tally.snippets, "snippet run", "snippets run");
+  add_count(parts, tally.commands, "listing of commands run", "listings of commands run");
   add_count(parts, tally.outputs, "output compared", "outputs compared");
   add_count(parts, tally.values, "value computed", "values computed");
   add_count(parts, tally.listed_models, "model listing checked", "model listings checked");

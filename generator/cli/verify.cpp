@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "base/counted.h"
-#include "base/sandbox.h"
 #include "base/stopwatch.h"
 #include "cli/progress_bar.h"
 #include "cli/tally_text.h"
@@ -149,9 +148,8 @@ Verified verify_course(const Options& options) {
                                 outcome_text(total, errors) + "; "
                           : "")
       << counted(errors, "error") << ", " << time << '\n';
-  if (!verified.evaluation.versions.compiler.empty()) {
-    out << "sandbox: " << sandbox_level().text() << '\n';
-  }
+  const std::string& sandbox = verified.evaluation.sandbox;
+  if (!sandbox.empty()) out << "sandbox: " << sandbox << '\n';
   if (options.timings) out << timings_table(verified.evaluation.times);
   if (!options.trace.empty()) write_trace(verified.evaluation.times, options.trace);
   if (!options.report.empty()) {

@@ -10,6 +10,8 @@ const char* name_of(Claim::Kind kind) {
       return "region";
     case Claim::Kind::snippet:
       return "snippet";
+    case Claim::Kind::commands:
+      return "commands";
     case Claim::Kind::output:
       return "output";
     case Claim::Kind::listing:

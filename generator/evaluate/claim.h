@@ -18,6 +18,7 @@ struct Claim {
     program,   // examples/x.cpp compiles and runs as it should
     region,    // these are lines of it
     snippet,   // this function's body compiles and runs
+    commands,  // these commands run
     output,    // this is what it prints
     listing,   // this is a part of a model, or a model
     value,     // this number in the text

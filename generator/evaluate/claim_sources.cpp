@@ -61,6 +61,15 @@ std::string ClaimSources::helper() {
   return *helper_;
 }
 
+std::string ClaimSources::files(const std::vector<std::string>& paths) const {
+  const DiskFiles course(root_);
+  std::vector<std::string> parts;
+  for (const std::string& path : paths) {
+    parts.insert(parts.end(), {path, course.read(path).value_or("")});
+  }
+  return hash_of(parts);
+}
+
 std::string ClaimSources::read_helper() const {
   std::vector<std::string> parts;
   for (const fs::path& folder : include_) {

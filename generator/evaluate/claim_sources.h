@@ -24,6 +24,8 @@ class ClaimSources {
   std::string model(const std::string& name);
   // Of all models that a program's or a question's text names: "joint_zoo" or joint_zoo.xml.
   std::string models_named_in(const std::string& text);
+  // Of these files, relative to the course.
+  std::string files(const std::vector<std::string>& paths) const;
   // Of the course's own headers and the helper header.
   std::string helper();
 

@@ -54,6 +54,14 @@ std::string how_run(const Snippet& snippet, const Versions& versions) {
          snippet.model.text + ".xml in its initial state; exit code 0";
 }
 
+std::string how_run(const Commands& commands) {
+  std::vector<std::string> files;
+  for (const LocatedText& file : commands.files) files.push_back(file.text);
+  return "run by a shell in a folder that has " +
+         (files.empty() ? "nothing of the course" : listed(files) + " of the course alone") +
+         "; exit code 0 of each";
+}
+
 std::string limits_of_run(double seconds) {
   return number_text(seconds) + " s, 1 MiB of output, no input, a folder of its own";
 }

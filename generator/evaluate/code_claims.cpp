@@ -32,6 +32,12 @@ std::string first_line(const std::string& code) {
   return as_title(code.substr(begin, code.find('\n', begin) - begin));
 }
 
+// Who printed an output.
+std::string printer(const Block& block) {
+  if (const auto* example = std::get_if<Example>(&block)) return example->name() + ".cpp";
+  return std::holds_alternative<Commands>(block) ? "the commands above it" : "the snippet above it";
+}
+
 }  // namespace
 
 void LessonClaims::add_program(std::size_t i, const Example& example, const ExampleResult* result,
@@ -74,9 +80,21 @@ void LessonClaims::add(std::size_t i, const Snippet& snippet) {
           sources_.model(snippet.model.text), programs_sources(snippet.code.text)});
 }
 
+void LessonClaims::add(std::size_t i, const Commands& commands) {
+  Claim claim =
+      begin(Kind::commands, i, "commands: " + first_line(commands.code.text), fence(commands.span));
+  claim.how = how_run(commands);
+  claim.limits = limits_of_run(commands.seconds);
+  const auto* result = results_.get<ExampleResult>(i);
+  if (result != nullptr) claim.run_seconds = result->run_seconds;
+  // What they print on their way may tell of times and places; what is stated of it is a claim of
+  // its own.
+  finish(std::move(claim), result != nullptr,
+         {result == nullptr ? "" : sources_.files(result->files)});
+}
+
 void LessonClaims::add(std::size_t i, const Output& output) {
-  const auto* example = std::get_if<Example>(&lesson_.blocks[output.example]);
-  const std::string by = example != nullptr ? example->name() + ".cpp" : "the snippet above it";
+  const std::string by = printer(lesson_.blocks[output.example]);
   Claim claim = begin(Kind::output, i, "the output of " + by, fence(output.span));
   const auto* result = results_.get<OutputResult>(i);
   const auto* printed = results_.get<ExampleResult>(output.example);

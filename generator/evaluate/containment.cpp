@@ -25,4 +25,9 @@ Sandbox compiler_sandbox(const fs::path& folder, const std::vector<fs::path>& ot
   return sandbox;
 }
 
+Sandbox commands_sandbox(const fs::path& script, const fs::path& folder) {
+  // What they build, they also start.
+  return compiler_sandbox(folder, {script, folder, fs::path(kInstalledPackages).parent_path()});
+}
+
 }  // namespace mjcourse

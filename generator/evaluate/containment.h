@@ -1,4 +1,4 @@
-// What a lesson's programs may touch, and the compiler that makes them.
+// What a lesson's programs may touch, the compiler that makes them, and the commands of a lesson.
 //
 // A program sees the course's models and a folder of its own, and writes into that folder and, for
 // its lesson, into the file of its records. The compiler sees the course's examples and its own
@@ -23,5 +23,11 @@ Sandbox program_sandbox(const std::filesystem::path& binary, const std::filesyst
 // The compiler works in `folder`, where its source is; it may also read the `others`.
 Sandbox compiler_sandbox(const std::filesystem::path& folder,
                          const std::vector<std::filesystem::path>& others);
+
+// The package manager's list of what is installed.
+inline constexpr const char* kInstalledPackages = "/var/lib/dpkg/status";
+
+// Commands work in `folder`, may start what is installed, and find out what that is.
+Sandbox commands_sandbox(const std::filesystem::path& script, const std::filesystem::path& folder);
 
 }  // namespace mjcourse

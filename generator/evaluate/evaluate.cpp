@@ -5,8 +5,10 @@
 #include <optional>
 #include <utility>
 
+#include "base/sandbox.h"
 #include "evaluate/archive.h"
 #include "evaluate/claims.h"
+#include "evaluate/commands_task.h"
 #include "evaluate/crew.h"
 #include "evaluate/fingerprints.h"
 #include "evaluate/gather_diagnostics.h"
@@ -38,10 +40,10 @@ void compare_outputs(const Lesson& lesson, LessonResults& results, Diagnostics& 
   }
 }
 
-bool compiles(const Tasks& tasks) {
+template <typename... Kinds>
+bool has_any(const Tasks& tasks) {
   return std::any_of(tasks.begin(), tasks.end(), [](const auto& task) {
-    return dynamic_cast<const ProgramTask*>(task.get()) != nullptr ||
-           dynamic_cast<const SnippetsTask*>(task.get()) != nullptr;
+    return ((dynamic_cast<const Kinds*>(task.get()) != nullptr) || ...);
   });
 }
 
@@ -87,9 +89,9 @@ class Evaluator {
     evaluation_.diagnostics = std::move(found);
     evaluation_.versions = known_versions(workplace_.assets);
     const Tasks tasks = plan_tasks(course_);
-    if (compiles(tasks) && setting_.compiler()) {
-      evaluation_.versions.compiler = setting_.compiler()->version();
-    }
+    const bool compiles = has_any<ProgramTask, SnippetsTask>(tasks) && setting_.compiler();
+    if (compiles) evaluation_.versions.compiler = setting_.compiler()->version();
+    if (compiles || has_any<CommandsTask>(tasks)) evaluation_.sandbox = sandbox_level().text();
     Crew crew(setting_, archive_ ? &*archive_ : nullptr, progress_, workplace_.threads,
               workplace_.stand_in ? Effort::looks : Effort::all);
     gather(tasks, crew.run(tasks, [&](const TaskRecords& records) {

@@ -44,6 +44,7 @@ struct Evaluation {
   std::vector<ApiEntry> api = {};      // names of MuJoCo's that it links to
   Diagnostics diagnostics;
   Versions versions;
+  std::string sandbox = {};          // how what was run was contained; empty where nothing was
   std::vector<TaskTime> times = {};  // of all tasks, as they began
   bool open = false;                 // something is still to be worked out
 

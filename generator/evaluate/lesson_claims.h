@@ -44,6 +44,7 @@ class LessonClaims {
   void add(std::size_t i, const Example& example);
   void add_program(std::size_t i, const Example& example, const ExampleResult* result, Span extent);
   void add(std::size_t i, const Snippet& snippet);
+  void add(std::size_t i, const Commands& commands);
   void add(std::size_t i, const Output& output);
   void add(std::size_t i, const ModelExcerpt& excerpt);
   void add(std::size_t i, const InlineModel& model);

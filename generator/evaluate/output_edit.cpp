@@ -79,7 +79,10 @@ class FenceLines {
 
 std::string what(const Output& output, const Lesson& lesson) {
   const auto* example = std::get_if<Example>(&lesson.blocks[output.example]);
-  return "the output of " + (example != nullptr ? example->name() : "the snippet");
+  if (example != nullptr) return "the output of " + example->name();
+  return std::holds_alternative<Commands>(lesson.blocks[output.example])
+             ? "the output of the commands"
+             : "the output of the snippet";
 }
 
 }  // namespace

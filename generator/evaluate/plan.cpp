@@ -7,6 +7,7 @@
 
 #include "course/uses.h"
 #include "evaluate/block_task.h"
+#include "evaluate/commands_task.h"
 #include "evaluate/formulas_task.h"
 #include "evaluate/model_page_task.h"
 #include "evaluate/program_task.h"
@@ -61,6 +62,8 @@ class Planner {
       if (!std::exchange(has_formulas_, true)) add<FormulasTask>(lesson, page, index);
     } else if (std::holds_alternative<Snippet>(block)) {
       if (!std::exchange(has_snippets_, true)) add<SnippetsTask>(lesson, page, index);
+    } else if (std::holds_alternative<Commands>(block)) {
+      add<CommandsTask>(lesson, page, index);
     } else if (BlockTask::takes(lesson, index)) {
       add<BlockTask>(lesson, page, index);
     }

@@ -162,6 +162,7 @@ struct Tally {
   int formulas = 0;
   int programs = 0;
   int snippets = 0;
+  int commands = 0;  // listings of them
   int outputs = 0;
   int values = 0;
   int listed_models = 0;

@@ -10,6 +10,8 @@ int Tally::*counter_of(Claim::Kind kind) {
       return &Tally::programs;
     case Claim::Kind::snippet:
       return &Tally::snippets;
+    case Claim::Kind::commands:
+      return &Tally::commands;
     case Claim::Kind::output:
       return &Tally::outputs;
     case Claim::Kind::listing:
@@ -54,6 +56,7 @@ Tally& Tally::operator+=(const Tally& other) {
   formulas += other.formulas;
   programs += other.programs;
   snippets += other.snippets;
+  commands += other.commands;
   outputs += other.outputs;
   values += other.values;
   listed_models += other.listed_models;

@@ -74,6 +74,15 @@ struct Snippet {
   std::vector<std::size_t> outputs{};  // the blocks that state its output
 };
 
+// ```sh run: commands as a reader types them, run in a folder that has these files of the course.
+struct Commands {
+  LocatedText code;
+  std::vector<LocatedText> files;      // relative to the course; a folder stands for all in it
+  double seconds = 10;                 // wall clock of all of them
+  Span span{};                         // the opening fence
+  std::vector<std::size_t> outputs{};  // the blocks that state their output
+};
+
 // ```xml model=…: lines of a model of the course.
 struct ModelExcerpt {
   LocatedText model;  // its name
@@ -88,7 +97,7 @@ struct InlineModel {
   Span span;
 };
 
-// ```text: what an example or a snippet prints, as the lesson states it.
+// ```text: what an example, a snippet or commands print, as the lesson states it.
 struct Output {
   LocatedText text;
   std::optional<double> tolerance;  // absolute; without one, a unit of the last printed place
@@ -135,7 +144,7 @@ struct Demo {
 struct Shown {};
 
 using Block =
-    std::variant<Math, InlineValue, TermUse, Example, Unchecked, Snippet, ModelExcerpt, InlineModel,
-                 Output, Image, Io, Callout, Lab, Figure, Chart, Quiz, Demo, Shown>;
+    std::variant<Math, InlineValue, TermUse, Example, Unchecked, Snippet, Commands, ModelExcerpt,
+                 InlineModel, Output, Image, Io, Callout, Lab, Figure, Chart, Quiz, Demo, Shown>;
 
 }  // namespace mjcourse

@@ -13,6 +13,7 @@ std::span<const FenceKind> fence_kinds() {
     std::vector<FenceKind> kinds{
         {"cpp", "a program, compiled and run", fences::kProgram},
         {"cpp snippet", "the body of a function, compiled and run", fences::kSnippet},
+        {"sh run", "commands, run in a folder of their own", fences::kCommands},
         {"xml", "lines of a model, held against its file", fences::kExcerpt},
         {"xml mjcf", "a model, compiled", fences::kInlineModel},
         {"text", "what the program above prints, held against that", fences::kOutput},

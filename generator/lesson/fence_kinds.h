@@ -50,6 +50,10 @@ inline constexpr std::array kProgram{
 inline constexpr std::array kRegion{kFile};
 inline constexpr std::array kSnippet{
     FenceOption{"model", "The model that `m` and `d` are of.", true}, kTimeout};
+inline constexpr std::array kCommands{
+    FenceOption{"files",
+                "What of the course they see, between quotes: files, and folders as a whole."},
+    kTimeout};
 inline constexpr std::array kExcerpt{
     FenceOption{"model", "The model whose lines these are.", true}};
 inline constexpr std::array kInlineModel{

@@ -7,6 +7,7 @@
 #include "lesson/lesson_reader.h"
 #include "lesson/read_chart.h"
 #include "lesson/read_code.h"
+#include "lesson/read_commands.h"
 #include "lesson/read_figure.h"
 #include "lesson/read_io.h"
 #include "lesson/read_lab.h"
@@ -20,6 +21,14 @@ namespace {
 
 std::string word(const Fence& fence, std::size_t index) {
   return index < fence.words().size() ? fence.words()[index].text : "";
+}
+
+// Where a block that prints keeps who states what; null for another block.
+std::vector<std::size_t>* outputs_of(Block& block) {
+  if (auto* example = std::get_if<Example>(&block)) return &example->outputs;
+  if (auto* snippet = std::get_if<Snippet>(&block)) return &snippet->outputs;
+  if (auto* commands = std::get_if<Commands>(&block)) return &commands->outputs;
+  return nullptr;
 }
 
 void report_unknown(const Fence& fence, Reading& reading) {
@@ -56,6 +65,8 @@ void LessonReader::read_fence(cmark_node* node, Region& region) {
   const bool only_shown = std::find(shown.begin(), shown.end(), kind) != shown.end();
   if (is_unchecked(fence) && find_fence_kind(kind + " unchecked") != nullptr) {
     add(node, read_unchecked(fence, reading_));
+  } else if (is_commands(fence)) {
+    add(node, read_commands(fence, reading_));
   } else if (only_shown) {
     refuse_plain(fence, reading_);
   } else if (kind == "cpp") {
@@ -128,15 +139,13 @@ void LessonReader::refuse_second_pin(LocatedText& pin) {
   }
 }
 
-// The code whose output this is: the example named, or the example or snippet just above (a
-// paragraph "Output:" may stand between).
+// The code whose output this is: the example named, or the example, snippet or commands just above
+// (a paragraph "Output:" may stand between).
 void LessonReader::read_output(cmark_node* node, Fence& fence) {
   const auto index_of = [this](cmark_node* at) -> std::optional<std::size_t> {
     const auto found = at != nullptr ? lesson_.block_of.find(at) : lesson_.block_of.end();
     if (found == lesson_.block_of.end()) return std::nullopt;
-    const Block& block = lesson_.blocks[found->second];
-    const bool prints =
-        std::holds_alternative<Example>(block) || std::holds_alternative<Snippet>(block);
+    const bool prints = outputs_of(lesson_.blocks[found->second]) != nullptr;
     return prints ? std::optional(found->second) : std::nullopt;
   };
   cmark_node* above = cmark_node_previous(node);
@@ -151,16 +160,13 @@ void LessonReader::read_output(cmark_node* node, Fence& fence) {
   if (!example) {
     reading_.error(
         "E-output-stray", fence.span(), "this output belongs to no program",
-        "put it right after a `cpp file=…` or `cpp snippet` fence, or name the example above: "
-        "`text output=NAME`");
+        "put it right after a `cpp file=…`, `cpp snippet` or `sh run` fence, or name the example "
+        "above: `text output=NAME`");
     return;
   }
   const std::optional<double> tolerance = fence.number("tol", reading_);
   fence.finish("text", fences::kOutput, reading_);
-  Block& printing = lesson_.blocks[*example];
-  auto* snippet = std::get_if<Snippet>(&printing);
-  (snippet != nullptr ? snippet->outputs : std::get<Example>(printing).outputs)
-      .push_back(lesson_.blocks.size());
+  outputs_of(lesson_.blocks[*example])->push_back(lesson_.blocks.size());
   const Block* block_above = above != nullptr ? lesson_.block(above) : nullptr;
   const auto* other = block_above != nullptr ? std::get_if<Output>(block_above) : nullptr;
   const bool below_another = other != nullptr && other->example == example && !other->apart;

@@ -23,7 +23,9 @@ void refuse_plain(const Fence& fence, Reading& reading) {
   const std::string language = fence.words()[0].text;
   reading.error("E-fence-kind", fence.span(),
                 "a plain `" + language + "` fence would show code that nobody ran",
-                "say so, and why: `" + language + " unchecked because=\"…\"`");
+                (language == "sh" ? "let it run: `sh run`; or say that nobody does, and why: `"
+                                  : "say so, and why: `") +
+                    language + " unchecked because=\"…\"`");
 }
 
 }  // namespace mjcourse

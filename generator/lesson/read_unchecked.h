@@ -10,7 +10,8 @@
 
 namespace mjcourse {
 
-// The languages that a lesson can only show; C++, MJCF and text can also be checked.
+// The languages that a lesson can only show, but for commands (read_commands.h); C++, MJCF and text
+// can always be checked.
 const std::vector<std::string>& unchecked_languages();
 
 // Does `unchecked` stand behind the language?

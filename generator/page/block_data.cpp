@@ -96,6 +96,17 @@ json PageWriter::data_of(const Snippet& snippet, std::size_t index) {
   return data;
 }
 
+json PageWriter::data_of(const Commands& commands, std::size_t index) {
+  json data = listing(commands.code.text, "sh");
+  const auto* result = results_.get<ExampleResult>(index);
+  // What they print on their way is for who runs them, unless the lesson speaks of it.
+  const std::vector<std::size_t> below = outputs_below(commands.outputs);
+  if (result != nullptr && !below.empty()) {
+    data["output"] = output_data(result->output, are_proved(below), "Printed by these commands");
+  }
+  return data;
+}
+
 json PageWriter::data_of(const ModelExcerpt& excerpt) {
   json data = listing(excerpt.text.text, "xml");
   data["file"] = "models/" + excerpt.model.text + ".xml";

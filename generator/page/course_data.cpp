@@ -108,6 +108,7 @@ json pages_data(const Course& course, const Evaluation& evaluation, const std::s
 json verified_data(const Tally& tally, const std::string& mujoco, const std::string& href) {
   return {{"programs", tally.programs},
           {"snippets", tally.snippets},
+          {"commands", tally.commands},
           {"outputs", tally.outputs},
           {"values", tally.values},
           {"listed_models", tally.listed_models},

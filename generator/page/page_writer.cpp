@@ -245,6 +245,7 @@ std::string PageWriter::write_block(cmark_node* node, std::size_t i, const std::
       [&](const Example& example) { return write_listing(data_of(example, i)); },
       [&](const Unchecked& unchecked) { return write_listing(data_of(unchecked)); },
       [&](const Snippet& snippet) { return write_listing(data_of(snippet, i)); },
+      [&](const Commands& commands) { return write_listing(data_of(commands, i)); },
       [&](const ModelExcerpt& excerpt) { return write_listing(data_of(excerpt)); },
       [&](const InlineModel& model) { return write_listing(data_of(model, i)); },
       // The example above shows an output that does not stand apart.

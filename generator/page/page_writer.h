@@ -81,6 +81,7 @@ class PageWriter {
   nlohmann::json data_of(const Example& example, std::size_t index);
   nlohmann::json data_of(const Unchecked& unchecked);
   nlohmann::json data_of(const Snippet& snippet, std::size_t index);
+  nlohmann::json data_of(const Commands& commands, std::size_t index);
   nlohmann::json data_of(const ModelExcerpt& excerpt);
   nlohmann::json data_of(const InlineModel& model, std::size_t index);
   nlohmann::json listing(const std::string& code, const std::string& language);

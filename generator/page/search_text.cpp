@@ -44,6 +44,7 @@ class Reader {
     show(snippet.shown);
     if (const auto* result = results_.get<ExampleResult>(block_)) show(result->output);
   }
+  void operator()(const Commands& commands) { show(commands.code.text); }
   void operator()(const ModelExcerpt& excerpt) { show(excerpt.text.text); }
   void operator()(const InlineModel& model) {
     show(model.text.text);

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "base/sandbox.h"
 #include "page/anchors.h"
 #include "page/site_paths.h"
 #include "report/diagnostic_json.h"
@@ -131,7 +130,7 @@ json full_verification(const Course* course, const Evaluation& evaluation, doubl
     return diagnostic.severity == Severity::error;
   });
   all["seconds"] = rounded(seconds);
-  all["sandbox"] = evaluation.versions.compiler.empty() ? "" : sandbox_level().text();
+  all["sandbox"] = evaluation.sandbox;
   all["diagnostics"] = json::array();
   for (const Diagnostic& diagnostic : found) all["diagnostics"].push_back(json_of(diagnostic));
   return all;

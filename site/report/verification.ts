@@ -105,6 +105,7 @@ export type Kind =
   | "program"
   | "region"
   | "snippet"
+  | "commands"
   | "output"
   | "listing"
   | "value"

@@ -23,6 +23,11 @@ class Collector {
     text(snippet.code);
     span(snippet.span);
   }
+  void take(const Commands& commands) {
+    body(commands.code);
+    for (const LocatedText& file : commands.files) text(file);
+    span(commands.span);
+  }
   void take(const ModelExcerpt& excerpt) {
     text(excerpt.model);
     body(excerpt.text);

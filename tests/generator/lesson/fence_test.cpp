@@ -72,7 +72,7 @@ TEST(Fence, MustSayWhatItHolds) {
             R"(content/1-a/1.1-x.md:4:1: error: this fence does not say what it holds [E-fence-kind]
   4 | ```
     | ^~~
-  cure: known: cpp, xml, text, io, lab, quiz, figure, plot, demo, sh, cmake, python, …
+  cure: known: cpp, sh, xml, text, io, lab, quiz, figure, plot, demo, cmake, python, …
 )");
   EXPECT_EQ(
       mistakes_in("    int x;\n"),

@@ -50,7 +50,7 @@ TEST(Output, MustBelongToAnExample) {
       R"(content/1-a/1.1-x.md:8:1: error: this output belongs to no program [E-output-stray]
   8 | ```text
     | ^~~~~~~
-  cure: put it right after a `cpp file=…` or `cpp snippet` fence, or name the example above: `text output=NAME`
+  cure: put it right after a `cpp file=…`, `cpp snippet` or `sh run` fence, or name the example above: `text output=NAME`
 )";
   EXPECT_EQ(outputs(kA + "\nBetween.\n```text\n1\n```\n"), expected);
 }

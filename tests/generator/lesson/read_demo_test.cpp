@@ -43,7 +43,7 @@ TEST(Demo, KeepsOutputsToItself) {
   EXPECT_EQ(
       underlined_mistakes(reading_of(program + "\n````demo\n```text\nx\n```\n````\n")),
       "E-output-stray <```text> this output belongs to no program | put it right after a `cpp "
-      "file=…` or `cpp snippet` fence, or name the example above: `text output=NAME`\n");
+      "file=…`, `cpp snippet` or `sh run` fence, or name the example above: `text output=NAME`\n");
 }
 
 TEST(Demo, HasHeadingsThatAreNotItsPages) {

@@ -31,7 +31,8 @@ TEST(ReadUnchecked, TakesEveryLanguageAndNoReason) {
 TEST(ReadUnchecked, BelongsToNoProgram) {
   EXPECT_EQ(underlined_mistakes(reading_of("```text unchecked\nx\n```\n\n```text\n1\n```\n")),
             "E-output-stray <```text> this output belongs to no program | put it right after a "
-            "`cpp file=…` or `cpp snippet` fence, or name the example above: `text output=NAME`\n");
+            "`cpp file=…`, `cpp snippet` or `sh run` fence, or name the example above: `text "
+            "output=NAME`\n");
 }
 
 TEST(ReadUnchecked, MustBeSaid) {
@@ -40,8 +41,12 @@ TEST(ReadUnchecked, MustBeSaid) {
       R"(content/1-a/1.1-x.md:4:1: error: a plain `sh` fence would show code that nobody ran [E-fence-kind]
   4 | ```sh
     | ^~~~~
-  cure: say so, and why: `sh unchecked because="…"`
+  cure: let it run: `sh run`; or say that nobody does, and why: `sh unchecked because="…"`
 )");
+  EXPECT_EQ(
+      underlined_mistakes(reading_of("```cmake\n#\n```\n")),
+      "E-fence-kind <```cmake> a plain `cmake` fence would show code that nobody ran | say so, "
+      "and why: `cmake unchecked because=\"…\"`\n");
 }
 
 }  // namespace

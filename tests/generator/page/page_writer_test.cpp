@@ -230,6 +230,14 @@ TEST_F(PageWriterTest, ShowsOfASnippetWhatIsToBeSeen) {
   EXPECT_NE(html.find("<samp>out\n</samp>"), std::string::npos) << html;
 }
 
+TEST_F(PageWriterTest, ShowsWhatCommandsPrintWhereTheLessonStatesIt) {
+  results_.of_block[0] = ExampleResult{"ls\n", "out\n"};
+  EXPECT_EQ(body("```sh run\nls\n```\n").find("<samp>"), std::string::npos);
+  const std::string html = body("```sh run\nls\n```\n```text\nout\n```\n");
+  EXPECT_NE(html.find("<span>Printed by these commands</span>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<samp>out\n</samp>"), std::string::npos) << html;
+}
+
 TEST_F(PageWriterTest, ShowsModelsAndWhyMuJoCoRefusesThem) {
   const std::string excerpt = body("```xml model=ball\n<geom/>\n```\n");
   EXPECT_NE(excerpt.find("<span class=\"file\">models/ball.xml</span></figcaption>"),

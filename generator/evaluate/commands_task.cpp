@@ -1,0 +1,30 @@
+#include "evaluate/commands_task.h"
+
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "evaluate/commands.h"
+#include "evaluate/recipe.h"
+
+namespace mjcourse {
+
+std::string CommandsTask::name() const {
+  return "commands-" + std::to_string(block_number(lesson(), block()));
+}
+
+Dependencies CommandsTask::recipe(const Setting& setting) const {
+  std::vector<std::string> text{commands().code.text, std::to_string(commands().seconds)};
+  for (const LocatedText& file : commands().files) text.push_back(file.text);
+  return recipe_of(setting, "commands", text);
+}
+
+bool CommandsTask::work(Workshop& workshop, Finding& finding) {
+  const Stopwatch stopwatch;
+  auto result = evaluate_commands(commands(), lesson(), workshop, finding.diagnostics);
+  if (!result) return false;
+  finding.results[block()] = *std::move(result);
+  finding.seconds[block()] = stopwatch.seconds();
+  return true;
+}
+
+}  // namespace mjcourse
