@@ -36,9 +36,10 @@ void Crew::do_task(Task& task, Workshop& workshop, TaskRecord& record) const {
   task.conclude(workshop, record.finding);
 }
 
-TaskRecords Crew::run(const Tasks& tasks, const std::function<void(const TaskRecords&)>& publish) {
+TaskRecords Crew::run(const Tasks& tasks, const Blocks& first,
+                      const std::function<void(const TaskRecords&)>& publish) {
   TaskRecords records(tasks.size());
-  TaskQueue queue(tasks, [&] { publish(records); });
+  TaskQueue queue(tasks, first, [&] { publish(records); });
   progress_.plan(tasks.size());
   const Stopwatch stopwatch;
   const std::stop_token stop = cancellation();

@@ -34,7 +34,9 @@ class Crew {
   // `publish` is called once, when all that quotes nothing has been begun and all programs are
   // done, and before any that quotes begins. Throws what a task threw; Cancelled where the caller's
   // work is cancelled (base/cancellation.h).
-  TaskRecords run(const Tasks& tasks, const std::function<void(const TaskRecords&)>& publish);
+  // The blocks `first` come first.
+  TaskRecords run(const Tasks& tasks, const Blocks& first,
+                  const std::function<void(const TaskRecords&)>& publish);
 
  private:
   void do_task(Task& task, Workshop& workshop, TaskRecord& record) const;

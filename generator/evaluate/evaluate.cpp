@@ -94,7 +94,7 @@ class Evaluator {
     if (compiles || has_any<CommandsTask>(tasks)) evaluation_.sandbox = sandbox_level().text();
     Crew crew(setting_, archive_ ? &*archive_ : nullptr, progress_, workplace_.threads,
               workplace_.stand_in ? Effort::looks : Effort::all);
-    gather(tasks, crew.run(tasks, [&](const TaskRecords& records) {
+    gather(tasks, crew.run(tasks, workplace_.first, [&](const TaskRecords& records) {
       publish(tasks, records, setting_.reports(), fingerprints_);
     }));
     evaluation_.api = evaluate_api(course_, installed_mujoco_api, evaluation_.diagnostics);

@@ -67,6 +67,7 @@ struct Workplace {
   std::shared_ptr<KnownScripts> known_scripts = std::make_shared<KnownScripts>();
   // Given, nothing is worked out: what the store does not have stays open, with a stand-in.
   StandIn stand_in = {};
+  Blocks first = {};  // what somebody waits for: begun before all else
 };
 
 // Throws Cancelled when the caller's work is cancelled. The diagnostics begin with what reading the

@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -177,6 +178,9 @@ struct Tally {
 };
 
 Tally tally_of(const Claims& claims);
+
+// Blocks of several lessons, each by its lesson's file and its index there.
+using Blocks = std::set<std::pair<std::string, std::size_t>>;
 
 struct LessonResults {
   std::map<std::size_t, Result> of_block;  // only of blocks that could be evaluated

@@ -14,17 +14,18 @@ bool is_program(const Task& task) {
 
 }  // namespace
 
-TaskQueue::TaskQueue(const Tasks& tasks, std::function<void()> publish)
+TaskQueue::TaskQueue(const Tasks& tasks, const Blocks& first, std::function<void()> publish)
     : tasks_(tasks), publish_(std::move(publish)) {
-  std::vector<double> effort;
+  std::vector<std::pair<bool, double>> weight;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     (tasks[i]->quotes() ? held_ : ready_).push_back(i);
     programs_ += is_program(*tasks[i]) ? 1 : 0;
-    effort.push_back(tasks[i]->effort());
+    const bool is_first = first.contains({tasks[i]->lesson().source->path(), tasks[i]->block()});
+    weight.emplace_back(is_first, tasks[i]->effort());
   }
   for (auto* list : {&ready_, &held_}) {
     std::stable_sort(list->rbegin(), list->rend(),
-                     [&](std::size_t a, std::size_t b) { return effort[a] > effort[b]; });
+                     [&](std::size_t a, std::size_t b) { return weight[a] > weight[b]; });
   }
   if (programs_ == 0) release();
 }

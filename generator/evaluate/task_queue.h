@@ -12,12 +12,12 @@
 
 namespace mjcourse {
 
-// From any thread. The task with the most effort is first; those that quote are held back until all
-// programs are finished.
+// From any thread. Those of the blocks `first` come before all others, and then the one with the
+// most effort; those that quote are held back until all programs are finished.
 class TaskQueue {
  public:
   // `publish` is called once, on one of the threads, before the first task that quotes is given.
-  TaskQueue(const Tasks& tasks, std::function<void()> publish);
+  TaskQueue(const Tasks& tasks, const Blocks& first, std::function<void()> publish);
 
   // Waits where there is none yet; nothing where there is none any more.
   std::optional<std::size_t> next();

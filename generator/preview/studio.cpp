@@ -36,6 +36,17 @@ void keep_former(const Diagnostics& former, Diagnostics& diagnostics) {
   }
 }
 
+Blocks open_blocks(const Snapshot& snapshot) {
+  Blocks open;
+  if (!snapshot.evaluation) return open;
+  for (const Lesson* page : snapshot.course.pages()) {
+    for (const std::size_t block : snapshot.evaluation->results_of(snapshot.course, *page).open) {
+      open.emplace(page->source->path(), block);
+    }
+  }
+  return open;
+}
+
 // Tells when something was worked out that nobody had kept.
 class Listener : public Progress {
  public:
@@ -66,7 +77,7 @@ struct Studio::Job {
   std::stop_source stop;
   std::chrono::steady_clock::time_point begin;
   bool progressed = false, done = false;
-  SnapshotPtr whole;
+  SnapshotPtr last, whole;  // where it began, and what came of it
 };
 
 Studio::Studio(Workplace workplace, std::shared_ptr<const Files> lessons,
@@ -104,7 +115,7 @@ std::shared_ptr<Snapshot> Studio::begin() const {
 
 SnapshotPtr Studio::snapshot(const SnapshotPtr& former, bool whole, Progress& progress) const {
   const std::shared_ptr<Snapshot> made = begin();
-  const FormerResults results(former);
+  const FormerResults results(whole ? nullptr : former);
   try {
     Diagnostics reading;
     if (auto course =
@@ -112,7 +123,9 @@ SnapshotPtr Studio::snapshot(const SnapshotPtr& former, bool whole, Progress& pr
       made->readable = true;
       made->course = *std::move(course);
       Workplace workplace = workplace_;
-      if (!whole) {
+      if (whole) {
+        workplace.first = open_blocks(*former);
+      } else {
         workplace.stand_in = [&](const Lesson& lesson, std::size_t block) {
           return results.find(lesson, block);
         };
@@ -163,7 +176,7 @@ void Studio::do_job(Job& job) {
   Listener listener([&] { wake(job.progressed); });
   std::this_thread::sleep_until(job.begin);
   try {
-    SnapshotPtr whole = snapshot(nullptr, true, listener);
+    SnapshotPtr whole = snapshot(job.last, true, listener);
     const std::lock_guard lock(mutex_);
     job.whole = std::move(whole);
     job.done = true;
@@ -178,6 +191,7 @@ SnapshotPtr Studio::work(SnapshotPtr last) {
   {
     const std::lock_guard lock(mutex_);
     job->begin = changed_at_ + kFresh;
+    job->last = last;
   }
   // What is no longer wanted may take a moment to end.
   worker_ = std::jthread([this, job, before = std::move(worker_)]() mutable {

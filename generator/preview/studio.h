@@ -43,6 +43,7 @@ class Studio {
 
   void run();
   // All that is known without working; where `whole`, all that is true, by working for it.
+  // What is open in `former` comes first.
   SnapshotPtr snapshot(const SnapshotPtr& former, bool whole, Progress& progress) const;
   SnapshotPtr look(const SnapshotPtr& former) const;
   // Null where more than text was edited.
