@@ -1,18 +1,23 @@
-// A program from fork to its end, and its ends of the pipes.
+// A program from its start to its end, and our ends of its pipes.
 //
-// What happens between fork and exec is here; subprocess.cpp looks after the program from then on.
+// How it starts is launch.h's; subprocess.cpp looks after it from then on.
 #pragma once
 
 #include <sys/types.h>
 
+#include <semaphore>
+#include <thread>
+
 #include "base/descriptor.h"
+#include "base/launch_news.h"
 #include "base/subprocess.h"
 
 namespace mjcourse {
 
 class ChildProcess {
  public:
-  // Forks. Throws std::system_error when the system has no room for another process.
+  // The command must stay as long as this does. Throws std::system_error when the system has no
+  // room for another process.
   explicit ChildProcess(const Command& command);
   // Ends it, and waits for it.
   ~ChildProcess();
@@ -23,14 +28,8 @@ class ChildProcess {
 
   // Its stdout and stderr, and what is readable when it has ended (-1 on a kernel without).
   Descriptor out, err, ended;
-  // What it tells before it becomes the program; at the end of the stream it has become that.
+  // What it tells before it becomes the program: somebody must read it.
   Descriptor news;
-  struct News {
-    bool begun = false;                  // no more will come
-    int failure = 0;                     // errno; the program will not begin
-    Descriptor listener = Descriptor();  // where its watcher is asked
-  };
-  News read_news();
 
   bool has_ended() const;
   // Kills it with its whole group, and waits until that is gone. Gives its status, as waitpid does.
@@ -39,6 +38,8 @@ class ChildProcess {
  private:
   pid_t id_ = -1;
   int status_ = 0;
+  std::binary_semaphore gone_{0};
+  std::jthread parent_;  // which the kernel takes for it
 };
 
 }  // namespace mjcourse

@@ -1,7 +1,7 @@
-// How a child that was just forked becomes what its Sandbox lets it be.
+// How a child becomes what its Sandbox lets it be, on its way to becoming a program.
 //
-// Everything that allocates happens in the constructor, before the fork; enter() makes system calls
-// and nothing else, since other threads of the generator held locks at that moment.
+// Everything that allocates happens in the constructor, before there is a child; enter() makes
+// system calls and nothing else, since the child works in our memory (base/launch.h).
 #pragma once
 
 #include <sys/resource.h>
@@ -26,6 +26,9 @@ class Confinement {
   // In the child. 0, or errno. `listener` becomes the descriptor on which the watcher is asked; it
   // stays -1 where there is none.
   int enter(int& listener) const;
+
+  // Does the child become another user? It is the one change of its own that reaches our memory.
+  bool changes_user() const { return level_.user != SandboxLevel::User::same; }
 
  private:
   struct Limit {

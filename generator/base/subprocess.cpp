@@ -100,7 +100,7 @@ class Keeper {
   }
 
   void hear_news() {
-    ChildProcess::News news = child_.read_news();
+    LaunchNews news = read_launch_news(child_.news.get());
     if (news.failure != 0) {
       outcome_.code = news.failure;
       stop(End::not_started);

@@ -15,7 +15,7 @@ constexpr unsigned bit(int capability) {
   return 1u << (capability % 32);
 }
 
-// The kernel's own calls: the C library's would speak to threads that a forked child has not.
+// The kernel's own calls: the C library's would have all threads of its process do the same.
 bool read_capabilities(__user_cap_data_struct (&sets)[kWords]) {
   __user_cap_header_struct header{_LINUX_CAPABILITY_VERSION_3, 0};
   return syscall(SYS_capget, &header, sets) == 0;
