@@ -41,8 +41,8 @@ std::vector<std::string> shown_files(const fs::path& site) {
 
 // Of the assets, what only labs, single pages and former addresses need is left for later.
 std::set<std::string> core_assets(const json& assets) {
-  static const std::set<std::string> later{"lab.js", "engine.mjs", "engine.wasm", "review.js",
-                                           "moved.js"};
+  static const std::set<std::string> later{"lab.js",      "lab.css",   "engine.mjs",
+                                           "engine.wasm", "review.js", "moved.js"};
   std::set<std::string> core;
   for (const auto& [name, path] : assets.items()) {
     if (!later.contains(name)) core.insert(path.get<std::string>());

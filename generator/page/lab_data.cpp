@@ -27,6 +27,10 @@ std::string address_of(const Course& course, const Lesson& lesson, const std::st
 
 }  // namespace
 
+json PageWriter::lab(std::size_t index) {
+  return data_of(std::get<Lab>(lesson_.blocks[index]), index);
+}
+
 json PageWriter::data_of(const Lab& lab, std::size_t index) {
   const auto* result = results_.get<LabResult>(index);
   json data{{"id", block_name(lesson_, index)},
@@ -35,6 +39,7 @@ json PageWriter::data_of(const Lab& lab, std::size_t index) {
             {"live", nullptr},
             {"address", address_of(course_, lesson_, block_name(lesson_, index))},
             {"poster", nullptr},
+            {"asked", asked_data(lab)},
             {"controls", json::array()},
             {"readouts", json::array()},
             {"plots", json::array()},
@@ -73,6 +78,18 @@ json PageWriter::data_of(const Lab& lab, std::size_t index) {
   return data;
 }
 
+// What the lab asks, for those who cannot have it live.
+json PageWriter::asked_data(const Lab& lab) const {
+  json asked = json::array();
+  const auto ask = [&](const std::string& label, bool task, const Document& text) {
+    asked.push_back({{"label", label}, {"task", task}, {"html", html(text)}});
+  };
+  if (lab.predict) ask("A guess first", false, lab.predict->question);
+  if (lab.goal) ask("Goal", false, lab.goal->text);
+  for (const Lab::Task& task : lab.tasks) ask("To find", true, task.question);
+  return asked;
+}
+
 // Where the page's script finds what makes a lab live; null where the site has no engine for it.
 json PageWriter::live_data(const Lab& lab, const LabResult& result, std::size_t index) {
   const std::string number = lesson_.number + "-" + std::to_string(block_number(lesson_, index));
@@ -80,8 +97,10 @@ json PageWriter::live_data(const Lab& lab, const LabResult& result, std::size_t 
   json data = nullptr;
   if (press_.manifest.contains("engine.wasm")) {
     data = {{"module", "../" + files.module}};
-    for (const auto& [name, asset] :
-         {std::pair("code", "lab.js"), {"engine", "engine.mjs"}, {"wasm", "engine.wasm"}}) {
+    for (const auto& [name, asset] : {std::pair("code", "lab.js"),
+                                      {"style", "lab.css"},
+                                      {"engine", "engine.mjs"},
+                                      {"wasm", "engine.wasm"}}) {
       data[name] = "../" + press_.manifest.at(asset).get<std::string>();
     }
   }

@@ -16,6 +16,8 @@ namespace {
 
 // In TeX: so many characters, as of "-179", never fill a line.
 constexpr std::size_t kLongestNumber = 8;
+// In characters: they fit into the line of a phone.
+constexpr std::size_t kLongestWhole = 24;
 
 // HTML has no `align` any more, which is how cmark aligns the cells of a table.
 std::string aligned_by_class(std::string table) {
@@ -38,6 +40,13 @@ std::string with_named_box(std::string item) {
   const std::size_t at = item.find(box);
   const bool done = item.compare(at + box.size(), 8, " checked") == 0;
   return item.insert(at + box.size(), done ? " aria-label=\"done\"" : " aria-label=\"to do\"");
+}
+
+// Code that a browser would break at its hyphen: `data->qpos`, `--strict`.
+bool stays_whole(cmark_node* node) {
+  if (cmark_node_get_type(node) != CMARK_NODE_CODE) return false;
+  const std::string_view code = cmark_node_get_literal(node);
+  return code.size() <= kLongestWhole && code.find('-') != code.npos;
 }
 
 // A function for each kind of block, for std::visit.
@@ -93,7 +102,7 @@ bool PageWriter::takes(cmark_node* node) const {
   const cmark_node_type type = cmark_node_get_type(node);
   const std::string name = cmark_node_get_type_string(node);
   return lesson_.block(node) != nullptr || type == CMARK_NODE_HEADING || type == CMARK_NODE_LINK ||
-         name == "table" || name == "tasklist" || kept_before(node) > 0;
+         name == "table" || name == "tasklist" || kept_before(node) > 0 || stays_whole(node);
 }
 
 std::size_t PageWriter::kept_before(cmark_node* text) const {
@@ -123,6 +132,10 @@ std::string PageWriter::write(cmark_node* node, const std::string& inner) {
     const std::string_view text = cmark_node_get_literal(node);
     const std::size_t kept = kept_before(node);
     return escape_html(text.substr(0, kept)) + "</span>" + escape_html(text.substr(kept));
+  }
+  if (type == CMARK_NODE_CODE) {
+    const std::string_view code = cmark_node_get_literal(node);
+    return "<code class=\"whole\">" + escape_html(code) + "</code>";
   }
   if (type == CMARK_NODE_HEADING) return write_heading(node, inner);
   if (type == CMARK_NODE_LINK) return write_link(node, inner);

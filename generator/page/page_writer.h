@@ -46,7 +46,9 @@ class PageWriter {
   nlohmann::json answers() const { return answers_; }
   // All that its knowledge checks ask, each as question.hbs wants it.
   nlohmann::json questions();
-  // What its labs need beside the page; complete once body() was written.
+  // The lab that is block `index`, as lab.hbs wants it.
+  nlohmann::json lab(std::size_t index);
+  // What its labs need beside the page; complete once body() or all their lab() were written.
   const std::vector<LabFiles>& lab_files() const { return lab_files_; }
 
   std::string html(const Document& document) const { return render_html(document.get(), writer_); }
@@ -92,6 +94,7 @@ class PageWriter {
   // `wanted`, with a number behind it where the page has it already.
   std::string unique_id(const std::string& wanted);
   nlohmann::json data_of(const Lab& lab, std::size_t index);
+  nlohmann::json asked_data(const Lab& lab) const;
   nlohmann::json live_data(const Lab& lab, const LabResult& result, std::size_t index);
   nlohmann::json data_of(const Figure& figure, std::size_t index);
   nlohmann::json data_of(const Chart& chart, std::size_t index);

@@ -1,5 +1,5 @@
 // What a lab loads once it comes near the reader: its own code, in pieces (the editor comes only
-// where one is opened), and MuJoCo for the browser where that was built.
+// where one is opened), its styles, and MuJoCo for the browser where that was built.
 
 import { createHash } from "node:crypto";
 import { copyFile, cp, mkdir, readFile } from "node:fs/promises";
@@ -30,7 +30,10 @@ export async function buildLab(site, out, engine) {
 async function buildCode(site, out) {
   const { metafile } = await build({
     absWorkingDir: site,
-    entryPoints: [{ in: "lab/lab.ts", out: "lab" }],
+    entryPoints: [
+      { in: "lab/lab.ts", out: "lab" },
+      { in: "styles/lab-live.css", out: "lab" },
+    ],
     outdir: path.resolve(out),
     entryNames: "assets/[name]-[hash]",
     chunkNames: "assets/[name]-[hash]",
@@ -44,7 +47,8 @@ async function buildCode(site, out) {
     legalComments: "none",
     logLevel: "warning",
   });
-  return manifestOf(metafile, site, out, (output) => output.entryPoint === "lab/lab.ts");
+  const entries = ["lab/lab.ts", "styles/lab-live.css"];
+  return manifestOf(metafile, site, out, (output) => entries.includes(output.entryPoint));
 }
 
 async function copyHashed(from, out, name, content) {

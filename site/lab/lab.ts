@@ -3,7 +3,8 @@
  * this module. However many labs a page has, there is one engine and one WebGL context.
  */
 import { LiveLab } from "./bench/live-lab.js";
-import { fetchFiles, loadModule, openEngine } from "./run/engine-room.js";
+import { wear } from "./page/stylesheet.js";
+import { arrive, fetchFiles, loadModule, openEngine } from "./run/engine-room.js";
 import { Run } from "./run/run.js";
 import { Stage } from "./stage/stage.js";
 
@@ -26,6 +27,7 @@ export async function openLab(lab: HTMLElement): Promise<LabHandle> {
   const [engine, described] = await Promise.all([
     openEngine({ glue: address("engine"), wasm: address("wasm") }),
     loadModule(module),
+    arrive("The lab’s stylesheet", wear(address("style"))),
   ]).catch(refuse);
   const files = await fetchFiles(module, described.lab.model).catch(refuse);
   const live = new LiveLab(lab, new Run(engine, described, files), opened);

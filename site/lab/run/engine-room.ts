@@ -50,7 +50,8 @@ async function fetchBytes(url: URL): Promise<Uint8Array> {
   return new Uint8Array(await response.arrayBuffer());
 }
 
-async function arrive<T>(what: string, arriving: Promise<T>): Promise<T> {
+/** Gives what `arriving` brings; says of what does not come that it is `what`. */
+export async function arrive<T>(what: string, arriving: Promise<T>): Promise<T> {
   try {
     return await arriving;
   } catch (cause) {

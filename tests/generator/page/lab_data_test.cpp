@@ -24,6 +24,7 @@ class LabDataTest : public PageWriterTest {
 
 TEST_F(LabDataTest, WakesUpWhereTheSiteHasAnEngine) {
   manifest_ = {{"lab.js", "assets/lab-1.js"},
+               {"lab.css", "assets/lab-4.css"},
                {"engine.mjs", "assets/engine-2.mjs"},
                {"engine.wasm", "assets/engine-3.wasm"}};
   PageWriter with = writer(kLab);
@@ -31,7 +32,7 @@ TEST_F(LabDataTest, WakesUpWhereTheSiteHasAnEngine) {
   ASSERT_EQ(with.lab_files().size(), 1U);
   const std::string open = "<sim-lab class=\"lab dock\" id=\"lab-1\" data-module=\"../" +
                            with.lab_files()[0].module +
-                           "\" data-code=\"../assets/lab-1.js\" "
+                           "\" data-code=\"../assets/lab-1.js\" data-style=\"../assets/lab-4.css\" "
                            "data-engine=\"../assets/engine-2.mjs\" "
                            "data-wasm=\"../assets/engine-3.wasm\">\n";
   EXPECT_TRUE(html.starts_with(open)) << html;
