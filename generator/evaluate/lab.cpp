@@ -39,7 +39,7 @@ bool read_at_rest(const Lab& lab, LabRun& run, LabResult& result) {
 
 }  // namespace
 
-std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
+std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
                                       Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.size();
   const LabBench bench(lab, lesson, workshop, diagnostics);
@@ -59,10 +59,19 @@ std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, Work
   if (std::optional<LabModel> model = find_lab_model(bench)) result.model = *std::move(model);
   if (diagnostics.size() > before) return std::nullopt;
   result.camera = camera_of(lab.camera, run->simulation().model());
-  const View view{result.camera, lab.overlays, kPosterWidth, lab.height};
+  return result;
+}
+
+std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
+                                      Diagnostics& diagnostics) {
+  std::optional<LabResult> result = rehearse_lab(lab, lesson, workshop, diagnostics);
+  const LabBench bench(lab, lesson, workshop, diagnostics);
+  const std::optional<LabRun> run = result ? LabRun::start(bench, lab.model) : std::nullopt;
+  if (!run) return std::nullopt;
+  const View view{result->camera, lab.overlays, kPosterWidth, lab.height};
   if (const auto picture = draw(run->simulation(), view, "the poster", lab.span, bench)) {
-    result.poster = poster_of(*picture, view);
-    result.pin = compare_pin(lab.pin, *picture, bench);
+    result->poster = poster_of(*picture, view);
+    result->pin = compare_pin(lab.pin, *picture, bench);
   }
   return result;
 }

@@ -13,6 +13,10 @@
 
 namespace mjcourse {
 
+// As evaluate_lab(), but without the poster.
+std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
+                                      Diagnostics& diagnostics);
+
 std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
                                       Diagnostics& diagnostics);
 

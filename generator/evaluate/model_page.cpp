@@ -7,6 +7,7 @@
 
 #include "base/utf8.h"
 #include "evaluate/bench.h"
+#include "evaluate/model_lab.h"
 #include "evaluate/view.h"
 #include "physics/model_files.h"
 
@@ -158,6 +159,7 @@ std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Benc
   const auto picture = draw(*simulation, view, "the model's picture", name.span(), bench);
   if (!picture) return std::nullopt;
   page.poster = poster_of(*picture, view);
+  page.lab = evaluate_model_lab(page, model, view, workshop);
   return page;
 }
 

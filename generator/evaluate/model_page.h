@@ -47,6 +47,12 @@ struct ModelPage {
   std::vector<Keyframe> keyframes;
   std::vector<File> files;  // its own first, then those it is made of
   Poster poster;
+  // A lab with this model (evaluate/model_lab.h).
+  struct LiveLab {
+    std::string fence;  // as it would stand in a lesson
+    LabResult result;   // without a poster, which is the page's
+  };
+  std::optional<LiveLab> lab;  // nothing for a model that does not bear to be simulated
 };
 
 // Of the course's model `name`, which a page links to there. Nothing (reported) where it has none.

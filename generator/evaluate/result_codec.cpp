@@ -93,8 +93,9 @@ MJCOURSE_FIELDS(ModelPage::Actuator, name, on, limits)
 MJCOURSE_FIELDS(ModelPage::Sensor, name, of, data)
 MJCOURSE_FIELDS(ModelPage::Keyframe, name, time)
 MJCOURSE_FIELDS(ModelPage::File, path, text)
+MJCOURSE_FIELDS(ModelPage::LiveLab, fence, result)
 MJCOURSE_FIELDS(ModelPage, name, sizes, timestep, joints, actuators, sensors, keyframes, files,
-                poster)
+                poster, lab)
 #undef MJCOURSE_FIELDS
 
 namespace {
@@ -127,11 +128,13 @@ struct BlobsOf {
 // Paths below the course's folder, and back; others are the system's, and the same everywhere.
 template <typename Change>
 void change_paths(Finding& finding, const Change& change) {
+  const auto change_lab = [&](LabResult& lab) {
+    for (auto& [name, path] : lab.model.assets) path = change(path);
+  };
   for (auto& [block, result] : finding.results) {
-    auto* lab = std::get_if<LabResult>(&result);
-    if (lab == nullptr) continue;
-    for (auto& [name, path] : lab->model.assets) path = change(path);
+    if (auto* lab = std::get_if<LabResult>(&result)) change_lab(*lab);
   }
+  if (finding.model_page && finding.model_page->lab) change_lab(finding.model_page->lab->result);
 }
 
 }  // namespace

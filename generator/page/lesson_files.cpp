@@ -36,14 +36,14 @@ void write_tables(const Lesson& lesson, const LessonResults& results, SiteFiles&
   }
 }
 
+}  // namespace
+
 void write_labs(const std::vector<LabFiles>& labs, SiteFiles& directory) {
   for (const LabFiles& files : labs) {
     for (const auto& [path, bytes] : files.written) directory.write(path, bytes);
     for (const auto& [path, file] : files.copied) directory.copy(file, path);
   }
 }
-
-}  // namespace
 
 void copy_images(const Lesson& page, const LessonResults& results, SiteFiles& directory) {
   for (std::size_t i = 0; i < page.blocks.size(); ++i) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
+#include "page/lab_module.h"
 #include "page/lesson_parts.h"
 #include "page/page_press.h"
 
@@ -12,6 +14,8 @@ namespace mjcourse {
 // have of it. Safe on several threads at once, each with its own `press` and with other lessons.
 void write_lesson(const SiteData& site, std::size_t index, PagePress& press, SiteFiles& directory,
                   Spool& spool, LessonParts* parts);
+
+void write_labs(const std::vector<LabFiles>& labs, SiteFiles& directory);
 
 // The pictures that the author put beside `page`, whichever page of the course that is.
 void copy_images(const Lesson& page, const LessonResults& results, SiteFiles& directory);

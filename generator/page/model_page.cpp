@@ -1,6 +1,7 @@
 #include "page/model_page.h"
 
 #include "course/uses.h"
+#include "evaluate/model_lab.h"
 #include "page/uses_data.h"
 
 namespace mjcourse {
@@ -53,6 +54,20 @@ json tables_of(const ModelPage& model) {
   return tables;
 }
 
+// As lab.hbs wants it; null for none.
+json lab_data(const ModelPage& model, const Course& course, const Press& press,
+              std::vector<LabFiles>& files) {
+  if (!model.lab) return nullptr;
+  const Lesson lesson = lesson_of_lab(model);
+  LessonResults results;
+  results.of_block[0] = model.lab->result;
+  PageWriter writer(course, lesson, results, press);
+  json data = writer.lab(0);
+  data["poster"] = poster_data(model, "../", Loaded::at_once);
+  files = writer.lab_files();
+  return data;
+}
+
 }  // namespace
 
 std::string model_poster_path(const ModelPage& model) {
@@ -70,8 +85,9 @@ json sizes_data(const ModelPage& model) {
   return sizes;
 }
 
-std::string model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,
-                       const Press& press) {
+ModelPageHtml model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,
+                         const Press& press) {
+  ModelPageHtml page;
   json files = json::array();
   for (const ModelPage::File& file : model.files) {
     files.push_back({{"id", nullptr},
@@ -83,15 +99,17 @@ std::string model_page(const ModelPage& model, const Course& course, const Evalu
                      {"unchecked", false},
                      {"output", nullptr}});
   }
-  return render_template(
+  page.body = render_template(
       press.templates, "model",
       {{"name", model.name},
        {"poster", poster_data(model, "../", Loaded::at_once)},
+       {"lab", lab_data(model, course, press, page.lab_files)},
        {"sizes", sizes_data(model)},
        {"timestep", model.timestep},
        {"tables", tables_of(model)},
        {"files", std::move(files)},
        {"uses", uses_data(uses_of_model(course, model.name), course, evaluation, "../")}});
+  return page;
 }
 
 }  // namespace mjcourse

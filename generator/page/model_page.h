@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "evaluate/evaluate.h"
 #include "page/page_writer.h"
@@ -10,9 +11,14 @@
 
 namespace mjcourse {
 
-// The page's body; `press` writes models/NAME.html.
-std::string model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,
-                       const Press& press);
+struct ModelPageHtml {
+  std::string body;
+  std::vector<LabFiles> lab_files;  // what its lab needs beside it
+};
+
+// `press` writes models/NAME.html.
+ModelPageHtml model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,
+                         const Press& press);
 
 // The model's picture, as picture.hbs wants it, and its sizes; `root` is the way to the site's
 // root.

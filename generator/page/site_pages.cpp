@@ -130,14 +130,15 @@ void SitePages::write_gallery(PagePress& press) {
 void SitePages::write_model(const ModelPage& model, PagePress& press) {
   const std::string path = model_page_path(model.name);
   InlineStyles styles;
-  const std::string body =
+  const ModelPageHtml page =
       model_page(model, site_.course, site_.evaluation, press.press(styles, path));
   press.write(path,
               {"model", model.name,
                "The model " + model.name + " of " + site_.course.title +
-                   ": a picture, its joints, its MJCF.",
+                   ": a live lab, its joints, its MJCF.",
                "../"},
-              body, styles);
+              page.body, styles);
+  write_labs(page.lab_files, out_);
   out_.write(model_poster_path(model) + ".webp", model.poster.webp);
   out_.write(model_poster_path(model) + ".png", model.poster.png);
   for (const ModelPage::File& file : model.files) out_.copy(root_ / file.path, file.path);

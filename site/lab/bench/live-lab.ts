@@ -108,7 +108,7 @@ export class LiveLab implements Follower {
       new Map(presets.map((preset) => [preset, () => this.#view.lookFrom(preset)])),
     );
     const copy = copyMenu(run, () => this.#links.address(this.#panel.edit?.edited === true));
-    const title = "State, controls, camera, overlays, speed and model as the lesson gave them";
+    const title = "State, controls, camera, overlays, speed and model as they were at first";
     const back = make("button", { type: "button", class: "menu-opener", title }, "reset all");
     back.addEventListener("click", () => void this.restoreLesson());
     const keys = this.#keys();

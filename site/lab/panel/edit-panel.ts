@@ -19,7 +19,7 @@ export class EditPanel {
     this.#run = run;
     this.#lesson = run.mjcf;
     this.#rebuilt = rebuilt;
-    const back = make("button", { type: "button", class: "lab-button" }, "The lesson’s text again");
+    const back = make("button", { type: "button", class: "lab-button" }, "The first text again");
     back.addEventListener("click", () => void this.replace(this.#lesson));
     const summary = make("summary", {}, "Edit the model");
     const parts = [summary, this.#host, this.#status, back, ...tasks];

@@ -10,8 +10,8 @@ import { Lab } from "./lab.mjs";
 await testSite(async (visitor) => {
   let readings = 0;
   for (const path of pages) {
-    const number = /\/(\w+\.\d+)-/.exec(path)?.[1];
-    if (number === undefined) continue; // no lesson, and so without labs
+    const number = (/^models\/(.+)\.html$/.exec(path) ?? /\/(\w+\.\d+)-/.exec(path))?.[1];
+    if (number === undefined) continue; // neither a model nor a lesson, and so without labs
     await visitor.visit(path, {}, async (page) => {
       const labs = page.locator("sim-lab[data-code]");
       for (let index = 1; index <= (await labs.count()); ++index) {

@@ -1,0 +1,24 @@
+// The lab on a model's page: the model to play with, to push, and to change.
+//
+// It is written as an author writes a lab, and goes the same way from then on: read, rehearsed with
+// every control, shown. What the model does not bear is nobody's mistake here, and is left out.
+#pragma once
+
+#include <optional>
+
+#include "evaluate/model_page.h"
+#include "evaluate/view.h"
+#include "evaluate/workshop.h"
+
+namespace mjcourse {
+
+// For `page`, which tells of `model`: a control for each named keyframe and each actuator, a
+// reading for each joint of one degree of freedom, up to a handful. Nothing where not even the
+// model alone can be rehearsed.
+std::optional<ModelPage::LiveLab> evaluate_model_lab(const ModelPage& page, const Model& model,
+                                                     const View& view, Workshop& workshop);
+
+// The page's lab as the one block of a lesson, whose page it is.
+Lesson lesson_of_lab(const ModelPage& page);
+
+}  // namespace mjcourse
