@@ -60,6 +60,24 @@ async function opensAtSection(visitor, page, where) {
   visitor.expect(there === href.includes("#"), where, `${href} is not where its link leads`);
 }
 
+// Whoever knows the key does not wait for what it opens.
+async function takesWhatIsTyped(visitor, page, where) {
+  await page.route("**/search-*.js", async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 300));
+    await route.continue();
+  });
+  const here = page.url();
+  for (const key of ["/", "q", "u", "x", "Backspace", "a", "]", "Backspace"]) {
+    await page.keyboard.press(key);
+  }
+  visitor.expect((await field(page).count()) === 0, where, "the search came too soon for this");
+  await field(page).waitFor();
+  await page.keyboard.type("ternion");
+  const words = await field(page).inputValue();
+  visitor.expect(words === "quaternion", where, `of “quaternion” the field has “${words}”`);
+  visitor.expect(page.url() === here, where, "what is typed turns the page");
+}
+
 async function turnsPages(visitor, page, where) {
   const next = await page.locator("a[rel=next]").first().getAttribute("href");
   await page.keyboard.press("?");
@@ -111,6 +129,7 @@ await testSite(async (visitor) => {
       await opensAtSection(visitor, page, where);
     });
   }
+  await visitor.visit(lesson, {}, (page) => takesWhatIsTyped(visitor, page, "typed at once"));
   await visitor.visit("guide/A.2-text.html", {}, (page) => turnsPages(visitor, page, "the keys"));
   await visitor.visit(lesson, {}, async (page) => {
     page.removeAllListeners("request"); // it leaves the server on purpose

@@ -16,13 +16,13 @@ link.href = addressOf(window.mjcourse!.styles);
 const styled = add(link).catch(() => undefined);
 
 function openKeys(): void {
-  void styled.then(() => (keys ??= new KeysDialog()).open());
+  (keys ??= new KeysDialog()).open();
 }
 
-function openSearch(words?: string): void {
-  void styled.then(() => (search ??= new SearchDialog(openKeys)).open(words));
+function openSearch(words?: string, typed = ""): void {
+  (search ??= new SearchDialog(openKeys)).open(words, typed);
 }
 
 const missing = document.querySelector(".missing");
 if (missing) mendMissingPage(missing, openSearch);
-window.mjcourse!.dialogs = { openSearch, openKeys };
+window.mjcourse!.dialogs = { styled, openSearch, openKeys };

@@ -2,6 +2,7 @@
 // made here because without the script it could do nothing.
 
 import { run, type Dialogs } from "./scripts.js";
+import { takeTyped } from "./typed-ahead.js";
 
 const button = document.createElement("button");
 let loading: Promise<Dialogs> | undefined;
@@ -9,7 +10,9 @@ let loading: Promise<Dialogs> | undefined;
 async function load(): Promise<Dialogs> {
   await run("search.js");
   await run(window.mjcourse!.code);
-  return window.mjcourse!.dialogs!;
+  const dialogs = window.mjcourse!.dialogs!;
+  await dialogs.styled;
+  return dialogs;
 }
 
 async function open(show: (dialogs: Dialogs) => void): Promise<void> {
@@ -24,7 +27,8 @@ async function open(show: (dialogs: Dialogs) => void): Promise<void> {
 
 /** Without `words`, what was looked for last is still there. */
 export function openSearch(words?: string): void {
-  void open((dialogs) => dialogs.openSearch(words));
+  const typed = takeTyped();
+  void open((dialogs) => dialogs.openSearch(words, typed.end())).finally(typed.end);
 }
 
 export function openKeys(): void {

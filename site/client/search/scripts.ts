@@ -6,7 +6,10 @@
 import type { Page } from "./pages.js";
 
 export interface Dialogs {
-  openSearch(words?: string): void;
+  /** Until their stylesheet is there, or will not come. */
+  readonly styled: Promise<unknown>;
+  /** Without `words`, what was looked for last stays; unless something was `typed` on the way. */
+  openSearch(words?: string, typed?: string): void;
   openKeys(): void;
 }
 

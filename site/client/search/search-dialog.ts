@@ -52,12 +52,13 @@ export class SearchDialog {
     document.body.append(this.#dialog);
   }
 
-  /** Without `words`, what was looked for last stays there. */
-  open(words?: string): void {
+  /** Without `words`, what was looked for last stays there, and gives way to what is `typed`. */
+  open(words?: string, typed = ""): void {
     if (words !== undefined) this.#field.value = words;
     if (!this.#dialog.open) this.#dialog.showModal();
     this.#field.focus();
     this.#field.select();
+    if (typed !== "") this.#field.setRangeText(typed, 0, this.#field.value.length, "end");
     void this.#find();
   }
 
