@@ -20,6 +20,20 @@ nlohmann::json roots_of(const PageHead& head) {
   return nlohmann::json::array({"", "../", "../../", "../../../"});
 }
 
+// Those of the first lines. A course with a style of its own may have other faces, and a page that
+// may be shown anywhere does not know where they are.
+nlohmann::json fonts_of(const PageHead& head, const SiteData& site) {
+  nlohmann::json fonts = nlohmann::json::array();
+  if (head.anywhere || !site.theme.empty()) return fonts;
+  for (const std::string name : {"serif.woff2", "sans.woff2", "italic.woff2"}) {
+    if (name == "italic.woff2" && head.kind != "lesson") continue;  // it is set in its summary
+    if (site.manifest.contains(name)) {
+      fonts.push_back(head.root + site.manifest.at(name).get<std::string>());
+    }
+  }
+  return fonts;
+}
+
 }  // namespace
 
 PressEngines::PressEngines(const Files& assets, std::size_t memory)
@@ -84,6 +98,7 @@ std::string PagePress::frame(const std::string& path, const PageHead& head,
                             {"kind", head.kind},
                             {"home", head.kind == "home"}}},
                           {"theme", site_.theme},
+                          {"fonts", fonts_of(head, site_)},
                           {"place", web_place(site_, path, head)},
                           {"root", head.root},
                           {"roots", roots_of(head)},

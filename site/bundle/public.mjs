@@ -1,4 +1,4 @@
-// The files a reader's browser loads: one stylesheet with its fonts, one small script, the favicon;
+// The files a reader's browser loads: a stylesheet with its fonts, one small script, the favicon;
 // and what only some pages have of scripts and styles, or have once they are shown or asked for.
 
 import path from "node:path";
@@ -43,8 +43,22 @@ export function pageBuild(site, out) {
   };
 }
 
+// The pieces of fonts that the first lines of a page are set in, under names for the generator, which
+// has pages ask for them before the stylesheet does.
+const firstFonts = {
+  "serif.woff2": "source-serif-4-latin-wght-normal-400-650-1.woff2",
+  "italic.woff2": "source-serif-4-latin-wght-italic-400-1.woff2",
+  "sans.woff2": "source-sans-3-latin-wght-normal-400-650-1.woff2",
+};
+
 // Builds into `out` and returns the manifest: plain name → hashed path below `out`.
 export async function buildPublic(site, out) {
   const { metafile } = await build(pageBuild(site, out));
-  return manifestOf(metafile, site, out);
+  const manifest = manifestOf(metafile, site, out);
+  for (const [name, piece] of Object.entries(firstFonts)) {
+    if (!manifest[piece])
+      throw new Error(`the fonts have no piece ${piece} (bundle/font-cuts.mjs)`);
+    manifest[name] = manifest[piece];
+  }
+  return manifest;
 }

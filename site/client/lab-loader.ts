@@ -1,5 +1,6 @@
 // Makes a lab's picture live. Until then it is a picture with a Play button: the engine is large, so
-// it is loaded when the reader presses Play, or when the page is idle and the lab is near.
+// it is loaded when the reader presses Play, or when the page is idle, the lab is near, and the reader
+// has moved at all: whoever opened the page and left it has no use for a running simulator.
 //
 // Where it cannot be loaded the picture stays, and one line says why and what to do. What happens
 // once it is loaded is in lab/lab.ts, which this script knows only by its address.
@@ -41,7 +42,8 @@ class SimLab extends HTMLElement {
     this.#status.setAttribute("role", "status");
     view.append(this.#play);
     view.after(this.#status);
-    if (!savesData()) whenNearAndIdle(this, () => void this.#open().catch(() => undefined));
+    if (savesData()) return;
+    onFirstMove(() => whenNearAndIdle(this, () => void this.#open().catch(() => undefined)));
   }
 
   async #playOnceOpen(): Promise<void> {
@@ -60,6 +62,7 @@ class SimLab extends HTMLElement {
       const focused = this.#play.matches(":focus");
       this.#play.remove();
       this.#status.textContent = reasonOf(error);
+      this.dataset["refused"] = "";
       if (focused) this.#status.tabIndex = -1;
       if (focused) this.#status.focus();
       throw error;
@@ -91,6 +94,17 @@ function reasonOf(error: unknown): string {
 function savesData(): boolean {
   const { connection } = navigator as { connection?: { readonly saveData?: boolean } };
   return connection?.saveData === true;
+}
+
+function onFirstMove(act: () => void): void {
+  const listening = new AbortController();
+  const move = (): void => {
+    listening.abort();
+    act();
+  };
+  for (const kind of ["pointermove", "pointerdown", "keydown", "scroll"]) {
+    addEventListener(kind, move, { capture: true, passive: true, signal: listening.signal });
+  }
 }
 
 function whenNearAndIdle(element: Element, act: () => void): void {

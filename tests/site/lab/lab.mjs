@@ -28,9 +28,11 @@ export class Lab {
     this.time = this.root.locator(".lab-time");
   }
 
-  // The lab of that id, once it is live; it is scrolled to, as labs wake when they come near.
+  // The lab of that id, once it is live; it is scrolled to, as labs wake when they come near a reader
+  // who has moved.
   static async wake(page, id) {
     const lab = new Lab(page, id);
+    for (const place of [4, 5]) await page.mouse.move(place, place);
     await lab.root.scrollIntoViewIfNeeded();
     await page.locator(`#${id}[data-live]`).waitFor({ timeout: patience });
     await lab.settle();
