@@ -43,8 +43,8 @@ export function pageBuild(site, out) {
   };
 }
 
-// The pieces of fonts that the first lines of a page are set in, under names for the generator, which
-// has pages ask for them before the stylesheet does.
+// The pieces of fonts that the first lines of a page are set in, under names for the generator: pages
+// ask for them before any line is laid out.
 const firstFonts = {
   "serif.woff2": "source-serif-4-latin-wght-normal-400-650-1.woff2",
   "italic.woff2": "source-serif-4-latin-wght-italic-400-1.woff2",

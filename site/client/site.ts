@@ -3,6 +3,7 @@
 
 import { followContents } from "./contents.js";
 import { localizeDates } from "./dates.js";
+import { askForFonts } from "./first-fonts.js";
 import { listenToKeys } from "./keys.js";
 import { upgradeLabs } from "./lab-loader.js";
 import { loadListing } from "./listing-loader.js";
@@ -33,5 +34,6 @@ function begin(): void {
 
 if (claimPage()) {
   applyTheme();
+  askForFonts();
   document.addEventListener("DOMContentLoaded", begin);
 }

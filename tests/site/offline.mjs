@@ -88,7 +88,9 @@ class Reader {
 
   // Until all of it has come: what a later deployment breaks off is no mistake of the page's.
   async go(path) {
-    await this.page.goto(this.root + path, { waitUntil: "networkidle" });
+    await this.page.goto(this.root + path);
+    for (const place of [4, 5]) await this.page.mouse.move(place, place); // labs that are near wake
+    await this.page.waitForLoadState("networkidle");
   }
 
   // Until the worker has the page, and all that it has loaded before there was a worker.

@@ -4,10 +4,27 @@ import { make, newId, setText } from "../markup/element.js";
 import { fixed } from "../run/fixed.js";
 import type { ControlView, Operate } from "./control-view.js";
 
+/** A browser counts steps in decimal numbers, to the last digit. So an end that rounding has put
+ * beyond the last step by less than this part of one would not be reached. */
+const hair = 1e-12;
+
+/** Is the end a whole number of steps away, but for rounding? */
+function dividesRange({ min, max, step }: Slider): boolean {
+  const steps = (max - min) / step;
+  return Math.abs(steps - Math.round(steps)) < 1e-9;
+}
+
+function reachesEnd(input: HTMLInputElement, max: number): boolean {
+  input.value = String(max);
+  return input.valueAsNumber === max;
+}
+
 export function sliderView(slider: Slider, operate: Operate): ControlView {
   const { label, min, max, step, digits, unit } = slider;
   const id = newId();
   const input = make("input", { type: "range", id, min, max, step });
+  const divided = dividesRange(slider);
+  if (divided && !reachesEnd(input, max)) input.step = String(step * (1 - hair));
   const output = make("span", { class: "number" });
   const name = make("label", { for: id }, label);
   const element = make("div", { class: "lab-slider" }, name, output, input);
@@ -18,8 +35,10 @@ export function sliderView(slider: Slider, operate: Operate): ControlView {
     input.setAttribute("aria-valuetext", text);
   };
   input.addEventListener("input", () => {
-    say(input.valueAsNumber);
-    operate(input.valueAsNumber);
+    const chosen = input.valueAsNumber;
+    const value = divided && max - chosen < step / 2 ? max : chosen;
+    say(value);
+    operate(value);
   });
   return {
     element,

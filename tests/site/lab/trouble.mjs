@@ -18,6 +18,7 @@ await testSite(async (visitor) => {
   for (const [words, before] of lacking) {
     await visitor.visit(trouble, { before }, async (page) => {
       const lab = page.locator("#lab-1");
+      for (const place of [4, 5]) await page.mouse.move(place, place);
       const status = lab.getByRole("status").filter({ hasText: words });
       await status.waitFor({ timeout: 30_000 });
       expect(await lab.locator("img").isVisible(), `without ${words} there is no poster`);
