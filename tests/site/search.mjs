@@ -76,6 +76,7 @@ async function takesWhatIsTyped(visitor, page, where) {
   const words = await field(page).inputValue();
   visitor.expect(words === "quaternion", where, `of “quaternion” the field has “${words}”`);
   visitor.expect(page.url() === here, where, "what is typed turns the page");
+  await page.unrouteAll({ behavior: "wait" });
 }
 
 async function turnsPages(visitor, page, where) {
