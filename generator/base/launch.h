@@ -35,8 +35,8 @@ class Launch {
   [[noreturn]] void become() const;
 
   const Command& command_;
-  const Confinement confinement_;
-  const pid_t parent_;
+  Confinement confinement_;
+  pid_t parent_;
   Ends ends_;
   std::vector<std::string> fixed_;
   std::vector<char*> arguments_, environment_;  // as execvpe takes them

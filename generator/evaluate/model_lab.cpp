@@ -1,6 +1,5 @@
 #include "evaluate/model_lab.h"
 
-#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -96,10 +95,11 @@ std::optional<ModelPage::LiveLab> rehearsed(const std::string& name, std::string
 
 std::optional<ModelPage::LiveLab> evaluate_model_lab(const ModelPage& page, const Model& model,
                                                      const View& view, Workshop& workshop) {
-  std::string whole = fence_of(page.name, view, controls_of(page, model), readouts_of(page, model));
-  auto lab = rehearsed(page.name, std::move(whole), workshop);
+  const json readouts = readouts_of(page, model);
+  auto lab =
+      rehearsed(page.name, fence_of(page.name, view, controls_of(page, model), readouts), workshop);
   if (lab) return lab;
-  return rehearsed(page.name, fence_of(page.name, view, json::array(), json::array()), workshop);
+  return rehearsed(page.name, fence_of(page.name, view, json::array(), readouts), workshop);
 }
 
 Lesson lesson_of_lab(const ModelPage& page) {

@@ -1,7 +1,8 @@
 // The lab on a model's page: the model to play with, to push, and to change.
 //
 // It is written as an author writes a lab, and goes the same way from then on: read, rehearsed with
-// every control, shown. What the model does not bear is nobody's mistake here, and is left out.
+// every control, shown. Controls under which the model does not stay sound are nobody's mistake
+// here: then the lab has none.
 #pragma once
 
 #include <optional>

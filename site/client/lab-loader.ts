@@ -5,6 +5,8 @@
 // Where it cannot be loaded the picture stays, and one line says why and what to do. What happens
 // once it is loaded is in lab/lab.ts, which this script knows only by its address.
 
+import { whenNear } from "./near.js";
+
 interface LabHandle {
   play(): void;
 }
@@ -12,8 +14,6 @@ interface LabHandle {
 interface LabCode {
   readonly openLab: (element: HTMLElement) => Promise<LabHandle>;
 }
-
-const near = "300px";
 
 const reasons = {
   file:
@@ -43,7 +43,8 @@ class SimLab extends HTMLElement {
     view.append(this.#play);
     view.after(this.#status);
     if (savesData()) return;
-    onFirstMove(() => whenNearAndIdle(this, () => void this.#open().catch(() => undefined)));
+    const open = (): void => void this.#open().catch(() => undefined);
+    onFirstMove(() => whenNear(this, () => whenIdle(open)));
   }
 
   async #playOnceOpen(): Promise<void> {
@@ -105,18 +106,6 @@ function onFirstMove(act: () => void): void {
   for (const kind of ["pointermove", "pointerdown", "keydown", "scroll"]) {
     addEventListener(kind, move, { capture: true, passive: true, signal: listening.signal });
   }
-}
-
-function whenNearAndIdle(element: Element, act: () => void): void {
-  const observer = new IntersectionObserver(
-    ([entry]) => {
-      if (!entry?.isIntersecting) return;
-      observer.disconnect();
-      whenIdle(act);
-    },
-    { rootMargin: near },
-  );
-  observer.observe(element);
 }
 
 function whenIdle(act: () => void): void {

@@ -287,5 +287,11 @@ TEST_F(PageWriterTest, MixesTheItemsOfAnOrder) {
   expect_in(html, "<ol class=\"right\">\n<li>a</li>\n<li>b</li>\n<li><em>c</em></li>\n</ol>");
 }
 
+TEST_F(PageWriterTest, KeepsCodeWithAHyphenOnOneLine) {
+  EXPECT_EQ(body("`data->qpos`, `qpos` and `a long command with --an-option`\n"),
+            "<p><code class=\"whole\">data-&gt;qpos</code>, <code>qpos</code> and "
+            "<code>a long command with --an-option</code></p>\n");
+}
+
 }  // namespace
 }  // namespace mjcourse
