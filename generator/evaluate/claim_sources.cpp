@@ -3,24 +3,21 @@
 #include <algorithm>
 
 #include "base/content_hash.h"
-#include "base/files.h"
+#include "evaluate/dependency.h"
 #include "physics/model_files.h"
 
 namespace mjcourse {
-namespace {
 
 namespace fs = std::filesystem;
-
-std::string bytes_of(const fs::path& file) {
-  return DiskFiles(file.parent_path()).read(file.filename().string()).value_or("");
-}
-
-}  // namespace
 
 std::string hash_of(const std::vector<std::string>& parts) {
   std::string all;
   for (const std::string& part : parts) all += std::to_string(part.size()) + ":" + part;
   return content_hash(all);
+}
+
+std::string ClaimSources::of(const fs::path& file) {
+  return fingerprints_.of(file_dependency(fs::absolute(file), root_));
 }
 
 std::string ClaimSources::model(const std::string& name) {
@@ -31,15 +28,12 @@ std::string ClaimSources::model(const std::string& name) {
   return known->second;
 }
 
-std::string ClaimSources::read_model(const std::string& name) const {
+std::string ClaimSources::read_model(const std::string& name) {
   const fs::path file = root_ / "models" / (name + ".xml");
-  std::vector<std::string> parts{bytes_of(file)};
+  std::vector<std::string> parts{of(file)};
   if (const auto sources = find_model_sources(file.string())) {
     for (const auto* group : {&sources->texts, &sources->assets}) {
-      for (const auto& [called, path] : *group) {
-        parts.push_back(called);
-        parts.push_back(bytes_of(path));
-      }
+      for (const auto& [called, path] : *group) parts.insert(parts.end(), {called, of(path)});
     }
   }
   return hash_of(parts);
@@ -61,16 +55,15 @@ std::string ClaimSources::helper() {
   return *helper_;
 }
 
-std::string ClaimSources::files(const std::vector<std::string>& paths) const {
-  const DiskFiles course(root_);
+std::string ClaimSources::files(const std::vector<std::string>& paths) {
   std::vector<std::string> parts;
   for (const std::string& path : paths) {
-    parts.insert(parts.end(), {path, course.read(path).value_or("")});
+    parts.insert(parts.end(), {path, of(root_ / path)});
   }
   return hash_of(parts);
 }
 
-std::string ClaimSources::read_helper() const {
+std::string ClaimSources::read_helper() {
   std::vector<std::string> parts;
   for (const fs::path& folder : include_) {
     std::vector<fs::path> files;
@@ -80,8 +73,8 @@ std::string ClaimSources::read_helper() const {
     }
     std::sort(files.begin(), files.end());
     for (const fs::path& file : files) {
-      parts.push_back(fs::relative(file, folder).string());
-      parts.push_back(bytes_of(file));
+      parts.push_back(file.lexically_relative(folder).string());
+      parts.push_back(of(file));
     }
   }
   return hash_of(parts);

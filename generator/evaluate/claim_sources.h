@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "evaluate/fingerprints.h"
 #include "evaluate/include_folders.h"
 
 namespace mjcourse {
@@ -15,9 +16,13 @@ namespace mjcourse {
 class ClaimSources {
  public:
   // `root` is the course's folder, `models` the names of its models, `include` where its programs
-  // find headers.
-  ClaimSources(std::filesystem::path root, std::vector<std::string> models, IncludeFolders include)
-      : root_(std::move(root)), models_(std::move(models)), include_(std::move(include)) {}
+  // find headers. `fingerprints`, those of the course, must outlive this.
+  ClaimSources(const std::filesystem::path& root, std::vector<std::string> models,
+               IncludeFolders include, Fingerprints& fingerprints)
+      : root_(std::filesystem::absolute(root).lexically_normal()),
+        models_(std::move(models)),
+        include_(std::move(include)),
+        fingerprints_(fingerprints) {}
 
   // All from any thread.
   // Of a model of the course: its file, and all files that this names. Empty when there is none.
@@ -25,17 +30,19 @@ class ClaimSources {
   // Of all models that a program's or a question's text names: "joint_zoo" or joint_zoo.xml.
   std::string models_named_in(const std::string& text);
   // Of these files, relative to the course.
-  std::string files(const std::vector<std::string>& paths) const;
+  std::string files(const std::vector<std::string>& paths);
   // Of the course's own headers and the helper header.
   std::string helper();
 
  private:
-  std::string read_model(const std::string& name) const;
-  std::string read_helper() const;
+  std::string of(const std::filesystem::path& file);
+  std::string read_model(const std::string& name);
+  std::string read_helper();
 
   std::filesystem::path root_;
   std::vector<std::string> models_;
   IncludeFolders include_;
+  Fingerprints& fingerprints_;
   std::mutex mutex_;
   std::map<std::string, std::string> known_;  // of models, by name
   std::optional<std::string> helper_;

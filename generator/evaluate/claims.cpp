@@ -27,11 +27,9 @@ std::set<Stand> stands_of(const Course& course) {
 
 }  // namespace
 
-void make_claims(const Course& course, const std::filesystem::path& root,
-                 const IncludeFolders& include, const Programs& programs, std::size_t threads,
-                 Evaluation& evaluation) {
+void make_claims(const Course& course, ClaimSources& sources, const Programs& programs,
+                 std::size_t threads, Evaluation& evaluation) {
   const std::set<Stand> stands = stands_of(course);
-  ClaimSources sources(root, course.models, include);
   const std::size_t glossary = course.lessons.size();
   for_each_index(
       glossary + (course.glossary ? 1 : 0), threads, [&](std::size_t index, std::size_t) {
@@ -52,7 +50,8 @@ Claims claims_of_prose(const Lesson& lesson, const Evaluation& evaluation) {
   const LessonResults none;
   const Programs programs;
   const std::set<Stand> stands;
-  ClaimSources sources({}, {}, {});
+  Fingerprints fingerprints("/");
+  ClaimSources sources("/", {}, {}, fingerprints);
   return LessonClaims(lesson, 0, none, evaluation, programs, stands, sources).run();
 }
 

@@ -5,20 +5,18 @@
 // new kind of block gets a kind of Claim (claim.h), such a function, and a line in tally_of.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 
+#include "evaluate/claim_sources.h"
 #include "evaluate/evaluate.h"
-#include "evaluate/include_folders.h"
 
 namespace mjcourse {
 
 // Fills the claims and the tally of every lesson of `evaluation`, whose results, diagnostics and
 // versions are complete; of a lesson that rests as a card, the tally alone. `programs` are the
-// results of the examples by their files, which find headers in `include`. Works on `threads`.
-void make_claims(const Course& course, const std::filesystem::path& root,
-                 const IncludeFolders& include,
+// results of the examples by their files. Works on `threads`.
+void make_claims(const Course& course, ClaimSources& sources,
                  const std::map<std::string, ExampleResult>& programs, std::size_t threads,
                  Evaluation& evaluation);
 

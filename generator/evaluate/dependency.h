@@ -6,6 +6,7 @@
 // a host, a user or a time.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,10 @@ struct Dependency {
 using Dependencies = std::vector<Dependency>;
 
 inline constexpr const char* kAbsent = "absent";
+
+// What a file is called, of a course in `root`, an absolute path without dots; `path` may be
+// relative to it.
+std::string file_dependency(const std::filesystem::path& path, const std::filesystem::path& root);
 
 // What a program's reports are called as a dependency.
 inline std::string program_dependency(const std::string& name) {

@@ -99,8 +99,9 @@ class Evaluator {
     }));
     evaluation_.api = evaluate_api(course_, installed_mujoco_api, evaluation_.diagnostics);
     for (std::size_t i = 0; i < course_.lessons.size(); ++i) finish(i);
-    make_claims(course_, workplace_.root, setting_.include_folders(), programs_, workplace_.threads,
-                evaluation_);
+    ClaimSources sources(workplace_.root, course_.models, setting_.include_folders(),
+                         fingerprints_);
+    make_claims(course_, sources, programs_, workplace_.threads, evaluation_);
     return std::move(evaluation_);
   }
 

@@ -14,21 +14,14 @@ void Trace::clear() {
   complete_ = true;
 }
 
-std::string Trace::name_of(const fs::path& path) const {
-  const fs::path whole = (root_ / path).lexically_normal();
-  const fs::path below = whole.lexically_relative(root_);
-  const bool inside = !below.empty() && *below.begin() != "..";
-  return (inside ? below : whole).string();
-}
-
 bool Trace::file(const fs::path& path) {
-  return names_.insert(name_of(path)).second;
+  return names_.insert(file_dependency(path, root_)).second;
 }
 
 void Trace::files(const std::vector<std::string>& paths) {
   std::vector<std::string> others;
   for (const std::string& path : paths) {
-    std::string name = name_of(path);
+    std::string name = file_dependency(path, root_);
     if (name.starts_with('/')) {
       others.push_back(std::move(name));
     } else {

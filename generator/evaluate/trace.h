@@ -37,8 +37,6 @@ class Trace {
   const std::set<std::vector<std::string>>& sets() const { return sets_; }
 
  private:
-  std::string name_of(const std::filesystem::path& path) const;
-
   std::filesystem::path root_;
   std::set<std::string> names_;
   std::set<std::vector<std::string>> sets_;
