@@ -67,9 +67,9 @@ void integrate_pose(const Model& model) {
   const int joint = id_of(model, mjOBJ_JOINT, "free");
   VectorXd q = qpos(model, data);  // a copy: the state itself stays as it is
   VectorXd v = VectorXd::Zero(model->nv);
-  v.segment<3>(model->jnt_dofadr[joint] + 3) << 1, 2,
-      3;                                            // angular velocity, rad/s
-  mj_integratePos(model, q.data(), v.data(), 0.5);  // advance 0.5 s
+  // Its angular velocity, rad/s, for half a second.
+  v.segment<3>(model->jnt_dofadr[joint] + 3) = Eigen::Vector3d(1, 2, 3);
+  mj_integratePos(model, q.data(), v.data(), 0.5);
   const Eigen::Vector4d quat = q.segment<4>(model->jnt_qposadr[joint] + 3);
   std::printf("after mj_integratePos: quaternion = %s  norm = %s\n",
               to_text(quat).c_str(), to_text(quat.norm(), 12).c_str());

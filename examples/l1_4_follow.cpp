@@ -1,7 +1,7 @@
 // Lesson 1.4, challenge: a motion wanted, and the controls that make it.
 //
 // INPUT    three_arms.xml; a wanted swing of the front arm, for two seconds
-// PROCESS  put the wanted pose, velocity and acceleration into data of their own,
+// PROCESS  put the wanted pose, velocity and acceleration into a second mjData,
 //          ask mj_inverse for the torques, divide by the gears: that is ctrl;
 //          do it with ever shorter steps, then with a start that is off
 // OUTPUT   the largest error of an angle on the way
