@@ -64,6 +64,8 @@ export class Shadows {
   ): void {
     const { uniforms, target } = this;
     uniforms.shadowCount.value = casting.length;
+    // Where no light has a tile nobody reads the map, and WebGL draws nothing without it all the same.
+    renderer.initRenderTarget(target);
     if (casting.length === 0) return;
     const tile = Math.min(settings.size, largestTile);
     const across = casting.length > 1 ? 2 : 1;

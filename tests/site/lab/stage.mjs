@@ -71,13 +71,14 @@ async function testStage(visitor, labs) {
     const expect = (good, what) => visitor.expect(good, "the stage", what);
     await page.waitForFunction(() => "open" in window);
     for (const lab of labs) await tryPoster(page, lab, expect);
+    const shapes = labs[3];
     await page.evaluate(async (lab) => {
       await window.open(lab);
       window.resize(lab.width / 2, lab.height / 2); // software draws small pictures faster
-    }, labs[2]);
+    }, shapes);
     await tryOverlays(page, expect);
-    await tryGhost(page, labs[2], expect);
-    await trySizesAndMemory(page, labs[2], expect);
+    await tryGhost(page, shapes, expect);
+    await trySizesAndMemory(page, shapes, expect);
     await tryLoss(page, expect);
     const time = await page.evaluate(() => window.drawingTime());
     console.log(`a frame takes ${time.toFixed(1)} ms of script`);
