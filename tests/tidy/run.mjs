@@ -1,6 +1,9 @@
 // clang-tidy over the generator, by the repository's .clang-tidy.
 //
-//   node tests/tidy.mjs BUILD     BUILD: the folder with compile_commands.json
+//   node tests/tidy/run.mjs BUILD PLUGIN
+//
+//   BUILD    the folder with compile_commands.json
+//   PLUGIN   own_code.cpp, compiled
 //
 // A file takes seconds, so one in which nothing was found is not looked at again before it, a
 // header of ours that it includes, its flags or .clang-tidy change.
@@ -10,15 +13,15 @@ import { existsSync, readFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import { join, relative, resolve } from "node:path";
 
-import { Stamps } from "./stamps.mjs";
+import { Stamps } from "../stamps.mjs";
 
 const tidy = "clang-tidy-16";
-const root = resolve(import.meta.dirname, "..");
+const root = resolve(import.meta.dirname, "../..");
 const generator = join(root, "generator");
-const build = resolve(process.argv[2] ?? "build/release");
+const [build, plugin] = process.argv.slice(2).map((path) => resolve(path));
 const stamps = new Stamps("tidy");
 // The flags are g++'s, and may name warnings that clang does not know.
-const flags = ["-p", build, "--quiet", "--extra-arg=-Wno-unknown-warning-option"];
+const flags = ["--quiet", "--extra-arg=-Wno-unknown-warning-option"];
 
 // Adds to `closure` the file and all headers of ours that it includes, and those that they do.
 function addIncludes(file, closure) {
@@ -34,7 +37,8 @@ function addIncludes(file, closure) {
 
 const tool =
   execFileSync(tidy, ["--version"], { encoding: "utf8" }) +
-  flags.slice(2).join(" ") +
+  flags.join(" ") +
+  readFileSync(join(import.meta.dirname, "own_code.cpp"), "utf8") +
   readFileSync(join(root, ".clang-tidy"), "utf8");
 
 function stampOf({ file, command }) {
@@ -45,7 +49,7 @@ function stampOf({ file, command }) {
 // What clang-tidy says about one file; "" for nothing.
 function findings(file) {
   return new Promise((resolved) => {
-    execFile(tidy, [...flags, file], (error, stdout, stderr) => {
+    execFile(tidy, ["-load", plugin, "-p", build, ...flags, file], (error, stdout, stderr) => {
       resolved(error ? stdout + stderr : "");
     });
   });
