@@ -3,6 +3,7 @@
 //   OUTDIR/public/         files of the site, their names bearing a hash of their content
 //   OUTDIR/manifest.json   {"site.css": "assets/site-1A2B3C4D.css", …}, the way from plain names
 //   OUTDIR/versions.json   {"katex": "0.19.1"}, of what runs in the generator
+//   OUTDIR/plot-vocabulary.json   what a plot may say where (bundle/plot-vocabulary.mjs)
 //   OUTDIR/templates/      the Handlebars templates, as they are
 //   OUTDIR/preview/        what `mjcourse preview` adds to pages
 //   OUTDIR/worker/         the service worker, without its edition
@@ -19,6 +20,7 @@ import path from "node:path";
 import { buildScripts } from "./bundle/scripts.mjs";
 import { buildLab } from "./bundle/lab.mjs";
 import { copyLicenses } from "./bundle/licenses.mjs";
+import { plotVocabulary } from "./bundle/plot-vocabulary.mjs";
 import { buildPreview } from "./bundle/preview.mjs";
 import { buildPublic } from "./bundle/public.mjs";
 import { buildWorker } from "./bundle/worker.mjs";
@@ -39,6 +41,7 @@ const produced = [
   "script",
   "manifest.json",
   "versions.json",
+  "plot-vocabulary.json",
 ];
 await Promise.all(
   produced.map((name) => rm(path.join(out, name), { recursive: true, force: true })),
@@ -60,3 +63,7 @@ await writeFile(
 );
 const { version: katex } = createRequire(import.meta.url)("katex/package.json");
 await writeFile(path.join(out, "versions.json"), JSON.stringify({ katex }) + "\n");
+await writeFile(
+  path.join(out, "plot-vocabulary.json"),
+  JSON.stringify(await plotVocabulary(site)) + "\n",
+);

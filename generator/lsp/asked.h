@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "lesson/plot_grammar.h"
 #include "lsp/model_names.h"
 #include "lsp/open_documents.h"
 #include "preview/snapshot.h"
@@ -18,6 +19,7 @@ struct Asked {
   Units units;
   SnapshotPtr snapshot;  // the newest; not null
   ModelNames& models;
+  const PlotGrammar& plots;
   std::shared_ptr<const SourceText> text;  // as it is in the editor; not null
   std::size_t offset = 0;
 

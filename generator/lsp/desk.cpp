@@ -35,6 +35,7 @@ Desk::Desk(Workplace workplace, Units units, Connection& connection)
     : units_(units),
       documents_(std::make_shared<OpenDocuments>(workplace.root)),
       models_(documents_->root()),
+      plots_(read_plot_grammar(workplace.assets)),
       diagnostics_(*documents_, connection),
       studio_(std::move(workplace), documents_,
               [this](const SnapshotPtr& snapshot) { show(snapshot); }),
@@ -106,8 +107,13 @@ std::optional<Asked> Desk::asked(const json& params) {
   const TextPoint point = read_point(params.at("position"));
   SnapshotPtr snapshot = text ? newest() : nullptr;
   if (!snapshot) return std::nullopt;
-  return Asked{*documents_, units_, std::move(snapshot),
-               models_,     text,   offset_of(*text, point, units_)};
+  return Asked{*documents_,
+               units_,
+               std::move(snapshot),
+               models_,
+               plots_,
+               text,
+               offset_of(*text, point, units_)};
 }
 
 json Desk::complete(const json& params) {

@@ -47,6 +47,7 @@ class Desk {
   const Units units_;
   std::shared_ptr<OpenDocuments> documents_;
   ModelNames models_;
+  const PlotGrammar plots_;
   EditorDiagnostics diagnostics_;
   std::mutex mutex_;
   std::condition_variable shown_;

@@ -5,6 +5,7 @@
 #include "lsp/editor_diagnostics.h"
 #include "lsp/lesson_fences.h"
 #include "lsp/place_words.h"
+#include "lsp/plot_words.h"
 #include "lsp/script_cursor.h"
 #include "physics/mujoco_api.h"
 #include "preview/former_results.h"
@@ -110,6 +111,17 @@ std::optional<Said> of_field(const Asked& asked) {
   return of_api(field->name, {start + field->begin, start + field->end});
 }
 
+// Of the key that ends at `place`; empty where it is nobody's.
+std::string meaning_of_key(const Asked& asked, std::string_view fence, const JsonPlace& place) {
+  const Vocabulary* ours = words_at(fence, place).object;
+  if (const Key* key = ours != nullptr ? ours->find(place.part) : nullptr) {
+    return std::string(key->meaning);
+  }
+  const auto* theirs = fence == "plot" ? plot_object_at(asked.plots, place) : nullptr;
+  const PlotGrammar::Key* key = theirs != nullptr ? theirs->find(place.part) : nullptr;
+  return key != nullptr ? key->meaning : "";
+}
+
 // The key of a fence's JSON that stands at the place.
 std::optional<Said> of_key(const Asked& asked) {
   const std::vector<LessonFence> fences = fences_of(*asked.text);
@@ -120,10 +132,9 @@ std::optional<Said> of_key(const Asked& asked) {
   if (end == text.npos || text[end] != '"') return std::nullopt;
   const JsonPlace place = json_place(unquoted(*asked.text, {fence->body.begin, end}));
   if (!place.in_string || !place.at_key() || place.part.size() > end) return std::nullopt;
-  const Vocabulary* object = words_at(fence->kind(), place).object;
-  const Key* key = object != nullptr ? object->find(place.part) : nullptr;
-  if (key == nullptr) return std::nullopt;
-  return Said{std::string(key->meaning), {end - place.part.size(), end}};
+  const std::string meaning = meaning_of_key(asked, fence->kind(), place);
+  if (meaning.empty()) return std::nullopt;
+  return Said{meaning, {end - place.part.size(), end}};
 }
 
 std::optional<Said> said_at(const Asked& asked) {

@@ -1,6 +1,8 @@
 #include "lsp/json_place.h"
 
+#include <algorithm>
 #include <ranges>
+#include <utility>
 
 namespace mjcourse {
 namespace {
@@ -15,8 +17,8 @@ class Scanner {
       if (c == '"') {
         string();
       } else if (c == '{') {
+        place_.objects.emplace_back().lists = lists();
         lists_.push_back(false);
-        place_.objects.emplace_back();
       } else if (c == '[') {
         lists_.push_back(true);
       } else if (c == '}' || c == ']') {
@@ -25,18 +27,29 @@ class Scanner {
         place_.objects.back().key.clear();
       }
     }
-    place_.in_list = in_list();
+    place_.lists = lists();
     return place_;
   }
 
  private:
   bool in_list() const { return !lists_.empty() && lists_.back(); }
 
+  // Within the innermost object.
+  int lists() const {
+    const auto object = std::find(lists_.rbegin(), lists_.rend(), false);
+    return static_cast<int>(object - lists_.rbegin());
+  }
+
   // What does not fit is passed over.
   void close(bool list) {
     if (lists_.empty() || lists_.back() != list) return;
     lists_.pop_back();
-    if (!list) place_.objects.pop_back();
+    if (list) return;
+    const JsonPlace::Object inner = std::move(place_.objects.back());
+    place_.objects.pop_back();
+    if (place_.objects.empty() || in_list()) return;
+    JsonPlace::Object& outer = place_.objects.back();
+    for (const auto& [key, text] : inner.texts) outer.texts[outer.key + "." + key] = text;
   }
 
   void string() {

@@ -11,17 +11,19 @@ namespace mjcourse {
 
 struct JsonPlace {
   struct Object {
-    std::map<std::string, std::string> texts;  // its strings so far, by their keys
-    std::vector<std::string> keys;             // all of its keys so far
-    std::string key;                           // behind which the place is; "" before it
+    int lists = 0;  // that it stands in, within the object around it
+    // Its strings so far, by their keys; those of objects that it has, as "data.name".
+    std::map<std::string, std::string> texts;
+    std::vector<std::string> keys;  // all of its keys so far
+    std::string key;                // behind which the place is; "" before it
   };
   std::vector<Object> objects;  // from the outside in
-  bool in_list = false;         // the innermost thing is a list
+  int lists = 0;                // that the place stands in, within the innermost object
   bool in_string = false;
   std::string part;  // of the string that the place is in, so far and without escapes
 
   // A key is being written, or would be.
-  bool at_key() const { return !objects.empty() && !in_list && objects.back().key.empty(); }
+  bool at_key() const { return !objects.empty() && lists == 0 && objects.back().key.empty(); }
   // The string behind `key` in the innermost object that has one; "" where none has.
   std::string text(const std::string& key) const;
 };

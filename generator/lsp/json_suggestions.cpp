@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "lsp/json_writing.h"
 #include "lsp/place_words.h"
+#include "lsp/plot_words.h"
 #include "lsp/script_cursor.h"
 #include "physics/mujoco_api.h"
 #include "physics/overlays.h"
@@ -14,29 +16,6 @@ using Kind = Suggestion::Kind;
 
 bool is_script(KeyKind kind) {
   return kind == KeyKind::script || kind == KeyKind::expression || kind == KeyKind::expressions;
-}
-
-// The keys that the object has not yet; where none is begun, with their quotes.
-void add_keys(Suggestions& found, const JsonPlace& place, const Vocabulary& object, bool closed) {
-  for (const Key& key : object.keys) {
-    const std::string name(key.name);
-    if (std::ranges::find(place.objects.back().keys, name) != place.objects.back().keys.end()) {
-      continue;
-    }
-    const std::string behind = closed ? "" : "\": ";
-    const std::string text = (place.in_string ? "" : "\"") + name + behind;
-    found.all.push_back({name, Kind::property, std::string(object.name), std::string(key.meaning),
-                         closed ? name : text});
-  }
-}
-
-// Words as values; their quotes too where they are not there yet.
-void add_values(Suggestions& found, const JsonPlace& place, const std::vector<std::string>& values,
-                const std::string& detail) {
-  for (const std::string& value : values) {
-    found.all.push_back(
-        {value, Kind::value, detail, "", place.in_string ? "" : "\"" + value + "\""});
-  }
 }
 
 std::vector<std::string> words_of(const Vocabulary& vocabulary) {
@@ -58,20 +37,24 @@ std::vector<std::string> programs_of(const Course& course) {
   return names;
 }
 
-void add_values_of(Suggestions& found, const Asked& asked, const JsonPlace& place,
-                   const PlaceWords& words) {
+void add_all(JsonWriting& writing, const std::vector<std::string>& values,
+             const std::string& detail) {
+  for (const std::string& value : values) writing.add_text(value, detail);
+}
+
+void add_values(JsonWriting& writing, const Course& course, const PlaceWords& words) {
   const Key& key = *words.key;
   const std::string about(key.meaning);
   if (key.kind == KeyKind::word) {
-    add_values(found, place, words_of(*words.object), about);
+    add_all(writing, words_of(*words.object), about);
   } else if (key.kind == KeyKind::model || key.name == "model") {
-    add_values(found, place, asked.course().models, "model of the course");
+    add_all(writing, course.models, "model of the course");
   } else if (key.name == "example") {
-    add_values(found, place, programs_of(asked.course()), "program of the course");
+    add_all(writing, programs_of(course), "program of the course");
   } else if (key.name == "toggles") {
-    add_values(found, place, overlay_names(), "overlay");
+    add_all(writing, overlay_names(), "overlay");
   } else if (key.kind == KeyKind::boolean || key.kind == KeyKind::true_or_object) {
-    if (!place.in_string) found.add({"true", "false"}, Kind::value, about);
+    writing.add_booleans(about);
   }
 }
 
@@ -110,6 +93,8 @@ Suggestions json_suggestions(const Asked& asked, const LessonFence& fence) {
   const JsonPlace place = json_place(before);
   Suggestions found{asked.offset - std::min(asked.offset, place.part.size())};
   if (place.objects.empty()) return found;
+  const bool closed = asked.text->text().substr(asked.offset, 1) == "\"";
+  JsonWriting writing(place, closed, found);
   const PlaceWords words = words_at(fence.kind(), place);
   if (words.object == nullptr) {
     // Overlays are no keys of a vocabulary.
@@ -117,15 +102,19 @@ Suggestions json_suggestions(const Asked& asked, const LessonFence& fence) {
     around.objects.pop_back();
     const PlaceWords outer = words_at(fence.kind(), around);
     if (place.at_key() && outer.key != nullptr && outer.key->kind == KeyKind::overlays) {
-      add_values(found, place, overlay_names(), "overlay");
+      add_all(writing, overlay_names(), "overlay");
     }
   } else if (place.at_key()) {
-    add_keys(found, place, *words.object, asked.text->text().substr(asked.offset, 1) == "\"");
+    for (const Key& key : words.object->keys) {
+      writing.add_key(std::string(key.name), std::string(words.object->name),
+                      std::string(key.meaning));
+    }
   } else if (words.key != nullptr && place.in_string && is_script(words.key->kind)) {
     return script_suggestions(asked, place.part, place.text("model"));
   } else if (words.key != nullptr) {
-    add_values_of(found, asked, place, words);
+    add_values(writing, asked.course(), words);
   }
+  if (fence.kind() == "plot") add_plot_words(writing, asked, place);
   return found;
 }
 

@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "page/plot_schema.h"
+
 namespace mjcourse {
 namespace {
 
@@ -141,10 +143,11 @@ json object_schema(const Vocabulary& vocabulary) {
 
 }  // namespace
 
-json json_schema(const JsonFence& fence) {
+json json_schema(const JsonFence& fence, const PlotGrammar& grammar) {
   json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
               {"title", "mjcourse: a fence `" + std::string(fence.opened) + "`"}};
   schema.update(object_schema(*fence.vocabulary));
+  if (fence.vocabulary->open) add_plot_schema(grammar, schema);
   return schema;
 }
 

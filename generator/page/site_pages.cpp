@@ -87,8 +87,9 @@ void SitePages::write_others(PressEngines& engines) {
   copy_examples();
   write_moved_pages(site_, press.templates(), out_);
   write_web_files(site_, parts_, press.templates(), out_, spool_);
+  const PlotGrammar grammar = read_plot_grammar(site_.assets);
   for (const JsonFence& fence : json_fences()) {
-    out_.write(schema_path(fence), json_schema(fence).dump(2) + "\n");
+    out_.write(schema_path(fence), json_schema(fence, grammar).dump(2) + "\n");
   }
 }
 

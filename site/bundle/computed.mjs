@@ -5,7 +5,13 @@
 import { letterWidths } from "./letter-widths.mjs";
 import { plotVocabulary } from "./plot-vocabulary.mjs";
 
-const makers = { "letter-widths": letterWidths, "plot-vocabulary": plotVocabulary };
+const makers = { "letter-widths": letterWidths, "plot-vocabulary": wordsOfPlots };
+
+// What they mean is for editors.
+async function wordsOfPlots(site) {
+  const { elsewhere, states } = await plotVocabulary(site);
+  return { elsewhere, states: states.map((state) => ({ ...state, meanings: undefined })) };
+}
 
 export const computed = (site) => ({
   name: "computed",

@@ -5,11 +5,12 @@
 // merged: a state stands for all that may stand at a place, and leads to the states of its keys and
 // items. So what is allowed is never refused, and a word that no alternative knows is.
 //
-//   {"kinds": "snbaoz"   string, number, boolean, array, object, null
-//    "words": […]        the only strings, where not all are allowed
-//    "keys": {key: 7}    the state of each key's value
-//    "rest": 7           … of other keys' values; without it there are no others
-//    "items": 7}         … of a list's items
+//   {"kinds": "snbaoz"         string, number, boolean, array, object, null
+//    "words": […]              the only strings, where not all are allowed
+//    "keys": {key: 7}          the state of each key's value
+//    "rest": 7                 … of other keys' values; without it there are no others
+//    "items": 7                … of a list's items
+//    "meanings": {key: "…"}}   in Markdown, as Vega-Lite's authors say it, for editors
 
 import { readFile } from "node:fs/promises";
 import path from "node:path";
@@ -81,7 +82,11 @@ function merge(schemas, stateOf) {
     state.words = [...new Set(words.filter((word) => typeof word === "string"))].sort();
   }
   const objects = schemas.filter((schema) => kindsOf([schema]).includes("o"));
-  if (objects.length > 0) state.keys = keysOf(objects, stateOf);
+  if (objects.length > 0) {
+    const keys = keysOf(objects);
+    state.keys = Object.fromEntries(keys.map(([key, found]) => [key, stateOf(found)]));
+    state.meanings = meaningsOf(keys);
+  }
   const rest = objects.flatMap(({ properties, additionalProperties: others }) =>
     others === false || (others === undefined && properties) ? [] : [others ?? {}],
   );
@@ -103,7 +108,8 @@ function kindsOf(schemas) {
   return [...new Set(letters)].sort().join("");
 }
 
-function keysOf(objects, stateOf) {
+// [key, what may stand behind it], by name.
+function keysOf(objects) {
   const schemas = new Map();
   for (const { properties = {} } of objects) {
     for (const [key, schema] of Object.entries(properties)) {
@@ -111,6 +117,15 @@ function keysOf(objects, stateOf) {
       schemas.set(key, [...(schemas.get(key) ?? []), schema]);
     }
   }
-  const sorted = [...schemas].sort(([a], [b]) => (a < b ? -1 : 1));
-  return Object.fromEntries(sorted.map(([key, found]) => [key, stateOf(found)]));
+  return [...schemas].sort(([a], [b]) => (a < b ? -1 : 1));
+}
+
+// What the first alternative that says anything says in its first paragraph.
+function meaningsOf(keys) {
+  const meanings = {};
+  for (const [key, schemas] of keys) {
+    const said = schemas.find(({ description }) => description);
+    if (said) [meanings[key]] = said.description.split("\n\n", 1);
+  }
+  return meanings;
 }
