@@ -102,9 +102,11 @@ void evaluate_course(const Options& options, Verified& verified, bool all_claims
   if (verified.course) {
     ProgressBar progress;
     const DiskFiles assets(assets_folder());
-    verified.evaluation =
-        evaluate(*verified.course, workplace_of(options, assets, verified.kept->store()), progress,
-                 std::move(reading));
+    Store* store = verified.kept->store();
+    const Workplace workplace = workplace_of(options, assets, store);
+    if (store != nullptr) workplace.known_files->read(*store, options.course);
+    verified.evaluation = evaluate(*verified.course, workplace, progress, std::move(reading));
+    if (store != nullptr) workplace.known_files->write(*store, options.course);
   } else {
     verified.evaluation.diagnostics = std::move(reading);
     verified.evaluation.versions = known_versions(DiskFiles(assets_folder()));

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <optional>
 
+#include "evaluate/last_results.h"
 #include "evaluate/result_codec.h"
 #include "evaluate/result_store.h"
 #include "evaluate/task.h"
@@ -24,9 +25,9 @@ class Archive {
  public:
   // `root` is the course's folder. Both others must outlive this.
   Archive(Store& store, const std::filesystem::path& root, Fingerprints& fingerprints)
-      : store_(store),
-        root_(std::filesystem::absolute(root).lexically_normal()),
+      : root_(std::filesystem::absolute(root).lexically_normal()),
         results_(store, fingerprints),
+        last_(store, root_),
         codec_(store, root_) {}
 
   // Does `record`, which has its recipe, get its finding? Where this is to be `noted`, last() will
@@ -43,12 +44,9 @@ class Archive {
             TaskRecord& record);
 
  private:
-  void remember(const Task& task, const TaskRecord& record);
-  std::string last_name(const Task& task) const;
-
-  Store& store_;
   std::filesystem::path root_;
   ResultStore results_;
+  LastResults last_;
   ResultCodec codec_;
 };
 

@@ -1,5 +1,7 @@
 #include "evaluate/fingerprints.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -13,20 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::system_clock;
-
-// The kernel's clock for files goes in ticks of up to 10 ms.
-constexpr auto kTick = std::chrono::milliseconds(12);
-
-Clock::time_point changed_at(const struct stat& status) {
-  const auto since = std::chrono::seconds(status.st_ctim.tv_sec) +
-                     std::chrono::nanoseconds(status.st_ctim.tv_nsec);
-  return Clock::time_point(std::chrono::duration_cast<Clock::duration>(since));
-}
-
-bool same(const struct stat& a, const struct stat& b) {
-  return a.st_dev == b.st_dev && a.st_ino == b.st_ino && a.st_size == b.st_size &&
-         changed_at(a) == changed_at(b);
-}
 
 std::string fingerprint(const fs::path& path, const struct stat& status) {
   if (S_ISDIR(status.st_mode)) {
@@ -47,29 +35,6 @@ std::string fingerprint(const fs::path& path, const struct stat& status) {
 }
 
 }  // namespace
-
-std::optional<std::string> KnownFiles::find(const std::string& path, const struct stat& status) {
-  const std::lock_guard lock(mutex_);
-  const auto known = seen_.find(path);
-  if (known == seen_.end() || !same(known->second.status, status)) return std::nullopt;
-  known->second.looked_at = Clock::now();
-  return known->second.fingerprint;
-}
-
-std::optional<std::string> KnownFiles::find_fresh(const std::string& path) const {
-  const std::lock_guard lock(mutex_);
-  const auto known = seen_.find(path);
-  const bool fresh = known != seen_.end() && Clock::now() - known->second.looked_at < patience_;
-  return fresh ? std::optional(known->second.fingerprint) : std::nullopt;
-}
-
-void KnownFiles::keep(const std::string& path, const struct stat& status,
-                      const std::string& fingerprint) {
-  // A change within the same tick would not show.
-  if (std::chrono::system_clock::now() - changed_at(status) <= kTick) return;
-  const std::lock_guard lock(mutex_);
-  seen_[path] = {status, fingerprint, Clock::now()};
-}
 
 Fingerprints::Fingerprints(const fs::path& root, std::shared_ptr<KnownFiles> files)
     : root_(fs::absolute(root)), files_(std::move(files)) {}
@@ -108,7 +73,7 @@ bool Fingerprints::unchanged_since(const std::string& name, Clock::time_point be
     if (path == path.parent_path()) return false;
     path = path.parent_path();
   }
-  return changed_at(status) + kTick < begin;
+  return changed_at(status) + tick_of(status) < begin;
 }
 
 }  // namespace mjcourse

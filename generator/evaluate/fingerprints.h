@@ -4,43 +4,16 @@
 // stays the same; a folder's is that of the names in it.
 #pragma once
 
-#include <sys/stat.h>
-
 #include <chrono>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <string>
 
+#include "evaluate/known_files.h"
+
 namespace mjcourse {
-
-// Fingerprints of files, by their absolute paths: for one evaluation, or for several.
-class KnownFiles {
- public:
-  using Clock = std::chrono::steady_clock;
-
-  // For so long, files outside of the course (the compiler's headers: some hundred for each
-  // program) are believed to be as they were, and not even looked at.
-  explicit KnownFiles(Clock::duration patience = {}) : patience_(patience) {}
-
-  // All from any thread. Nothing where it is not known; of a file in this state; of one that was
-  // looked at just now.
-  std::optional<std::string> find(const std::string& path, const struct stat& status);
-  std::optional<std::string> find_fresh(const std::string& path) const;
-  void keep(const std::string& path, const struct stat& status, const std::string& fingerprint);
-
- private:
-  struct Seen {
-    struct stat status;
-    std::string fingerprint;
-    Clock::time_point looked_at;
-  };
-  Clock::duration patience_;
-  mutable std::mutex mutex_;
-  std::map<std::string, Seen> seen_;
-};
 
 class Fingerprints {
  public:

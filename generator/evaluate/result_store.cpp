@@ -25,6 +25,15 @@ std::string hash_of_all(std::string_view kind, const Dependencies& recipe,
   return "ac/" + hash.hex();
 }
 
+// One line.
+std::string text_of(const Dependencies& recipe, const Dependencies& traced) {
+  json all = json::array();
+  for (const Dependencies* part : {&recipe, &traced}) {
+    for (const Dependency& one : *part) all.push_back({one.name, one.value});
+  }
+  return all.dump(-1, ' ', true, json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::vector<ResultStore::Names> ResultStore::looked_at(const std::string& recipe) {
@@ -45,16 +54,18 @@ Dependencies ResultStore::known(const Names& names) {
 std::optional<ResultStore::Found> ResultStore::find(const Dependencies& recipe) {
   for (const Names& names : looked_at(hash_of_all("recipe", recipe))) {
     Dependencies traced = known(names);
-    if (auto bytes = store_.get(hash_of_all("result", recipe, traced))) {
-      return Found{*std::move(bytes), std::move(traced)};
+    std::string name = hash_of_all("result", recipe, traced);
+    if (auto entry = store_.get(name)) {
+      entry->erase(0, entry->find('\n') + 1);
+      return Found{std::move(name), *std::move(entry), std::move(traced)};
     }
   }
   return std::nullopt;
 }
 
-std::optional<Dependencies> ResultStore::keep(const Dependencies& recipe, const Trace& trace,
-                                              std::chrono::system_clock::time_point begin,
-                                              std::string_view bytes) {
+std::optional<ResultStore::Kept> ResultStore::keep(const Dependencies& recipe, const Trace& trace,
+                                                   std::chrono::system_clock::time_point begin,
+                                                   std::string_view bytes) {
   if (!trace.complete()) return std::nullopt;
   Names names(trace.names().begin(), trace.names().end());
   Names looked_at_all = names;
@@ -63,18 +74,29 @@ std::optional<Dependencies> ResultStore::keep(const Dependencies& recipe, const 
     sets_.now(names.back());  // what was known before the work began may be former
     looked_at_all.insert(looked_at_all.end(), set.begin(), set.end());
   }
-  Dependencies traced = known(names);
+  const Dependencies traced = known(names);
   for (const std::string& name : looked_at_all) {
     if (!fingerprints_.unchanged_since(name, begin)) return std::nullopt;
   }
-  if (!store_.put(hash_of_all("result", recipe, traced), bytes)) return traced;
+  Kept kept{hash_of_all("result", recipe, traced), traced};
+  const std::string entry = text_of(recipe, traced) + "\n" + std::string(bytes);
+  if (!store_.put(kept.name, entry)) return kept;
   const std::string list = hash_of_all("recipe", recipe);
   std::vector<Names> lists = looked_at(list);
   std::erase(lists, names);
   lists.insert(lists.begin(), names);
   lists.resize(std::min(lists.size(), kMostLists));
   store_.put(list, json(lists).dump());
-  return traced;
+  return kept;
+}
+
+Dependencies ResultStore::dependencies_of(const std::string& name) const {
+  const std::string entry = store_.get(name).value_or("[]\n");
+  Dependencies found;
+  for (const json& one : json::parse(entry.substr(0, entry.find('\n')))) {
+    found.push_back({one.at(0), one.at(1)});
+  }
+  return found;
 }
 
 }  // namespace mjcourse

@@ -105,15 +105,27 @@ TEST_F(ResultStoreTest, SeesWhichFileOfASetHasChanged) {
   ResultStore later(store_, prints_);
   EXPECT_FALSE(later.find(recipe_));
   std::this_thread::sleep_for(50ms);
-  const auto traced = later.keep(recipe_, trace_, Clock::now(), "of two");
-  ASSERT_TRUE(traced);
-  const Dependencies now = later.one_by_one(*traced);
+  const auto kept = later.keep(recipe_, trace_, Clock::now(), "of two");
+  ASSERT_TRUE(kept);
+  const Dependencies now = later.one_by_one(kept->traced);
   EXPECT_EQ(now[2], each[2]);
   EXPECT_EQ(now[3].name, b);
   EXPECT_NE(now[3].value, each[3].value);
   EXPECT_EQ(later.find(recipe_)->bytes, "of two");
   write_file(b, "one");
   EXPECT_EQ(ResultStore(store_, prints_).find(recipe_)->bytes, "of one") << "both are kept";
+}
+
+TEST_F(ResultStoreTest, SaysWhatAResultDependsOn) {
+  write("models/a.xml", "one");
+  trace_.file("models/a.xml");
+  keep(recipe_, "of one");
+  const auto found = results_.find(recipe_);
+  ASSERT_TRUE(found);
+  Dependencies all = recipe_;
+  all.insert(all.end(), found->traced.begin(), found->traced.end());
+  EXPECT_EQ(results_.dependencies_of(found->name), all);
+  EXPECT_EQ(results_.dependencies_of("ac/unknown"), Dependencies());
 }
 
 TEST_F(ResultStoreTest, KeepsNothingThatIsInDoubt) {
