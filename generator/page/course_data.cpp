@@ -80,7 +80,8 @@ json levels_data(const Course& course, const Lesson* current) {
   return levels;
 }
 
-json pages_data(const Course& course, const Evaluation& evaluation, const std::string& kind) {
+json pages_data(const Course& course, const Evaluation& evaluation, bool asks,
+                const std::string& kind) {
   json pages = json::array();
   if (course.glossary) {
     const Lesson& glossary = course.glossary->page;
@@ -95,7 +96,7 @@ json pages_data(const Course& course, const Evaluation& evaluation, const std::s
     pages.push_back(
         {{"title", kGalleryTitle}, {"href", kGalleryPage}, {"current", kind == "gallery"}});
   }
-  if (has_questions(course)) {
+  if (asks) {
     pages.push_back(
         {{"title", kReviewTitle}, {"href", kReviewPage}, {"current", kind == "review"}});
   }

@@ -26,8 +26,9 @@ nlohmann::json reference_to(const Lesson& lesson);
 // course of more than a hundred lessons, that is those of its level, and links to the levels around
 // it, so that a page's size does not depend on the course's.
 nlohmann::json levels_data(const Course& course, const Lesson* current);
-// What the list of lessons offers beside them, on a page of this kind.
-nlohmann::json pages_data(const Course& course, const Evaluation& evaluation,
+// What the list of lessons offers beside them, on a page of this kind; `asks`: has_questions(),
+// which looks at all lessons.
+nlohmann::json pages_data(const Course& course, const Evaluation& evaluation, bool asks,
                           const std::string& kind);
 // `href` leads to the same on the verification page.
 nlohmann::json verified_data(const Tally& tally, const std::string& mujoco,

@@ -1,7 +1,10 @@
 #include "page/edition_manifest.h"
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -50,6 +53,22 @@ std::set<std::string> core_assets(const json& assets) {
   return core;
 }
 
+// [hash, bytes]. Read piece by piece, since a page may be larger than all that a build has in mind.
+json fingerprint_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) throw std::runtime_error(file.string() + ": cannot be read");
+  Sha256 hash;
+  std::size_t bytes = 0;
+  std::array<char, 1 << 14> piece;
+  do {
+    in.read(piece.data(), piece.size());
+    const auto count = static_cast<std::size_t>(in.gcount());
+    hash.add_raw({piece.data(), count});
+    bytes += count;
+  } while (in);
+  return {hash.hex().substr(0, kHashDigits), bytes};
+}
+
 bool is_core(const std::string& path, const std::set<std::string>& assets, const Course& course) {
   static const std::set<std::string> pages{"index.html", kProgressPage, kKeptPage, kSearchScript};
   return pages.contains(path) || assets.contains(path) || path.starts_with("search-") ||
@@ -64,8 +83,7 @@ json edition_manifest(const fs::path& site, const Course& course, const json& as
   const std::vector<std::string> paths = shown_files(site);
   std::vector<json> files(paths.size());
   for_each_index(paths.size(), threads, [&](std::size_t index, std::size_t) {
-    const std::string bytes = DiskFiles(site).read(paths[index]).value();
-    files[index] = {sha256(bytes).substr(0, kHashDigits), bytes.size()};
+    files[index] = fingerprint_of(site / paths[index]);
   });
   const std::set<std::string> of_assets = core_assets(assets);
   json manifest{{"core", json::array()}, {"files", json::object()}};

@@ -15,6 +15,7 @@
 #include "course/course.h"
 #include "course/last_changed.h"
 #include "evaluate/evaluate.h"
+#include "page/course_data.h"
 #include "page/lesson_pictures.h"
 #include "page/page_writer.h"
 #include "page/site_files.h"
@@ -63,7 +64,7 @@ class PagePress {
  public:
   // All must outlive this.
   PagePress(const SiteData& site, SiteFiles& directory, PressEngines& engines)
-      : site_(site), directory_(directory), engines_(engines) {}
+      : site_(site), directory_(directory), engines_(engines), asks_(has_questions(site.course)) {}
 
   // For the page `path`, which needs `styles`.
   Press press(InlineStyles& styles, const std::string& path);
@@ -83,6 +84,7 @@ class PagePress {
   const SiteData& site_;
   SiteFiles& directory_;
   PressEngines& engines_;
+  bool asks_;  // the site has a question
 };
 
 }  // namespace mjcourse

@@ -79,7 +79,7 @@ std::string pages_beside(const std::string& front) {
                                 "content/1-a/1.1-x.md")
                     .lesson.value()));
   std::string titles;
-  for (const nlohmann::json& page : pages_data(course, {}, "progress")) {
+  for (const nlohmann::json& page : pages_data(course, {}, has_questions(course), "progress")) {
     titles += page["title"].get<std::string>() + (page["current"] == true ? "!" : "") + " ";
   }
   return titles;
