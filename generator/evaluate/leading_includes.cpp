@@ -19,7 +19,8 @@ bool skip_comments(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
     if (text.starts_with("//")) {
       const std::size_t end = std::min(text.find('\n'), text.size());
-      if (text.substr(0, end).find('\\') != text.npos) return false;
+      const std::size_t last = text.substr(0, end).find_last_not_of(kBlank);
+      if (text[last] == '\\') return false;
       text.remove_prefix(end);
     } else if (text.starts_with("/*")) {
       const std::size_t end = text.find("*/", 2);

@@ -64,6 +64,14 @@ inline void matrices(Eigen::MatrixXd& a, VectorXd& b, const State& state) {
   b[0] = a(0, 0) + (a - a).cwiseAbs().maxCoeff() + a.norm();
 }
 
+// Damped least squares for a hand: six equations.
+inline void equations() {
+  using Matrix6d = Eigen::Matrix<double, 6, 6>;
+  Eigen::Matrix<double, 6, 1> b = Eigen::Matrix<double, 6, 1>::Zero();
+  const Matrix6d a = b * b.transpose() + 0.1 * Matrix6d::Identity();
+  b = a.ldlt().solve(b);
+}
+
 inline void made() {
   VectorXd a = VectorXd::Zero(9), b = VectorXd::Ones(9);
   a = VectorXd::Constant(9, 1.0);
@@ -74,6 +82,7 @@ inline void made() {
   arithmetic(a, b);
   Eigen::MatrixXd matrix(9, 9);
   matrices(matrix, b, state);
+  equations();
   Eigen::Vector3d x(1, 2, 3), y(4, 5, 6);
   arithmetic(x, y);
   x = x.cross(y);

@@ -15,7 +15,7 @@ enum class Origin { course, eigen, plain, standard, other };
 
 // C headers that neither use names of the others nor change what these say.
 bool is_plain(const std::string& name) {
-  return name == "mujoco/mujoco.h" || name == "GL/osmesa.h";
+  return name == "mujoco/mujoco.h" || name == "mujoco/mjxmacro.h" || name == "GL/osmesa.h";
 }
 
 Origin origin_of(const Include& include, const IncludeFolders& folders) {

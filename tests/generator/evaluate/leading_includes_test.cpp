@@ -21,12 +21,14 @@ TEST(LeadingIncludes, AreFoundBehindComments) {
                   "#include <cmath>\n  # include \"own.h\"  // ours\n#include <a/b.hpp>\r\n"
                   "int main() {}\n#include <late>\n"),
       "<cmath> \"own.h\" <a/b.hpp>");
+  EXPECT_EQ(includes_of("// \"a line\\n\" is printed\n#include <cmath>\n"), "<cmath>");
 }
 
 TEST(LeadingIncludes, EndAtWhateverElseIsSaid) {
-  for (const char* said : {"#define X", "using namespace std;", "#if 1", "#pragma pack(1)",
-                           "#include NAME", "#include <b> int x;", "#include <b> /* open",
-                           "#include <b", "int x;", "// goes on \\", "/* no end", "#inc\\"}) {
+  for (const char* said :
+       {"#define X", "using namespace std;", "#if 1", "#pragma pack(1)", "#include NAME",
+        "#include <b> int x;", "#include <b> /* open", "#include <b", "int x;", "// goes on \\",
+        "// goes on \\ ", "/* no end", "#inc\\"}) {
     EXPECT_EQ(includes_of("#include <a>\n" + std::string(said) + "\n#include <c>\n"), "<a>")
         << said;
   }

@@ -25,6 +25,7 @@ class WarmRoots : public testing::Test {
 TEST_F(WarmRoots, AreTheCoursesOwnHeaders) {
   EXPECT_EQ(roots("#include <cmath>\n#include <kit/kit.h>\n#include <vector>\nint main() {}\n"),
             Names{"kit/kit.h"});
+  EXPECT_EQ(roots("#include <mujoco/mjxmacro.h>\n\n#include <kit/kit.h>\n"), Names{"kit/kit.h"});
   EXPECT_EQ(roots("#include <kit/more.h>\n#include <Eigen/Core>\n#include <kit/kit.h>\n"),
             (Names{"kit/more.h", "kit/kit.h"}));
 }
