@@ -69,6 +69,12 @@ std::vector<Use> uses_of_model(const Course& course, const std::string& name) {
   return uses;
 }
 
+void add_uses(std::vector<Use>& uses, const std::vector<PlaceOnPage>& places,
+              const Course& course) {
+  for (const auto& [page, span] : places) add(uses, *page, span);
+  sort(uses, course.pages());
+}
+
 const LocatedText* model_of(const Block& block) {
   const LocatedText* model = nullptr;
   if (const auto* lab = std::get_if<Lab>(&block)) model = &lab->model;

@@ -22,6 +22,13 @@ std::vector<Use> uses_of_link(const Course& course, const std::string& target);
 // Also of those that show it, in a lab or a figure, or speak of it in code.
 std::vector<Use> uses_of_model(const Course& course, const std::string& name);
 
+// Of what stands at these places of pages as well, in the course's order.
+struct PlaceOnPage {
+  const Lesson* page;
+  Span span;
+};
+void add_uses(std::vector<Use>& uses, const std::vector<PlaceOnPage>& places, const Course& course);
+
 // The name of the model that a lab, a figure, a snippet or an excerpt is of; null for other blocks,
 // and for a model that stands in the lesson itself.
 const LocatedText* model_of(const Block& block);

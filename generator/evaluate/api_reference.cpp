@@ -8,6 +8,8 @@
 #include <optional>
 
 #include "base/nearest.h"
+#include "evaluate/code_names.h"
+#include "lesson/block_scripts.h"
 #include "physics/mujoco_api.h"
 
 namespace mjcourse {
@@ -64,19 +66,41 @@ std::string cure_for(const std::string& name, const MujocoApi& api) {
   return "write it as MuJoCo's headers do: `mj_step`, `mjModel.nq`, `mjtJoint`, `mjJNT_FREE`";
 }
 
+struct Code {
+  std::string_view text;
+  Span place;  // in its lesson
+};
+
+// What a reader sees of code that was found to work: a program, or a block's scripts.
+std::vector<Code> code_of(const Block& block, const Result& result) {
+  std::vector<Code> found;
+  if (const auto* example = std::get_if<Example>(&block); example != nullptr && example->compiles) {
+    found.push_back({std::get<ExampleResult>(result).code, example->span});
+  }
+  if (const auto* snippet = std::get_if<Snippet>(&block)) {
+    found.push_back({snippet->shown, snippet->span});
+  }
+  for (const LocatedText* script : scripts_of(block)) {
+    found.push_back({script->text, script->span()});
+  }
+  return found;
+}
+
 class Reference {
  public:
-  Reference(const Course& course, const MujocoHeaders& headers, Diagnostics& diagnostics)
-      : course_(course), headers_(headers), diagnostics_(diagnostics) {}
+  Reference(const Course& course, const ResultsOf& results, const MujocoHeaders& headers,
+            Diagnostics& diagnostics)
+      : pages_(course.pages()), results_(results), headers_(headers), diagnostics_(diagnostics) {}
 
   std::vector<ApiEntry> run() {
-    for (const Lesson* page : course_.pages()) {
-      for (const Link& link : page->links) {
-        if (link.target.text.starts_with(kScheme)) look_up(*page, link.target);
+    for (std::size_t i = 0; i < pages_.size(); ++i) {
+      for (const Link& link : pages_[i]->links) {
+        if (link.target.text.starts_with(kScheme)) look_up(*pages_[i], link.target);
       }
+      if (!pages_[i]->front.draft) look_into_code(i);
     }
     std::vector<ApiEntry> entries;
-    for (const auto& [name, entry] : entries_) entries.push_back(entry);
+    for (auto& [name, entry] : entries_) entries.push_back(std::move(entry));
     return entries;
   }
 
@@ -92,22 +116,38 @@ class Reference {
       return error("E-api-headers", "MuJoCo's headers cannot be read: " + api.error(),
                    "name their folder in the environment's MJCOURSE_HEADERS");
     }
-    const auto found = api->find(name.text);
-    if (found == api->end()) {
+    if (!api->contains(name.text)) {
       return error("E-api-unknown", "MuJoCo has no `" + name.text + "`", cure_for(name.text, *api));
     }
-    if (page.front.draft) return;
-    const ApiName& entry = found->second;
-    entries_[name.text] = {name.text,
-                           in_words(entry),
-                           entry.declaration,
-                           entry.comment,
-                           entry.header,
-                           entry.section,
-                           documentation(name.text, entry)};
+    if (!page.front.draft) entry_of(name.text, *api);
   }
 
-  const Course& course_;
+  void look_into_code(std::size_t page) {
+    for (const auto& [block, result] : results_(*pages_[page]).of_block) {
+      const Block& shown = pages_[page]->blocks[block];
+      const bool has_lines = std::holds_alternative<Example>(shown);
+      for (const auto& [text, place] : code_of(shown, result)) {
+        if (!headers_()) return;
+        for (auto& [name, lines] : names_in_code(text, *headers_())) {
+          std::vector<CodeUse>& uses = entry_of(name, *headers_()).uses_in_code;
+          uses.push_back({page, block, place, has_lines ? std::move(lines) : std::set<int>()});
+        }
+      }
+    }
+  }
+
+  ApiEntry& entry_of(const std::string& name, const MujocoApi& api) {
+    ApiEntry& entry = entries_[name];
+    if (entry.name.empty()) {
+      const ApiName& found = api.at(name);
+      entry = {name,         in_words(found), found.declaration,         found.comment,
+               found.header, found.section,   documentation(name, found)};
+    }
+    return entry;
+  }
+
+  const std::vector<const Lesson*> pages_;
+  const ResultsOf& results_;
   const MujocoHeaders& headers_;
   Diagnostics& diagnostics_;
   std::map<std::string, ApiEntry> entries_;
@@ -115,9 +155,9 @@ class Reference {
 
 }  // namespace
 
-std::vector<ApiEntry> evaluate_api(const Course& course, const MujocoHeaders& headers,
-                                   Diagnostics& diagnostics) {
-  return Reference(course, headers, diagnostics).run();
+std::vector<ApiEntry> evaluate_api(const Course& course, const ResultsOf& results,
+                                   const MujocoHeaders& headers, Diagnostics& diagnostics) {
+  return Reference(course, results, headers, diagnostics).run();
 }
 
 }  // namespace mjcourse

@@ -97,8 +97,12 @@ class Evaluator {
     gather(tasks, crew.run(tasks, workplace_.first, [&](const TaskRecords& records) {
       publish(tasks, records, setting_.reports(), fingerprints_);
     }));
-    evaluation_.api = evaluate_api(course_, installed_mujoco_api, evaluation_.diagnostics);
     for (std::size_t i = 0; i < course_.lessons.size(); ++i) finish(i);
+    const auto results_of = [&](const Lesson& page) -> const auto& {
+      return evaluation_.results_of(course_, page);
+    };
+    evaluation_.api =
+        evaluate_api(course_, results_of, installed_mujoco_api, evaluation_.diagnostics);
     ClaimSources sources(workplace_.root, course_.models, setting_.include_folders(),
                          fingerprints_);
     make_claims(course_, sources, programs_, workplace_.threads, evaluation_);

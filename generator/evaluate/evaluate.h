@@ -41,7 +41,7 @@ struct Evaluation {
   std::vector<LessonResults> lessons;  // one for each lesson of the course
   LessonResults glossary = {};         // of its page
   std::vector<ModelPage> models = {};  // that the course links to
-  std::vector<ApiEntry> api = {};      // names of MuJoCo's that it links to
+  std::vector<ApiEntry> api = {};      // names of MuJoCo's that it uses
   Diagnostics diagnostics;
   Versions versions;
   std::string sandbox = {};          // how what was run was contained; empty where nothing was

@@ -30,8 +30,12 @@ std::string claim_anchor(const Lesson& lesson, std::size_t index) {
   return lesson_anchor(lesson) + "-" + std::to_string(index + 1);
 }
 
+std::string line_anchor(const Example& example) {
+  return example.name() + (example.region ? "-" + example.region->text : "");
+}
+
 std::string example_anchor(const Example& example) {
-  return "example-" + example.name() + (example.region ? "-" + example.region->text : "");
+  return "example-" + line_anchor(example);
 }
 
 std::string question_anchor(const Quiz& quiz, std::size_t question) {

@@ -21,6 +21,8 @@ std::string claim_anchor(const Lesson& lesson, std::size_t index);
 std::string place_anchor(const Lesson& lesson, const Claim& claim);
 
 std::string example_anchor(const Example& example);
+// Of its line 12, with "-L12" behind it (site/client/lines.ts).
+std::string line_anchor(const Example& example);
 std::string question_anchor(const Quiz& quiz, std::size_t question);
 
 }  // namespace mjcourse

@@ -2,23 +2,71 @@
 
 #include "course/link_target.h"
 #include "course/uses.h"
+#include "page/anchors.h"
+#include "page/site_paths.h"
 #include "page/uses_data.h"
 
 namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostLines = 5;  // that are linked to, of one program
+
+// The sections that speak of it, or have code that does, but for programs.
+json sections_data(const ApiEntry& entry, const Course& course, const Evaluation& evaluation) {
+  std::vector<Use> uses = uses_of_link(course, "api:" + entry.name);
+  const std::vector<const Lesson*> pages = course.pages();
+  std::vector<PlaceOnPage> places;
+  for (const CodeUse& use : entry.uses_in_code) {
+    if (use.lines.empty()) places.push_back({pages[use.page], use.place});
+  }
+  add_uses(uses, places, course);
+  return uses_data(uses, course, evaluation, "");
+}
+
+json lines_data(const CodeUse& use, const std::string& address) {
+  json lines = json::array();
+  for (const int line : use.lines) {
+    if (lines.size() == kMostLines) break;
+    lines.push_back({{"line", line}, {"href", address + "-L" + std::to_string(line)}});
+  }
+  return lines;
+}
+
+json programs_data(const ApiEntry& entry, const Course& course) {
+  const std::vector<const Lesson*> pages = course.pages();
+  json programs = json::array();
+  for (const CodeUse& use : entry.uses_in_code) {
+    if (use.lines.empty()) continue;
+    const Lesson& page = *pages[use.page];
+    const auto& program = std::get<Example>(page.blocks[use.block]);
+    const std::string path = page_path(page), href = path + "#" + example_anchor(program);
+    if (!programs.empty() && programs.back()["href"] == href) continue;  // shown twice
+    programs.push_back({{"number", page.number},
+                        {"file", program.name() + ".cpp"},
+                        {"href", href},
+                        {"lines", lines_data(use, path + "#" + line_anchor(program))},
+                        {"more", use.lines.size() > kMostLines}});
+  }
+  return programs;
+}
+
+}  // namespace
 
 std::string api_page(const Course& course, const Evaluation& evaluation, const Press& press) {
-  nlohmann::json names = nlohmann::json::array();
+  json names = json::array();
   for (const ApiEntry& entry : evaluation.api) {
-    names.push_back(
-        {{"id", api_id(entry.name)},
-         {"name", entry.name},
-         {"kind", entry.kind},
-         {"declaration", press.highlighter.highlight(entry.declaration, "c")},
-         {"comment", entry.comment},
-         {"header", entry.header},
-         {"section", entry.section},
-         {"url", entry.url},
-         {"uses", uses_data(uses_of_link(course, "api:" + entry.name), course, evaluation, "")}});
+    names.push_back({{"id", api_id(entry.name)},
+                     {"name", entry.name},
+                     {"kind", entry.kind},
+                     {"declaration", press.highlighter.highlight(entry.declaration, "c")},
+                     {"comment", entry.comment},
+                     {"header", entry.header},
+                     {"section", entry.section},
+                     {"url", entry.url},
+                     {"uses", sections_data(entry, course, evaluation)},
+                     {"programs", programs_data(entry, course)}});
   }
   return render_template(
       press.templates, "api",

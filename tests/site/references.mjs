@@ -34,6 +34,25 @@ function entries() {
     }));
 }
 
+// Of MuJoCo's names, the lines of programs that they are said to stand in.
+function lineLinks() {
+  return [...document.querySelectorAll(".entry")].flatMap((entry) => {
+    const name = entry.querySelector("h2").innerText.trim();
+    const links = [...entry.querySelectorAll(".used-in a")].map(({ href }) => href);
+    return links.filter((href) => /-L\d+$/.test(href)).map((href) => ({ name, href }));
+  });
+}
+
+// Those of `links` into this page whose line does not have the name.
+function misledLines(links) {
+  return links.filter(({ name, href }) => {
+    const [id, number] = new URL(href).hash.slice(1).split(/-L(?=\d+$)/);
+    const code = document.getElementById(`${id}-L${number}`)?.closest("code");
+    const line = code?.textContent.split("\n")[number - 1];
+    return !line?.includes(name.split(".").at(-1));
+  });
+}
+
 // The pictures whose place is not that of the file, as "address: why".
 async function misplacedImages() {
   const wrong = [];
@@ -53,12 +72,19 @@ async function misplacedImages() {
 await testSite(async (visitor) => {
   const explained = new Map();
   const linked = [];
+  let inLines = [];
+  await visitor.visit("api.html", {}, async (page) => (inLines = await page.evaluate(lineLinks)));
+  visitor.expect(inLines.length > 0, "api.html", "no line of a program uses MuJoCo");
   for (const path of pages) {
     await visitor.visit(path, {}, async (page) => {
       if (!path.includes("-")) {
         for (const entry of await page.evaluate(entries)) explained.set(entry.address, entry);
       }
       for (const link of await page.evaluate(links)) linked.push({ path, ...link });
+      const here = inLines.filter(({ href }) => href.split("#")[0] === visitor.address(path));
+      for (const { name, href } of await page.evaluate(misledLines, here)) {
+        visitor.complain(path, `${name} is not at ${href}`);
+      }
       for (const wrong of await page.evaluate(misplacedImages)) visitor.complain(path, wrong);
     });
   }

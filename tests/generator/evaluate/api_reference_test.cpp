@@ -14,9 +14,44 @@ struct ApiOf {
       : read(course_of(x, "", front)),
         api(read_mujoco_api(headers)),
         entries(evaluate_api(
-            *read.course, [this]() -> const auto& { return api; }, read.diagnostics)) {}
+            *read.course,
+            [this](const Lesson& page) -> const auto& {
+              return &page == &read.course->lessons[0] ? results : none;
+            },
+            [this]() -> const auto& { return api; }, read.diagnostics)) {}
+
+  // Each block of the first lesson is found to be as it is written.
+  static LessonResults found(const Course& course) {
+    LessonResults results;
+    const std::vector<Block>& blocks = course.lessons[0].blocks;
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      if (const auto* example = std::get_if<Example>(&blocks[i])) {
+        results.of_block[i] = ExampleResult{example->code.text, ""};
+      } else if (std::holds_alternative<Snippet>(blocks[i])) {
+        results.of_block[i] = ExampleResult{};
+      } else if (std::holds_alternative<InlineValue>(blocks[i])) {
+        results.of_block[i] = ValueResult{};
+      }
+    }
+    return results;
+  }
+
+  // "mj_step: line 2 of block 1".
+  std::string in_code() const {
+    std::string text;
+    for (const ApiEntry& entry : entries) {
+      text += entry.name + ":";
+      for (const CodeUse& use : entry.uses_in_code) {
+        for (const int line : use.lines) text += " line " + std::to_string(line) + " of";
+        text += " block " + std::to_string(use.block);
+      }
+      text += "\n";
+    }
+    return text;
+  }
 
   CourseOf read;
+  LessonResults results = found(*read.course), none;
   tl::expected<MujocoApi, std::string> api;
   std::vector<ApiEntry> entries;
 };
@@ -62,6 +97,26 @@ TEST(ApiReference, NeedsTheHeadersOnlyForALink) {
     |         ^~~~~~~
   cure: name their folder in the environment's MJCOURSE_HEADERS
 )");
+}
+
+TEST(ApiReference, HasWhatIsUsedInCode) {
+  const std::string text =
+      "[a](api:mj_step), `{x} model.nq`\n\n```cpp file=examples/a.cpp\nint main() {\n"
+      "  mj_step(m, d);\n  mj_step(m, d);\n}\n```\n\n```cpp snippet model=x\n"
+      "mj_forward(model, data);\n//| mj_inverse(model, data);\n```\n\n"
+      "```cpp unchecked\nmj_fwdVelocity(m, d);\n```\n\n"
+      "```cpp file=examples/b.cpp expect=compile-error\nmj_stop(mj_id2name);\n```\n";
+  EXPECT_EQ(ApiOf(text).in_code(),
+            "mjModel.nq: block 0\n"
+            "mj_forward: block 2\n"
+            "mj_step: line 2 of line 3 of block 1\n");
+  EXPECT_EQ(ApiOf(text, "draft: true\n").in_code(), "");
+}
+
+TEST(ApiReference, OfCodeIsLeftOutWithoutHeaders) {
+  const ApiOf api("`{x} model.nq`\n", "", MemoryFiles({}));
+  EXPECT_EQ(api.read.mistakes(), "");
+  EXPECT_TRUE(api.entries.empty());
 }
 
 }  // namespace
