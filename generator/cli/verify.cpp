@@ -24,14 +24,16 @@ namespace mjcourse {
 namespace {
 
 // Adds what only --strict minds; what is a warning without it is an error.
-void apply_strictly(Evaluation& evaluation) {
+void apply_strictly(Verified& verified) {
+  Evaluation& evaluation = verified.evaluation;
   Diagnostics& all = evaluation.diagnostics;
-  const auto add = [&](const LessonResults& page) {
-    const Diagnostics found = unreasoned(page.claims);
-    all.insert(all.end(), found.begin(), found.end());
-  };
-  for (const LessonResults& lesson : evaluation.lessons) add(lesson);
-  add(evaluation.glossary);
+  const auto pages = verified.course ? verified.course->pages() : std::vector<const Lesson*>();
+  for (const Lesson* page : pages) {
+    const LessonResults& results = evaluation.results_of(*verified.course, *page);
+    for (const Diagnostics& found : {unreasoned(results.claims), undescribed(*page)}) {
+      all.insert(all.end(), found.begin(), found.end());
+    }
+  }
   for (Diagnostic& diagnostic : all) diagnostic.severity = Severity::error;
 }
 
@@ -119,7 +121,7 @@ void evaluate_course(const Options& options, Verified& verified, bool all_claims
     Diagnostics& all = verified.evaluation.diagnostics;
     all.insert(all.end(), theme.begin(), theme.end());
   }
-  if (options.strict) apply_strictly(verified.evaluation);
+  if (options.strict) apply_strictly(verified);
   sort_by_place(verified.evaluation.diagnostics);
 }
 

@@ -87,16 +87,6 @@ std::optional<Figure::Animation> read_animation(JsonObject& object, const Figure
   return animation;
 }
 
-// A picture that says nothing to those who cannot see it is no picture of a lesson's.
-std::string read_alt(JsonObject& object, Reading& reading) {
-  const LocatedText alt = object.string("alt");
-  if (!alt.text.empty() && alt.text.find_first_not_of(" \t\n") == alt.text.npos) {
-    reading.error("E-json-missing", alt.span(), "\"alt\" is empty",
-                  "say in a sentence what the picture shows");
-  }
-  return alt.text;
-}
-
 }  // namespace
 
 int Figure::Animation::frames() const {

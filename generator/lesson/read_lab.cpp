@@ -54,6 +54,7 @@ std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
   lab.editable = read_editable(object.find("editable"), reader, lab.tasks);
   lab.goal = read_goal(object.find("goal"), lab.editable, reader);
   lab.ghost = read_ghost(object.find("ghost"), reading);
+  lab.alt = read_alt(object, reading);
   lab.pin = read_pin(object, reading);
   lab.note = reader.fragment(object.string("note"));
   object.finish();

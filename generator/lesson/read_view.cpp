@@ -44,6 +44,15 @@ std::vector<Lab::Overlay> read_overlays(JsonObject& object, Reading& reading) {
   return overlays;
 }
 
+std::string read_alt(JsonObject& object, Reading& reading) {
+  const LocatedText alt = object.string("alt");
+  if (!alt.text.empty() && alt.text.find_first_not_of(" \t\n") == alt.text.npos) {
+    reading.error("E-json-missing", alt.span(), "\"alt\" is empty",
+                  "say in a sentence what the picture shows");
+  }
+  return alt.text;
+}
+
 // It becomes a part of a file's name.
 LocatedText read_pin(JsonObject& object, Reading& reading) {
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789-";

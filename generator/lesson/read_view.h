@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "lesson/block.h"
@@ -12,6 +13,10 @@ namespace mjcourse {
 
 std::optional<Lab::Camera> read_camera(JsonObject& object, Reading& reading);
 std::vector<Lab::Overlay> read_overlays(JsonObject& object, Reading& reading);
+
+// What is to be seen, in words. A picture that says nothing to those who cannot see it is none of a
+// lesson's: blanks are an error.
+std::string read_alt(JsonObject& object, Reading& reading);
 
 // The name of the reference picture; empty where there is none, or its name is no name (reported).
 LocatedText read_pin(JsonObject& object, Reading& reading);

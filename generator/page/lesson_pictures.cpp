@@ -7,7 +7,8 @@
 namespace mjcourse {
 
 std::string alt_of(const Lab& lab) {
-  return "The lab \u201c" + lab.title + "\u201d before it is played";
+  if (!lab.alt.empty()) return lab.alt;
+  return "The lab \u201c" + lab.title + "\u201d before it is played.";
 }
 
 std::vector<LessonPicture> pictures_of(const Lesson& lesson, const LessonResults& results) {

@@ -31,11 +31,13 @@ export class ViewPanel implements PointerTarget {
     this.#player = player;
     const { lab, simulation, scene } = player.run;
     const id = newId();
+    const picture = place.querySelector("picture")!;
+    const atRest = picture.querySelector("img")!.alt;
     const words = "Arrow keys turn it, with Shift they move it; plus and minus zoom.";
-    const described = make("span", { id, class: "unseen" }, words);
+    const described = make("span", { id, class: "unseen" }, `At rest: ${atRest} ${words}`);
     const attributes = { role: "application", tabindex: 0, "aria-describedby": id };
     this.canvas = make("canvas", { ...attributes, "aria-label": `3D view: ${lab.title}` });
-    place.querySelector("picture")!.after(this.canvas, described, this.#hint);
+    picture.after(this.canvas, described, this.#hint);
     if (lab.ghost) {
       this.#hint.after(make("p", { class: "ghost-legend" }, `shadow: ${lab.ghost.label}`));
     }
