@@ -3,6 +3,7 @@
 
 import { violations } from "./axe.mjs";
 import { testSite } from "./browser.mjs";
+import { mostShifted, shiftOf } from "./shift.mjs";
 
 const wrong = [
   "1.2-generalised-coordinates.html",
@@ -36,6 +37,8 @@ await testSite(async (visitor) => {
         { width, scheme: index % 2 ? "dark" : "light", before: forgive },
         async (page) => {
           visitor.expect(await page.evaluate(isStyled), path, "it is not styled");
+          const shift = await shiftOf(page);
+          visitor.expect(shift <= mostShifted, path, `what is on the page moves by ${shift}`);
           for (const violation of await violations(page)) visitor.complain(path, violation);
           for (const [link, status] of await answersOf(page)) {
             visitor.expect(status === 200 || link === page.url(), path, `${status} for ${link}`);

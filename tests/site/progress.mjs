@@ -10,6 +10,7 @@ import { pathToFileURL } from "node:url";
 import { folder, pages, testSite } from "./browser.mjs";
 import { violations } from "./axe.mjs";
 import { answerRightly } from "./learner.mjs";
+import { mostShifted, shiftOf } from "./shift.mjs";
 
 const lesson = pages.find((path) => /^\d/.test(path));
 const kept = (page) => page.evaluate(() => JSON.stringify(Object.entries(localStorage).sort()));
@@ -64,17 +65,8 @@ async function tryContinue(visitor, page, { name, section, heading }) {
   const link = page.locator(".continue a");
   const text = await page.locator(".continue").innerText();
   expect(text === `Continue: ${name}, ${heading}`, `it offers "${text}"`);
-  const shift = await page.evaluate(
-    () =>
-      new Promise((resolve) => {
-        let sum = 0;
-        new PerformanceObserver((list) => {
-          for (const entry of list.getEntries()) sum += entry.value;
-        }).observe({ type: "layout-shift", buffered: true });
-        setTimeout(() => resolve(sum), 500);
-      }),
-  );
-  expect(shift < 0.02, `what is on the page moves by ${shift}`);
+  const shift = await shiftOf(page);
+  expect(shift <= mostShifted, `what is on the page moves by ${shift}`);
   expect((await signs(page, ".card h3").count()) === 1, "not one card has a sign");
   await page.waitForLoadState("networkidle");
   await link.click();
