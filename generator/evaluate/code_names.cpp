@@ -149,7 +149,7 @@ class Finder {
     const std::string name = structure + "." + field;
     const auto found = api_.lower_bound(name);
     if (structure.empty() || found == api_.end()) return "";
-    if (found->first.starts_with(name + ".")) return name;
+    if (found->first.starts_with(name + ".")) return found->first.substr(0, name.size());
     if (found->first != name) return "";
     names_[name].insert(line);
     std::string type = found->second.declaration;
