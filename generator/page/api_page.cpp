@@ -11,7 +11,8 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostLines = 5;  // that are linked to, of one program
+constexpr std::size_t kMostLines = 5;     // that are linked to, of one program
+constexpr std::size_t kMostPrograms = 2;  // whose lines are shown at once
 
 // The sections that speak of it, or have code that does, but for programs.
 json sections_data(const ApiEntry& entry, const Course& course, const Evaluation& evaluation) {
@@ -57,6 +58,8 @@ json programs_data(const ApiEntry& entry, const Course& course) {
 std::string api_page(const Course& course, const Evaluation& evaluation, const Press& press) {
   json names = json::array();
   for (const ApiEntry& entry : evaluation.api) {
+    json programs = programs_data(entry, course);
+    const std::size_t many = programs.size() > kMostPrograms ? programs.size() : 0;
     names.push_back({{"id", api_id(entry.name)},
                      {"name", entry.name},
                      {"kind", entry.kind},
@@ -66,7 +69,8 @@ std::string api_page(const Course& course, const Evaluation& evaluation, const P
                      {"section", entry.section},
                      {"url", entry.url},
                      {"uses", sections_data(entry, course, evaluation)},
-                     {"programs", programs_data(entry, course)}});
+                     {"programs", std::move(programs)},
+                     {"many", many}});
   }
   return render_template(
       press.templates, "api",
