@@ -25,7 +25,8 @@ using nlohmann::json;
 constexpr std::size_t kHashDigits = 16;
 
 bool is_shown(const std::string& path, const fs::path& site) {
-  static const std::set<std::string> for_others{"sitemap.xml", "robots.txt", "feed.xml"};
+  static const std::set<std::string> for_others{"sitemap.xml", "robots.txt", "feed.xml",
+                                                "opensearch.xml"};
   const std::string name = fs::path(path).filename().string();
   if (name.starts_with('.') || for_others.contains(path)) return false;
   return !path.ends_with(".png") || !fs::exists((site / path).replace_extension(".webp"));

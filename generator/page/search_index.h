@@ -1,8 +1,7 @@
 // What the search of the pages looks through: two scripts below the site's root.
 //
-//   search.js         names the other one and the search's own code; small, and always asked for
-//   anew search-HASH.js    mjcourse.pages = […]: all text, page by page;
-//   site/client/search/pages.ts has
+//   search.js         names the other one and the search's own code; small, always asked for anew
+//   search-HASH.js    mjcourse.pages = […]: all text, page by page; site/client/search/pages.ts has
 //                     its shape. Its name is made of its content, so a browser may keep it for ever
 //
 // They are scripts and not JSON, since a page that was opened from the disk may load nothing else;
@@ -23,6 +22,7 @@ inline constexpr std::size_t kMostSearchText = 8 << 20;
 std::size_t search_share(const Course& course);  // of one lesson
 
 inline constexpr const char* kSearchScript = "search.js";
+inline constexpr const char* kSearchPage = "search.html";  // ?q=WORDS
 
 // The index's piece of `lesson`, which has at most so many bytes of text; its hash goes with it.
 void add_search_part(const Lesson& lesson, const LessonResults& results, std::size_t most,

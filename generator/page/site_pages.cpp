@@ -83,6 +83,7 @@ void SitePages::write_others(PressEngines& engines) {
   for (const ModelPage& model : evaluation.models) write_model(model, press);
   if (!evaluation.models.empty()) write_gallery(press);
   write_missing(press);
+  write_search(press);
   write_search_index(site_, parts_, spool_, out_);
   copy_examples();
   write_moved_pages(site_, press.templates(), out_);
@@ -152,6 +153,24 @@ void SitePages::write_missing(PagePress& press) {
   press.write("404.html", head,
               render_template(press.templates(), "missing",
                               {{"title", head.title}, {"course", site_.course.title}}),
+              styles);
+}
+
+void SitePages::write_search(PagePress& press) {
+  InlineStyles styles;
+  const PageHead head{"finding", "Search", "What is looked for in " + site_.course.title + "."};
+  nlohmann::json places{{{"title", "Lessons"}, {"href", "index.html"}}};
+  if (site_.course.glossary) {
+    const Lesson& glossary = site_.course.glossary->page;
+    places.push_back({{"title", glossary.front.title.text}, {"href", page_path(glossary)}});
+  }
+  if (!site_.evaluation.api.empty()) places.push_back({{"title", kApiTitle}, {"href", kApiPage}});
+  if (!site_.evaluation.models.empty()) {
+    places.push_back({{"title", kGalleryTitle}, {"href", kGalleryPage}});
+  }
+  press.write(kSearchPage, head,
+              render_template(press.templates(), "search",
+                              {{"title", head.title}, {"places", std::move(places)}}),
               styles);
 }
 

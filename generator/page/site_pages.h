@@ -39,6 +39,7 @@ class SitePages {
   void write_model(const ModelPage& model, PagePress& press);
   // For addresses at which there is nothing: hosts show it in the place of what is not there.
   void write_missing(PagePress& press);
+  void write_search(PagePress& press);
   void copy_examples();
 
   std::filesystem::path root_;

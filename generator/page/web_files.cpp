@@ -8,6 +8,8 @@
 #include "page/gallery_page.h"
 #include "page/learner_pages.h"
 #include "page/printed_course.h"
+#include "page/search_index.h"
+#include "page/search_text.h"
 #include "page/site_paths.h"
 #include "page/verification.h"
 #include "page/web_place.h"
@@ -20,6 +22,7 @@ using nlohmann::json;
 constexpr const char* kSitemap = "sitemap.xml";
 // A feed tells what is new. Whoever wants all of a long course has the sitemap.
 constexpr std::size_t kMostNews = 50;
+constexpr std::size_t kMostShortName = 16;  // characters, which OpenSearch wants of a ShortName
 
 struct News {
   std::string time;
@@ -60,6 +63,7 @@ json sitemap_pages(const SiteData& site) {
   add(kProgressPage);
   add(kKeptPage);
   add(kVerificationPage);
+  add(kSearchPage);
   if (has_print(course)) add(kPrintPage);
   return pages;
 }
@@ -89,6 +93,12 @@ void write_web_files(const SiteData& site, const std::vector<LessonParts>& parts
                   render_template(templates, "sitemap", {{"pages", sitemap_pages(site)}}));
   directory.write("robots.txt",
                   "User-agent: *\nAllow: /\n\nSitemap: " + web_address(course, kSitemap) + "\n");
+  directory.write(kOpenSearch,
+                  render_template(templates, "opensearch",
+                                  {{"title", beginning_of(course.title, kMostShortName)},
+                                   {"description", course.title},
+                                   {"language", course.language},
+                                   {"address", web_address(course, kSearchPage)}}));
   if (!site.feed) return;
   std::vector<News> news = news_of(site);
   news.resize(std::min(news.size(), kMostNews));

@@ -12,6 +12,7 @@
 namespace mjcourse {
 
 inline constexpr const char* kFeed = "feed.xml";
+inline constexpr const char* kOpenSearch = "opensearch.xml";
 
 // Whether there is a lesson to tell of: one whose last change is known.
 bool has_feed(const SiteData& site);
@@ -20,8 +21,8 @@ bool has_feed(const SiteData& site);
 std::string feed_entry(const SiteData& site, const Lesson& lesson, const std::string& summary,
                        Templates& templates);
 
-// sitemap.xml, robots.txt and, where there is one, the feed of the lessons that changed last.
-// `parts` are the lessons'.
+// sitemap.xml, robots.txt, what browsers are told of the search and, where there is one, the feed
+// of the lessons that changed last. `parts` are the lessons'.
 void write_web_files(const SiteData& site, const std::vector<LessonParts>& parts,
                      Templates& templates, SiteFiles& directory, const Spool& spool);
 

@@ -66,6 +66,7 @@ json web_place(const SiteData& site, const std::string& path, const PageHead& he
              {"kind", head.kind == "lesson" ? "article" : "website"},
              {"site", site.course.title},
              {"address", address},
+             {"search", address.empty() ? "" : head.root + kOpenSearch},
              {"feed", site.feed ? head.root + kFeed : ""},
              {"picture", nullptr},
              {"facts", ""}};

@@ -12,7 +12,7 @@ import { upgradeQuizzes } from "./quiz/quiz.js";
 import { loadReading } from "./reading/loader.js";
 import { claimPage } from "./root.js";
 import { reachScrollers } from "./scrollers.js";
-import { addSearchButton, mendMissingPage } from "./search/opener.js";
+import { addSearchButton, loadWhereNeeded } from "./search/opener.js";
 import { explainTerms } from "./terms.js";
 import { addThemeButton, applyTheme } from "./theme.js";
 
@@ -20,7 +20,7 @@ function begin(): void {
   addSearchButton();
   addThemeButton();
   listenToKeys();
-  mendMissingPage();
+  loadWhereNeeded();
   followContents();
   loadListing();
   reachScrollers();

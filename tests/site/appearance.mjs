@@ -41,6 +41,7 @@ const kinds = {
   verification: "verification.html",
   missing: "404.html",
   search: "index.html",
+  finding: "search.html?q=pendulum",
   document: "print.html",
 };
 const looks = {
@@ -54,6 +55,7 @@ const looks = {
 const before = (kind) => (page) => kind === "missing" && page.removeAllListeners();
 
 async function open(page, kind) {
+  if (kind === "finding") await page.locator(".search-result").first().waitFor();
   if (kind !== "search") return;
   await page.keyboard.press("/");
   await page.getByRole("combobox").fill("pendulum");

@@ -1,5 +1,6 @@
 // The search finds a section by its words, also misspelt, MuJoCo's names by their parts, and models,
 // and opens there; with the keyboard alone, on a phone, and on a page that was opened from the disk.
+// A page of its own shows all that is found, at an address that holds the words.
 // Single keys turn pages, never while somebody types, and can be switched off.
 
 import { join } from "node:path";
@@ -7,6 +8,7 @@ import { pathToFileURL } from "node:url";
 
 import { violations } from "./axe.mjs";
 import { folder, testSite } from "./browser.mjs";
+import { mostShifted, shiftOf } from "./shift.mjs";
 
 const lesson = "1-state/1.2-generalized-coordinates.html";
 
@@ -109,6 +111,36 @@ async function turnsPages(visitor, page, where) {
   await page.waitForLoadState("networkidle");
 }
 
+const found = (page) => page.locator(".search-place li a");
+const hasFound = (page, end) =>
+  page.locator(`.search-place li a[href$="${end}"]`).first().waitFor();
+
+// From the dialog to the page, which a link leads to and a browser comes back to.
+async function findsOnPage(visitor, page, where) {
+  await page.keyboard.press("/");
+  await look(page, "the");
+  await page.getByRole("link", { name: "As a page" }).click();
+  await page.waitForURL(/search\.html\?q=the$/);
+  await found(page).first().waitFor();
+  const count = await found(page).count();
+  await page.getByRole("button", { name: "More results" }).click();
+  visitor.expect((await found(page).count()) > count, where, "there are no more results");
+  const box = page.getByRole("searchbox", { name: "Search this course" });
+  await page.locator("h1").click();
+  await page.keyboard.press("/");
+  await page.keyboard.type("mj_integratePos");
+  await hasFound(page, "api.html#mj_integratePos");
+  await isAccessible(visitor, page, where);
+  await box.press("Enter");
+  visitor.expect(page.url().endsWith("?q=mj_integratePos"), where, `it is ${page.url()}`);
+  await page.reload();
+  await hasFound(page, "api.html#mj_integratePos");
+  const shift = await shiftOf(page);
+  visitor.expect(shift <= mostShifted, where, `what is on the page moves by ${shift}`);
+  await box.fill("xyzzyplugh");
+  await page.getByText("Nothing is found for “xyzzyplugh”.").waitFor();
+}
+
 await testSite(async (visitor) => {
   for (const [scheme, width] of [
     ["light", 1440],
@@ -138,6 +170,17 @@ await testSite(async (visitor) => {
     await page.keyboard.press("/");
     await findsAll(visitor, page, "from the disk");
     await opensAtSection(visitor, page, "from the disk");
+  });
+  for (const [scheme, width] of [
+    ["light", 360],
+    ["dark", 1440],
+  ]) {
+    const where = `search.html (${scheme}, ${width} px)`;
+    await visitor.visit(lesson, { scheme, width }, (page) => findsOnPage(visitor, page, where));
+  }
+  await visitor.visit("search.html", { javaScript: false }, async (page) => {
+    const way = page.locator("main").getByRole("link", { name: "Glossary" });
+    visitor.expect(await way.isVisible(), "search.html", "without JavaScript it leads nowhere");
   });
   await visitor.visit(lesson, { javaScript: false }, async (page) => {
     const buttons = await page.getByRole("button", { name: "Search" }).count();

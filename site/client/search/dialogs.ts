@@ -5,9 +5,10 @@ import { KeysDialog } from "./keys-dialog.js";
 import { mendMissingPage } from "./missing.js";
 import { add, addressOf } from "./scripts.js";
 import { SearchDialog } from "./search-dialog.js";
+import { SearchPage } from "./search-page.js";
 
 let keys: KeysDialog | undefined;
-let search: SearchDialog | undefined;
+let search: SearchDialog | SearchPage | undefined;
 
 // Without it they are plain, and work all the same.
 const link = document.createElement("link");
@@ -23,6 +24,8 @@ function openSearch(words?: string, typed = ""): void {
   (search ??= new SearchDialog(openKeys)).open(words, typed);
 }
 
+const place = document.querySelector(".search-place");
+if (place) void styled.then(() => (search = new SearchPage(place)));
 const missing = document.querySelector(".missing");
 if (missing) mendMissingPage(missing, openSearch);
 window.mjcourse!.dialogs = { styled, openSearch, openKeys };

@@ -24,7 +24,7 @@ interface Entry {
   readonly code: string;
 }
 
-const chunk = 200; // sections that are read before the page is given a moment
+const chunk = 15; // sections that are read before the page is given a moment
 
 export class Finder {
   readonly #places: { page: Page; section: Section }[] = [];

@@ -20,6 +20,7 @@ async function open(show: (dialogs: Dialogs) => void): Promise<void> {
     show(await (loading ??= load()));
   } catch {
     loading = undefined; // the next time may be a better one
+    document.body.classList.add("without-search");
     button.title = button.textContent = "Search: not loaded, try again";
     button.focus();
   }
@@ -35,9 +36,9 @@ export function openKeys(): void {
   void open((dialogs) => dialogs.openKeys());
 }
 
-/** Of 404.html, which is of little use without the search. */
-export function mendMissingPage(): void {
-  if (document.querySelector(".missing")) void open(() => undefined);
+/** At once on 404.html and search.html, which are of little use without it. */
+export function loadWhereNeeded(): void {
+  if (document.querySelector(".missing, .search-place")) void open(() => undefined);
 }
 
 export function addSearchButton(): void {

@@ -1,4 +1,4 @@
-// What was found, as a list: page by page, in each its sections.
+// What was found, page by page, in each its sections: as a list to choose from, or to read.
 
 import { make } from "../element.js";
 import type { Hit } from "./finder.js";
@@ -15,15 +15,32 @@ export function countOf(hits: readonly Hit[]): string {
   return `${count(hits.length, "result")} on ${count(pages, "page")}`;
 }
 
-/** The best of them; links that can be chosen, whose ids begin with `id`. */
-export function groupsOf(hits: readonly Hit[], root: string, id: string): HTMLElement[] {
+/** The hits of each page, the page with the best first. */
+export function byPage(hits: readonly Hit[]): Map<Page, Hit[]> {
   const pages = new Map<Page, Hit[]>();
   for (const hit of hits) {
     const own = pages.get(hit.page);
     if (own) own.push(hit);
-    else if (pages.size < mostPages) pages.set(hit.page, [hit]);
+    else pages.set(hit.page, [hit]);
   }
-  return [...pages].map(([page, own], index) => {
+  return pages;
+}
+
+/** All hits of a page, to read. */
+export function sectionOf(page: Page, hits: readonly Hit[], root: string): HTMLElement {
+  const items = hits.map((hit) => {
+    return make(
+      "li",
+      {},
+      make("a", { class: "search-result", href: href(hit, root) }, ...inside(hit)),
+    );
+  });
+  return make("section", {}, make("h2", {}, nameOf(page)), make("ul", {}, ...items));
+}
+
+/** The best of them; links that can be chosen, whose ids begin with `id`. */
+export function groupsOf(hits: readonly Hit[], root: string, id: string): HTMLElement[] {
+  return [...byPage(hits)].slice(0, mostPages).map(([page, own], index) => {
     const label = make("p", { class: "search-page", id: `${id}-${index}` }, nameOf(page));
     const options = own
       .slice(0, mostSections)
@@ -32,10 +49,23 @@ export function groupsOf(hits: readonly Hit[], root: string, id: string): HTMLEl
   });
 }
 
-function option({ page, section, words }: Hit, root: string, id: string): HTMLElement {
-  const { title, anchor, text, code } = section;
+function href({ page, section: { anchor } }: Hit, root: string): string {
+  return `${root}${page.href}${anchor === "" ? "" : `#${anchor}`}`;
+}
+
+// Its title, and a piece of its text around what was found.
+function inside({ page, section, words }: Hit): (Node | string)[] {
+  const { title, text, code } = section;
   const inCode = !hasAny(text, words) && hasAny(code, words);
   const piece = snippet(inCode ? code : text, words);
+  return [
+    make("span", { class: "search-title" }, ...marked(title || page.title, words)),
+    " ",
+    inCode ? make("code", {}, ...piece) : make("span", {}, ...piece),
+  ];
+}
+
+function option(hit: Hit, root: string, id: string): HTMLElement {
   return make(
     "a",
     {
@@ -44,10 +74,8 @@ function option({ page, section, words }: Hit, root: string, id: string): HTMLEl
       class: "search-result",
       tabindex: "-1",
       "aria-selected": "false",
-      href: `${root}${page.href}${anchor === "" ? "" : `#${anchor}`}`,
+      href: href(hit, root),
     },
-    make("span", { class: "search-title" }, ...marked(title || page.title, words)),
-    " ",
-    inCode ? make("code", {}, ...piece) : make("span", {}, ...piece),
+    ...inside(hit),
   );
 }

@@ -23,6 +23,7 @@ export class SearchDialog {
     enterkeyhint: "go",
   });
   readonly #status = make("p", { role: "status", class: "search-status" });
+  readonly #all = make("a", { class: "search-all", hidden: "" }, "As a page");
   readonly #list = make("div", { role: "listbox", id: listId, "aria-label": "Results" });
   readonly #dialog = make("dialog", { class: "search", "aria-label": "Search" });
   #finder: Promise<Finder> | undefined;
@@ -46,7 +47,7 @@ export class SearchDialog {
     });
     this.#dialog.append(
       make("div", { class: "search-head" }, this.#field, close),
-      make("div", { class: "search-foot" }, this.#status, keys),
+      make("div", { class: "search-foot" }, this.#status, this.#all, keys),
       this.#list,
     );
     document.body.append(this.#dialog);
@@ -82,6 +83,8 @@ export class SearchDialog {
     this.#list.scrollTop = 0;
     this.#field.setAttribute("aria-expanded", String(hits.length > 0));
     this.#choose(this.#options[0]);
+    this.#all.hidden = hits.length === 0;
+    this.#all.href = `${this.#root}search.html?q=${encodeURIComponent(words)}`;
     if (words === "") this.#say(hint);
     else this.#say(hits.length > 0 ? countOf(hits) : `Nothing is found for “${words}”.`);
   }

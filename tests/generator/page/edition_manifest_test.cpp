@@ -32,8 +32,8 @@ TEST_F(EditionManifest, HasHashAndSizeOfEachFile) {
 }
 
 TEST_F(EditionManifest, LeavesOutWhatNoPageShows) {
-  for (const char* path : {".mjcourse-site", "sitemap.xml", "robots.txt", "feed.xml", "p.png",
-                           "p.webp", "alone.png", "models/feed.xml"}) {
+  for (const char* path : {".mjcourse-site", "sitemap.xml", "robots.txt", "feed.xml",
+                           "opensearch.xml", "p.png", "p.webp", "alone.png", "models/feed.xml"}) {
     write(path, "");
   }
   const json all = manifest();

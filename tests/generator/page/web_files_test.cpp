@@ -49,7 +49,7 @@ TEST_F(WebFiles, AreNoneWithoutAnAddress) {
 TEST_F(WebFiles, TellOfNoChangeThatNobodyKnows) {
   site_.data.changes["content/1-a/1.1-x.md"] = {};  // not committed
   const auto files = written();
-  EXPECT_EQ(files.size(), 2U);
+  EXPECT_EQ(files.size(), 3U);
   EXPECT_EQ(files.at("robots.txt"),
             "User-agent: *\nAllow: /\n\nSitemap: https://example.org/c/sitemap.xml\n");
   EXPECT_EQ(files.at("sitemap.xml"),
@@ -61,8 +61,22 @@ TEST_F(WebFiles, TellOfNoChangeThatNobodyKnows) {
             "<url><loc>https://example.org/c/progress.html</loc></url>\n"
             "<url><loc>https://example.org/c/offline.html</loc></url>\n"
             "<url><loc>https://example.org/c/verification.html</loc></url>\n"
+            "<url><loc>https://example.org/c/search.html</loc></url>\n"
             "<url><loc>https://example.org/c/print.html</loc></url>\n"
             "</urlset>\n");
+}
+
+TEST_F(WebFiles, TellABrowserOfTheSearch) {
+  site_.course.title = "Mechanics & more of it";
+  EXPECT_EQ(written().at("opensearch.xml"), R"(<?xml version="1.0" encoding="utf-8"?>
+<OpenSearchDescription xmlns="http://a9.com/-/spec/opensearch/1.1/">
+<ShortName>Mechanics &amp; more</ShortName>
+<Description>Search Mechanics &amp; more of it</Description>
+<InputEncoding>UTF-8</InputEncoding>
+<Language>en</Language>
+<Url type="text/html" template="https://example.org/c/search.html?q={searchTerms}"/>
+</OpenSearchDescription>
+)");
 }
 
 TEST_F(WebFiles, TellOfTheNewestLessonFirst) {

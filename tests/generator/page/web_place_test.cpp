@@ -19,7 +19,7 @@ TEST(WebPlace, OfACourseWithoutAnAddressHasNone) {
                       SharedPicture{"1-a/1.1-x/lab-1.png", 4, 2, "A lab"}};
   EXPECT_EQ(web_place(site.data, "1-a/1.1-x.html", head), json::parse(R"({
       "title": "1.1 One", "description": "What", "kind": "article", "site": "C",
-      "address": "", "feed": "", "picture": null, "facts": ""})"));
+      "address": "", "feed": "", "search": "", "picture": null, "facts": ""})"));
 }
 
 TEST(WebPlace, OfALessonIsItsPagesAddress) {
@@ -36,6 +36,7 @@ TEST(WebPlace, OfALessonIsItsPagesAddress) {
   EXPECT_EQ(place, json::parse(R"({
       "title": "1.1 </script>", "description": "What", "kind": "article", "site": "C",
       "address": "https://example.org/c/1-a/1.1-x.html", "feed": "../feed.xml",
+      "search": "../opensearch.xml",
       "picture": {"address": "https://example.org/c/1-a/1.1-x/lab-1.png",
                   "width": 4, "height": 2, "alt": "A lab"}})"));
   EXPECT_EQ(facts.find('<'), facts.npos) << facts;
