@@ -2,10 +2,16 @@
 //
 //   import widths from "computed:letter-widths";
 
+import { compiledTemplates } from "./compiled-templates.mjs";
 import { letterWidths } from "./letter-widths.mjs";
 import { plotVocabulary } from "./plot-vocabulary.mjs";
 
-const makers = { "letter-widths": letterWidths, "plot-vocabulary": wordsOfPlots };
+// Each gives what is to be JSON, or the text of a module.
+const makers = {
+  "letter-widths": letterWidths,
+  "plot-vocabulary": wordsOfPlots,
+  templates: compiledTemplates,
+};
 
 // What they mean is for editors.
 async function wordsOfPlots(site) {
@@ -20,7 +26,9 @@ export const computed = (site) => ({
       return { path: args.path.slice("computed:".length), namespace: "computed" };
     });
     hooks.onLoad({ filter: /.*/, namespace: "computed" }, async (args) => {
-      return { contents: JSON.stringify(await makers[args.path](site)), loader: "json" };
+      const made = await makers[args.path](site);
+      if (typeof made === "string") return { contents: made, loader: "js" };
+      return { contents: JSON.stringify(made), loader: "json" };
     });
   },
 });

@@ -3,6 +3,9 @@
  * and the HTML, or the JSON `{name, message, line}` of the template with the mistake.
  */
 import Handlebars from "handlebars";
+import known from "computed:templates";
+
+import { options, strictly } from "../strict-template.js";
 
 const handlebars = Handlebars.create();
 
@@ -17,18 +20,11 @@ class Mistake extends Error {
   }
 }
 
-/** Strict mode alone lets pass a name that a condition or a loop is given: `{{#if titel}}`. */
-class StrictEverywhere extends Handlebars.Visitor {
-  override PathExpression(path: hbs.AST.PathExpression): void {
-    Object.assign(path, { strict: true });
-  }
-}
-
 function addTemplate(name: string, source: string): string {
   const template = lazily(() => {
-    const program = handlebars.parse(source);
-    new StrictEverywhere().accept(program);
-    return handlebars.compile(program, { strict: true });
+    const ours = known[name];
+    if (ours?.source === source) return handlebars.template(ours.spec);
+    return handlebars.compile(strictly(source), options);
   });
   const tagged: Handlebars.TemplateDelegate = (data: unknown, options) => {
     try {
