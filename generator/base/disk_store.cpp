@@ -41,9 +41,10 @@ std::optional<std::string> verified(const std::string& name, std::string bytes) 
   }
   const std::size_t begin = kMark.size() + 64 + 1;
   if (bytes.size() < begin || !bytes.starts_with(kMark)) return std::nullopt;
-  std::string content = bytes.substr(begin);
-  if (sha256(content) != bytes.substr(kMark.size(), 64)) return std::nullopt;
-  return content;
+  const std::string_view all = bytes;
+  if (sha256(all.substr(begin)) != all.substr(kMark.size(), 64)) return std::nullopt;
+  bytes.erase(0, begin);
+  return bytes;
 }
 
 void write_all(int descriptor, std::string_view bytes, const fs::path& path) {

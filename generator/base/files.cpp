@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <fstream>
 #include <string_view>
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t kPiece = 1 << 16;
+constexpr std::size_t kPiece = 1 << 12;
 
 }  // namespace
 
@@ -33,16 +34,21 @@ tl::expected<std::string, std::string> DiskFiles::read(const std::string& path) 
   if (!S_ISREG(status.st_mode)) return tl::unexpected(path + ": is not a file");
   const Descriptor file(open(full.c_str(), O_RDONLY | O_CLOEXEC));
   if (!file.is_open()) return refused(errno);
-  std::string bytes;
-  // A file may say that it is smaller than it is, as those of the kernel do.
-  for (std::size_t more = static_cast<std::size_t>(status.st_size);;
-       more = std::max(more, kPiece)) {
-    const std::size_t known = bytes.size();
-    bytes.resize(known + more + 1);  // one more byte finds the end
-    const ssize_t count = ::read(file.get(), bytes.data() + known, more + 1);
-    if (count < 0 && errno != EINTR) return refused(errno);
-    bytes.resize(known + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-    if (count == 0) return bytes;
+  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+  std::size_t known = 0;
+  std::array<char, kPiece>
+      beyond{};  // a file may be larger than it says, as those of the kernel are
+  while (true) {
+    const bool told = known < bytes.size();
+    const ssize_t count = told ? ::read(file.get(), bytes.data() + known, bytes.size() - known)
+                               : ::read(file.get(), beyond.data(), beyond.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return refused(errno);
+    if (!told) bytes.append(beyond.data(), static_cast<std::size_t>(count));
+    known += static_cast<std::size_t>(count);
+    if (count > 0) continue;
+    bytes.resize(known);
+    return bytes;
   }
 }
 
