@@ -71,7 +71,8 @@ json fingerprint_of(const fs::path& file) {
 }
 
 bool is_core(const std::string& path, const std::set<std::string>& assets, const Course& course) {
-  static const std::set<std::string> pages{"index.html", kProgressPage, kKeptPage, kSearchScript};
+  static const std::set<std::string> pages{"index.html", kProgressPage, kKeptPage, kSearchPage,
+                                           kSearchScript};
   return pages.contains(path) || assets.contains(path) || path.starts_with("search-") ||
          path.starts_with("assets/theme-") ||
          (course.glossary && path == page_path(course.glossary->page));

@@ -135,6 +135,9 @@ async function readWithoutNetwork(reader) {
   await reader.find("cart");
   await page.keyboard.press("Escape");
 
+  await reader.go("search.html?q=cart");
+  await page.locator(".search-result").first().waitFor();
+
   await reader.go(unread);
   const said = await reader.text();
   expect(said.includes(`${unread} is not kept here`), `of an unread page it says: ${said}`);

@@ -43,13 +43,13 @@ TEST_F(EditionManifest, LeavesOutWhatNoPageShows) {
 }
 
 TEST_F(EditionManifest, HasInItsCoreWhatEveryReaderNeeds) {
-  for (const char* path :
-       {"assets/lab-1.js", "assets/site-1.css", "assets/theme-1.css", "assets/font.woff2",
-        "index.html", "offline.html", "1-a/1.1-b.html", "search.js", "search-1.js", "404.html"}) {
+  for (const char* path : {"assets/lab-1.js", "assets/site-1.css", "assets/theme-1.css",
+                           "assets/font.woff2", "index.html", "offline.html", "1-a/1.1-b.html",
+                           "search.js", "search-1.js", "search.html", "404.html"}) {
     write(path, "");
   }
   EXPECT_EQ(manifest()["core"], json({"assets/site-1.css", "assets/theme-1.css", "index.html",
-                                      "offline.html", "search-1.js", "search.js"}));
+                                      "offline.html", "search-1.js", "search.html", "search.js"}));
 }
 
 TEST_F(EditionManifest, DoesNotDependOnThreads) {
