@@ -34,7 +34,11 @@ export class Lab {
     const lab = new Lab(page, id);
     for (const place of [4, 5]) await page.mouse.move(place, place);
     await lab.root.scrollIntoViewIfNeeded();
-    await page.locator(`#${id}[data-live]`).waitFor({ timeout: patience });
+    const live = page.locator(`#${id}[data-live]`);
+    await live.waitFor({ timeout: patience }).catch(async (error) => {
+      const said = await lab.root.locator(".lab-status").allInnerTexts();
+      throw new Error(`${id} does not wake, and says “${said}”`, { cause: error });
+    });
     await lab.settle();
     return lab;
   }
