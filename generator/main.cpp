@@ -2,8 +2,7 @@
 
 #include "cli/run.h"
 
-// Read by jemalloc before main(): memory in large pages, of which a short run touches a third
-// fewer.
+// Read by jemalloc before main(). In large pages, memory that is new costs a short run less.
 extern "C" {
 const char* malloc_conf = "thp:always";
 }

@@ -36,8 +36,8 @@ tl::expected<std::string, std::string> DiskFiles::read(const std::string& path) 
   if (!file.is_open()) return refused(errno);
   std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
   std::size_t known = 0;
-  std::array<char, kPiece>
-      beyond{};  // a file may be larger than it says, as those of the kernel are
+  // A file may be larger than it says, as those of the kernel are.
+  std::array<char, kPiece> beyond{};
   while (true) {
     const bool told = known < bytes.size();
     const ssize_t count = told ? ::read(file.get(), bytes.data() + known, bytes.size() - known)

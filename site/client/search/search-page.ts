@@ -22,6 +22,7 @@ export class SearchPage {
   readonly #list = make("div");
   readonly #more = make("button", { type: "button", hidden: "" }, "More results");
   #finder: Promise<Finder> | undefined;
+  #failed = false;
   #rest: [Page, Hit[]][] = [];
 
   /** In `place`, which says until then how to do without. */
@@ -56,13 +57,12 @@ export class SearchPage {
 
   async #find(): Promise<void> {
     if (!this.#finder && this.#field.value.trim() === "") return;
-    const again = this.#status.classList.contains("failed");
     try {
-      this.#finder ??= Finder.load(again);
+      this.#finder ??= Finder.load(this.#failed);
       this.#show(await this.#finder);
     } catch {
       this.#finder = undefined;
-      this.#status.classList.add("failed");
+      this.#failed = true;
       this.#status.textContent =
         "What the search looks through could not be loaded. Search once more to try again.";
     }
