@@ -11,6 +11,7 @@ import { join } from "node:path";
 
 import { launch } from "../site/chromium.mjs";
 import { serve } from "../site/server.mjs";
+import { until } from "../site/until.mjs";
 
 const [mjcourse, course] = process.argv.slice(2);
 const home = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
@@ -40,9 +41,7 @@ const words = ["preview", "--course", course, "--port", new URL(former.root).por
 const preview = spawn(mjcourse, words, { stdio: ["ignore", "pipe", "inherit"] });
 await once(preview.stdout, "data");
 await page.goto(former.root);
-await page.waitForFunction(async () => {
-  return (await navigator.serviceWorker.getRegistrations()).length === 0;
-});
+await until(page, async () => (await navigator.serviceWorker.getRegistrations()).length === 0);
 await page.locator("html[data-preview-version]").waitFor({ state: "attached" });
 expect((await left(page)) === "0 workers, 0 caches", `the preview leaves ${await left(page)}`);
 await page.reload();

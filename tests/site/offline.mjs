@@ -24,6 +24,7 @@ import { join } from "node:path";
 import { launch } from "./chromium.mjs";
 import { Lab } from "./lab/lab.mjs";
 import { serve } from "./server.mjs";
+import { until } from "./until.mjs";
 
 const [mjcourse, course] = process.argv.slice(3);
 const home = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
@@ -94,8 +95,8 @@ class Reader {
   }
 
   // Until the worker has the page, and all that it has loaded before there was a worker.
-  async isKept() {
-    await this.page.waitForFunction(async () => {
+  isKept() {
+    return until(this.page, async () => {
       const loaded = performance.getEntriesByType("resource").map(({ name }) => name);
       const shown = [location.href, ...loaded].filter((name) => !/\/(sw\.js|edition-)/.test(name));
       const kept = await Promise.all(shown.map((address) => caches.match(address)));
@@ -254,8 +255,8 @@ async function test(browser) {
   // Who has all of it, has all of the next one.
   deploy("first");
   await reader.go("index.html");
-  await reader.page.locator(".newer button").click();
-  await reader.page.waitForEvent("load");
+  const button = reader.page.locator(".newer button");
+  await Promise.all([reader.page.waitForEvent("load"), button.click()]);
   await isPure(reader, "the next edition");
   goOffline();
   await reader.go(unread);
