@@ -47,7 +47,7 @@ void write_progress(const SiteData& site, const std::vector<LessonParts>& parts,
   const std::string body = render_template(press.templates(), "progress",
                                            {{"title", kProgressTitle},
                                             {"course", site.course.title},
-                                            {"review", has_questions(site.course)},
+                                            {"review", site.asks},
                                             {"levels", std::move(levels)},
                                             {"sheet", site.manifest.at("learner.css")},
                                             {"script", site.manifest.at("progress.js")}});

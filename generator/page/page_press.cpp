@@ -112,7 +112,7 @@ std::string PagePress::frame(const std::string& path, const PageHead& head,
                           {"styles", sheet},
                           {"levels", std::move(levels)},
                           {"more", more},
-                          {"pages", pages_data(course, site_.evaluation, asks_, head.kind)},
+                          {"pages", pages_data(course, site_.evaluation, site_.asks, head.kind)},
                           {"body", placeholder("body")}});
 }
 

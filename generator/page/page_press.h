@@ -32,6 +32,7 @@ struct SiteData {
   bool places = false;                             // pages tell of which lines they are made
   std::string theme = {};                          // the course's own stylesheet; "" for none
   LastChanges changes = {};                        // of the lessons' files, as far as git knows
+  bool asks = has_questions(course);               // some published lesson does
   bool feed = false;                               // it has one (page/web_files.h)
 };
 
@@ -64,7 +65,7 @@ class PagePress {
  public:
   // All must outlive this.
   PagePress(const SiteData& site, SiteFiles& directory, PressEngines& engines)
-      : site_(site), directory_(directory), engines_(engines), asks_(has_questions(site.course)) {}
+      : site_(site), directory_(directory), engines_(engines) {}
 
   // For the page `path`, which needs `styles`.
   Press press(InlineStyles& styles, const std::string& path);
@@ -84,7 +85,6 @@ class PagePress {
   const SiteData& site_;
   SiteFiles& directory_;
   PressEngines& engines_;
-  bool asks_;  // the site has a question
 };
 
 }  // namespace mjcourse

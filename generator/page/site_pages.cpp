@@ -76,7 +76,7 @@ void SitePages::write_others(PressEngines& engines) {
   write_verification(site_, parts_, press, out_, spool_);
   write_progress(site_, parts_, press, spool_);
   write_kept(site_, press);
-  if (has_questions(course)) write_review(site_, parts_, press, out_, spool_);
+  if (site_.asks) write_review(site_, parts_, press, out_, spool_);
   const std::string glossary = course.glossary ? write_glossary(press) : "";
   if (has_print(course)) write_printed_course(site_, parts_, glossary, press, spool_, out_);
   if (!evaluation.api.empty()) write_api(press);

@@ -59,7 +59,7 @@ json sitemap_pages(const SiteData& site) {
   if (!site.evaluation.api.empty()) add(kApiPage);
   if (!site.evaluation.models.empty()) add(kGalleryPage);
   for (const ModelPage& model : site.evaluation.models) add(model_page_path(model.name));
-  if (has_questions(course)) add(kReviewPage);
+  if (site.asks) add(kReviewPage);
   add(kProgressPage);
   add(kKeptPage);
   add(kVerificationPage);

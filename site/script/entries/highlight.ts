@@ -13,6 +13,7 @@ import xml from "highlight.js/lib/languages/xml";
 import yaml from "highlight.js/lib/languages/yaml";
 
 import { compiled } from "../compiled-grammar.js";
+import { HtmlEmitter } from "../html-emitter.js";
 import { lesson } from "../lesson-language.js";
 
 const languages = {
@@ -29,6 +30,7 @@ const languages = {
   xml,
   yaml,
 };
+hljs.configure({ __emitter: HtmlEmitter });
 for (const [name, language] of Object.entries(languages)) {
   hljs.registerLanguage(name, compiled(language));
 }

@@ -19,6 +19,15 @@ TEST(HighlighterTest, MarksWhatTheLanguageKnows) {
   }
 }
 
+TEST(HighlighterTest, WhatHasSeveralPartsHasSeveralClasses) {
+  Highlighter highlighter(bundle("highlight"));
+  EXPECT_EQ(highlighter.highlight("def f(): 'a' & 1", "python"),
+            "<span class=\"hljs-keyword\">def</span> "
+            "<span class=\"hljs-title function_\">f</span>(): "
+            "<span class=\"hljs-string\">&#x27;a&#x27;</span> &amp; "
+            "<span class=\"hljs-number\">1</span>");
+}
+
 TEST(HighlighterTest, SetsALessonsFencesInTheirOwnLanguages) {
   Highlighter highlighter(bundle("highlight"));
   EXPECT_EQ(highlighter.highlight("```cpp unchecked\nint x;\n```\n", "lesson"),
