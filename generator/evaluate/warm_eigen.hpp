@@ -1,7 +1,8 @@
 // What programs about MuJoCo mostly do with Eigen, done once.
 //
 // It stands at the end of a warm header (warm_objects.cpp). That a program uses a template costs
-// the compiler more than all else in it; what is used here, it finds made.
+// the compiler more than all else in it; what is used here, it finds made. What is not listed pays
+// for it: a name that has more meanings takes longer to look up, 50 ms a program for all of this.
 #ifdef EIGEN_CORE_H
 namespace mjcourse_warm {
 
@@ -64,13 +65,39 @@ inline void matrices(Eigen::MatrixXd& a, VectorXd& b, const State& state) {
   b[0] = a(0, 0) + (a - a).cwiseAbs().maxCoeff() + a.norm();
 }
 
-// Damped least squares for a hand: six equations.
-inline void equations() {
+#ifdef EIGEN_GEOMETRY_MODULE_H
+// Directions and turns; `at` is where MuJoCo has a place, and a rotation's rows.
+inline void turns(Eigen::Vector3d& x, double* at) {
+  using Eigen::AngleAxisd, Eigen::Matrix3d, Eigen::Quaterniond, Eigen::Vector3d;
+  using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+  x = Vector3d(at) + 2.0 * Vector3d::UnitX();
+  x = Vector3d(static_cast<const double*>(at)) + Eigen::Map<const Vector3d>(at);
+  const AngleAxisd about_z(1, Vector3d::UnitZ());
+  const Quaterniond q = Quaterniond(1, 0, 0, 0) * Quaterniond(about_z);
+  x = q.conjugate() * x;
+  const Matrix3d r =
+      (about_z * AngleAxisd(1, Vector3d::UnitX())).toRotationMatrix() * about_z.matrix();
+  x = r * x;
+  x = r.transpose() * x;
+  x = Eigen::Map<const Rows>(at).transpose() * x;
+  x = x.cross(r.col(0));
+  x = x.cross(x);
+  x[0] = AngleAxisd(q.slerp(0.5, q)).angle() + (r.transpose() * r).trace();
+}
+#endif
+
+#ifdef EIGEN_CHOLESKY_MODULE_H
+// Damped least squares for a hand: six equations for an arm of seven joints, as most have.
+inline void equations(Eigen::VectorXd& qpos) {
   using Matrix6d = Eigen::Matrix<double, 6, 6>;
   Eigen::Matrix<double, 6, 1> b = Eigen::Matrix<double, 6, 1>::Zero();
-  const Matrix6d a = b * b.transpose() + 0.1 * Matrix6d::Identity();
+  Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor> all(6, qpos.size());
+  const Eigen::Matrix<double, 6, 7> jacobian = all.leftCols<7>();
+  const Matrix6d a = jacobian * jacobian.transpose() + 0.1 * 0.1 * Matrix6d::Identity();
   b = a.ldlt().solve(b);
+  Eigen::Map<Eigen::Matrix<double, 7, 1>>(qpos.data()) += jacobian.transpose() * a.ldlt().solve(b);
 }
+#endif
 
 inline void made() {
   VectorXd a = VectorXd::Zero(9), b = VectorXd::Ones(9);
@@ -82,12 +109,12 @@ inline void made() {
   arithmetic(a, b);
   Eigen::MatrixXd matrix(9, 9);
   matrices(matrix, b, state);
-  equations();
   Eigen::Vector3d x(1, 2, 3), y(4, 5, 6);
   arithmetic(x, y);
-  x = x.cross(y);
+  Eigen::Vector2d u(1, 2), v(3, 4);
+  arithmetic(u, v);
   const Eigen::Vector4d q(1, 0, 0, 0);
-  a[0] = numbers(a, b) + numbers(x, y) + numbers(q, q);
+  a[0] = numbers(a, b) + numbers(x, y) + numbers(q, q) + numbers(u, v);
   // As arguments of functions.
   const VectorXd& c = a;
   using Given = Eigen::Ref<const VectorXd>;

@@ -94,6 +94,15 @@ TEST_F(CompilerTest, CompilesTheSameWithAWarmHeaderAndWithout) {
   EXPECT_EQ(all_dependencies(warm), all_dependencies(plain));
 }
 
+TEST_F(CompilerTest, WarmsWhateverOfEigenAProgramIncludes) {
+  for (const char* header : {"Core", "Geometry", "Cholesky", "Dense"}) {
+    const Compiled compiled = compile("#include <Eigen/" + std::string(header) +
+                                      ">\nint main() { return Eigen::VectorXd::Ones(3).sum(); }\n");
+    EXPECT_TRUE(compiled.header) << header;
+    EXPECT_EQ(exit_code_, 3) << header << compiled.raw;
+  }
+}
+
 TEST_F(CompilerTest, TellsEveryFileThatWasRead) {
   const Compiled compiled = compile("#include <cstdio>\n" + kTwice);
   const auto holds = [](const std::vector<std::string>& files, const std::string& file) {
