@@ -6,6 +6,7 @@
 #include "base/content_hash.h"
 #include "evaluate/workshop.h"
 #include "page/course_data.h"
+#include "page/page_fonts.h"
 #include "page/placeholder.h"
 #include "page/web_place.h"
 
@@ -20,15 +21,14 @@ nlohmann::json roots_of(const PageHead& head) {
   return nlohmann::json::array({"", "../", "../../", "../../../"});
 }
 
-// Those of the first lines. A course with a style of its own may have other faces, and a page that
-// may be shown anywhere does not know where they are.
-nlohmann::json fonts_of(const PageHead& head, const SiteData& site) {
+// A course with a style of its own may have other faces, and a page that may be shown anywhere does
+// not know where they are.
+nlohmann::json fonts_of(const PageHead& head, const SiteData& site, const std::string& body) {
   nlohmann::json fonts = nlohmann::json::array();
   if (head.anywhere || !site.theme.empty()) return fonts;
-  for (const std::string name : {"serif.woff2", "sans.woff2", "italic.woff2"}) {
-    if (name == "italic.woff2" && head.kind != "lesson") continue;  // it is set in its summary
-    if (site.manifest.contains(name)) {
-      fonts.push_back(head.root + site.manifest.at(name).get<std::string>());
+  for (const std::string_view name : page_fonts(body)) {
+    if (const auto font = site.manifest.find(name); font != site.manifest.end()) {
+      fonts.push_back(head.root + font->get<std::string>());
     }
   }
   return fonts;
@@ -48,7 +48,7 @@ Press PagePress::press(InlineStyles& styles, const std::string& path) {
 void PagePress::write(const std::string& path, const PageHead& head, const std::string& body,
                       InlineStyles& styles) {
   const std::string styled = styles.take(body);
-  std::string html = frame(path, head, styles);
+  std::string html = frame(path, head, styled, styles);
   fill_placeholder(html, "body", styled);
   directory_.write(path, html);
 }
@@ -61,7 +61,7 @@ void PagePress::write_long(const std::string& path, const PageHead& head, const 
   for (PagePart& part : styled) {
     for (Spool::Piece& piece : part.pieces) piece = spool.put(styles.take(spool.get(piece)));
   }
-  std::string html = frame(path, head, styles);
+  std::string html = frame(path, head, body, styles);
   fill_placeholder(html, "body", body);
   directory_.write(path, [&](std::ostream& file) {
     std::size_t at = 0;
@@ -76,8 +76,8 @@ void PagePress::write_long(const std::string& path, const PageHead& head, const 
   });
 }
 
-// The page around its body. What the body's elements have of styles is written beside it.
-std::string PagePress::frame(const std::string& path, const PageHead& head,
+// The page around `body`. What its elements have of styles is written beside it.
+std::string PagePress::frame(const std::string& path, const PageHead& head, const std::string& body,
                              const InlineStyles& styles) {
   std::string sheet;
   if (!styles.sheet().empty()) {
@@ -98,7 +98,7 @@ std::string PagePress::frame(const std::string& path, const PageHead& head,
                             {"kind", head.kind},
                             {"home", head.kind == "home"}}},
                           {"theme", site_.theme},
-                          {"fonts", fonts_of(head, site_)},
+                          {"fonts", fonts_of(head, site_, body)},
                           {"place", web_place(site_, path, head)},
                           {"root", head.root},
                           {"roots", roots_of(head)},

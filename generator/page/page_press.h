@@ -80,7 +80,8 @@ class PagePress {
                   const std::vector<PagePart>& parts, Spool& spool);
 
  private:
-  std::string frame(const std::string& path, const PageHead& head, const InlineStyles& styles);
+  std::string frame(const std::string& path, const PageHead& head, const std::string& body,
+                    const InlineStyles& styles);
 
   const SiteData& site_;
   SiteFiles& directory_;

@@ -43,19 +43,29 @@ export function pageBuild(site, out) {
   };
 }
 
-// The pieces of fonts that the first lines of a page are set in, under names for the generator: pages
-// ask for them before any line is laid out.
-const firstFonts = {
+// The pieces of fonts that many pages are set in, under names for the generator (page/page_fonts.cpp):
+// a page asks for its own before any line is laid out.
+const namedFonts = {
   "serif.woff2": "source-serif-4-latin-wght-normal-400-650-1.woff2",
   "italic.woff2": "source-serif-4-latin-wght-italic-400-1.woff2",
   "sans.woff2": "source-sans-3-latin-wght-normal-400-650-1.woff2",
+  "sans-italic.woff2": "source-sans-3-latin-wght-italic-400-1.woff2",
+  "mono.woff2": "source-code-pro-latin-wght-normal-400-650-1.woff2",
+  "formula.woff2": "KaTeX_Main-Regular-400-1.woff2",
+  "letters.woff2": "KaTeX_Math-Italic-400-1.woff2",
+  "greek.woff2": "KaTeX_Math-Italic-400-2.woff2",
+  "upright-bold.woff2": "KaTeX_Main-Bold-700-1.woff2",
+  "bold-letters.woff2": "KaTeX_Math-BoldItalic-700-1.woff2",
+  "bold-greek.woff2": "KaTeX_Math-BoldItalic-700-2.woff2",
+  "large.woff2": "KaTeX_Size1-Regular-400-1.woff2",
+  "larger.woff2": "KaTeX_Size2-Regular-400-1.woff2",
 };
 
 // Builds into `out` and returns the manifest: plain name → hashed path below `out`.
 export async function buildPublic(site, out) {
   const { metafile } = await build(pageBuild(site, out));
   const manifest = manifestOf(metafile, site, out);
-  for (const [name, piece] of Object.entries(firstFonts)) {
+  for (const [name, piece] of Object.entries(namedFonts)) {
     if (!manifest[piece])
       throw new Error(`the fonts have no piece ${piece} (bundle/font-cuts.mjs)`);
     manifest[name] = manifest[piece];

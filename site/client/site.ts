@@ -3,7 +3,7 @@
 
 import { followContents } from "./contents.js";
 import { localizeDates } from "./dates.js";
-import { askForFonts } from "./first-fonts.js";
+import { askForFonts } from "./page-fonts.js";
 import { listenToKeys } from "./keys.js";
 import { upgradeLabs } from "./lab-loader.js";
 import { loadListing } from "./listing-loader.js";

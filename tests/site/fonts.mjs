@@ -1,5 +1,6 @@
 // The fonts that a page asks for arrive, and its text and formulas are set in them; and they weigh no
-// more than 100 KB together, with everything unfolded.
+// more than 100 KB together, with everything unfolded. A page's script asks ahead for what a browser
+// would ask for later by itself, and for nothing else.
 
 import { pages, testSite } from "./browser.mjs";
 
@@ -28,7 +29,39 @@ const sizes = () =>
 const firstFamily = (selector) =>
   getComputedStyle(document.querySelector(selector)).fontFamily.split(",")[0].replaceAll('"', "");
 
+// Without scripts nothing is asked for ahead.
+async function neededBy(visitor, path) {
+  const fonts = new Set();
+  const before = (page) =>
+    page.on("request", (request) => {
+      if (request.resourceType() === "font") fonts.add(request.url());
+    });
+  await visitor.visit(path, { javaScript: false, before }, (page) =>
+    page.waitForLoadState("networkidle"),
+  );
+  return fonts;
+}
+
+const askedFor = () =>
+  [...document.querySelectorAll('link[rel="preload"][as="font"]')].map(({ href }) => href);
+
+async function askOnlyForWhatIsNeeded(visitor, path) {
+  const needed = await neededBy(visitor, path);
+  await visitor.visit(path, {}, async (page) => {
+    const asked = new Set(await page.evaluate(askedFor));
+    const idle = [...asked].filter((font) => !needed.has(font));
+    visitor.expect(idle.length === 0, path, `asks for ${idle}, which nothing is set in`);
+    // A rare one may come later.
+    const late = [...needed].filter((font) => !asked.has(font));
+    visitor.expect(asked.size > 0 && late.length < 2, path, `does not ask for ${late}`);
+  });
+}
+
 await testSite(async (visitor) => {
+  // Of each fourth page, as the rule is the same for all.
+  for (const path of pages.filter((_, index) => index % 4 === 0)) {
+    await askOnlyForWhatIsNeeded(visitor, path);
+  }
   for (const path of pages) {
     await visitor.visit(path, {}, async (page) => {
       await page.evaluate(unfold);

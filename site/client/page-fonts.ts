@@ -1,4 +1,4 @@
-// Asks for the fonts of a page's first lines, which a browser finds only once it lays these out. By
+// Asks for the fonts of a page, which a browser finds only once it lays out what is set in them. By
 // script, since a page that was opened from the disk may not ask ahead, and complains.
 
 /** Of site.js, while it runs; afterwards nobody knows. */
