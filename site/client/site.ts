@@ -3,11 +3,11 @@
 
 import { followContents } from "./contents.js";
 import { localizeDates } from "./dates.js";
-import { askForFonts } from "./page-fonts.js";
 import { listenToKeys } from "./keys.js";
 import { upgradeLabs } from "./lab-loader.js";
 import { loadListing } from "./listing-loader.js";
 import { loadOffline } from "./offline/loader.js";
+import { askForFonts } from "./page-fonts.js";
 import { upgradeQuizzes } from "./quiz/quiz.js";
 import { loadReading } from "./reading/loader.js";
 import { claimPage } from "./root.js";

@@ -65,8 +65,8 @@ TEST(PageFonts, OfWhatIsFoldedOrForPaperAreNone) {
   EXPECT_THAT(page_fonts("<details><code>a</code>"), ElementsAre("serif.woff2", "sans.woff2"));
 }
 
-TEST(PageFonts, OfAClassAtTheEndOfTheTextAreNone) {
-  EXPECT_THAT(page_fonts("class=\"katex\" mathnormal"),
+TEST(PageFonts, OfATagThatNeverEndsAreNone) {
+  EXPECT_THAT(page_fonts("<span class=\"katex\"><span class=\"mord mathnormal\""),
               ElementsAre("serif.woff2", "sans.woff2", "formula.woff2"));
 }
 
