@@ -17,6 +17,10 @@ using Made = std::optional<PreparedFiles::Made>;
 
 constexpr const char* kDependencies = "dependencies";
 
+// Programs are compiled fast, and yet compute fast, as what takes time in them is mostly Eigen's
+// code, from here: made once, it can take seven seconds more.
+constexpr const char* kObjectLevel = "-O1";
+
 // All that an entry depends on besides the contents of files. The names of the course's headers
 // belong to it, as a new one may hide another.
 std::string request(const std::string& what, const Toolchain& toolchain,
@@ -30,7 +34,7 @@ std::string request(const std::string& what, const Toolchain& toolchain,
   }
   std::sort(names.begin(), names.end());
   std::string text = what + "\n" + toolchain.compiler + "\n" + toolchain.full_version + "\n" +
-                     compile_flags(false) + "\n";
+                     compile_flags(false) + "\n" + kObjectLevel + "\n";
   for (const fs::path& folder : include) text += fs::absolute(folder).string() + "\n";
   for (const std::string& name : names) text += name + "\n";
   return text;
@@ -72,8 +76,8 @@ Made make_header(const Toolchain& toolchain, const IncludeFolders& include, cons
   // Some of what is inline in the standard library its own objects keep to themselves. Nobody calls
   // it; whatever else is missing stays an error. (A tool may not write into another's file.)
   const bool has_object =
-      succeeded(
-          run_tool({toolchain.compiler, "-O0", "-c", header, "-o", strong}, work.path(), reads)) &&
+      succeeded(run_tool({toolchain.compiler, kObjectLevel, "-c", header, "-o", strong},
+                         work.path(), reads)) &&
       succeeded(run_tool({"objcopy", "--wildcard", "--weaken-symbol=_ZNSt*",
                           "--weaken-symbol=_ZNKSt*", strong, object},
                          work.path(), reads));
