@@ -30,9 +30,8 @@ void apply_strictly(Verified& verified) {
   const auto pages = verified.course ? verified.course->pages() : std::vector<const Lesson*>();
   for (const Lesson* page : pages) {
     const LessonResults& results = evaluation.results_of(*verified.course, *page);
-    for (const Diagnostics& found : {unreasoned(results.claims), undescribed(*page)}) {
-      all.insert(all.end(), found.begin(), found.end());
-    }
+    const Diagnostics found = unreasoned(results.claims);
+    all.insert(all.end(), found.begin(), found.end());
   }
   for (Diagnostic& diagnostic : all) diagnostic.severity = Severity::error;
 }

@@ -37,16 +37,4 @@ Diagnostics unreasoned(const Claims& claims) {
   return found;
 }
 
-Diagnostics undescribed(const Lesson& lesson) {
-  Diagnostics found;
-  for (const std::size_t index : blocks_of<Lab>(lesson)) {
-    const Lab& lab = std::get<Lab>(lesson.blocks[index]);
-    if (!lab.alt.empty()) continue;
-    found.push_back(error_at(place_of(*lesson.source, lab.span), "E-strict-alt",
-                             "nothing says in words what this lab shows",
-                             "add `\"alt\"`: what is to be seen before it is played"));
-  }
-  return found;
-}
-
 }  // namespace mjcourse

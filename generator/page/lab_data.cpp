@@ -49,7 +49,7 @@ json PageWriter::data_of(const Lab& lab, std::size_t index) {
   if (result != nullptr && result->poster) {
     const Poster& poster = *result->poster;
     data["poster"] =
-        still_data("../" + block_path(lesson_, index), poster.width, poster.height, alt_of(lab));
+        still_data("../" + block_path(lesson_, index), poster.width, poster.height, lab.alt);
   }
   for (const Lab::Control& control : lab.controls) {
     data["controls"].push_back(label_of(control));

@@ -6,11 +6,6 @@
 
 namespace mjcourse {
 
-std::string alt_of(const Lab& lab) {
-  if (!lab.alt.empty()) return lab.alt;
-  return "The lab \u201c" + lab.title + "\u201d before it is played.";
-}
-
 std::vector<LessonPicture> pictures_of(const Lesson& lesson, const LessonResults& results) {
   std::vector<LessonPicture> pictures;
   for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
@@ -18,7 +13,7 @@ std::vector<LessonPicture> pictures_of(const Lesson& lesson, const LessonResults
     const auto* figure = results.get<FigureResult>(i);
     if (lab != nullptr && lab->poster) {
       pictures.push_back(
-          {block_path(lesson, i), &*lab->poster, nullptr, alt_of(std::get<Lab>(lesson.blocks[i]))});
+          {block_path(lesson, i), &*lab->poster, nullptr, std::get<Lab>(lesson.blocks[i]).alt});
     } else if (figure != nullptr) {
       pictures.push_back({block_path(lesson, i), &figure->poster, &figure->film,
                           std::get<Figure>(lesson.blocks[i]).alt});

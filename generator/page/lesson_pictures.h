@@ -17,8 +17,6 @@ struct LessonPicture {
   std::string alt;   // what it shows, in words
 };
 
-std::string alt_of(const Lab& lab);
-
 // In the order of the blocks. They point into `results`.
 std::vector<LessonPicture> pictures_of(const Lesson& lesson, const LessonResults& results);
 

@@ -66,7 +66,7 @@ class Reader {
     read_children(node);
   }
   void operator()(const Lab& lab) {
-    say(lab.title + " ");
+    say(lab.title + " " + lab.alt + " ");
     for (const Lab::Control& control : lab.controls) {
       say(std::visit([](const auto& one) { return one.label.text; }, control) + " ");
     }

@@ -55,7 +55,8 @@ function writeCourse() {
   write("examples/include/other.hpp", "#pragma once\ninline const int kOther = 7;\n");
   write("examples/one.cpp", one);
   write("examples/two.cpp", two);
-  const lab = { title: "L", model: "a", readouts: [{ label: "z", expr: "data.qpos[2]" }] };
+  const readouts = [{ label: "z", expr: "data.qpos[2]" }];
+  const lab = { title: "L", alt: "A ball.", model: "a", readouts };
   write(
     lesson,
     `---

@@ -357,7 +357,8 @@ TEST_F(RunOnACourse, ReportsAlsoWhatFailed) {
 TEST_F(RunOnACourse, FailsALessonWhoseModelIsWrong) {
   write("models/bad.xml", "<mujoco>\n  <geom/>\n</mujoco>\n");
   write("content/1-a/1.1-x.md",
-        "---\ntitle: First\n---\n```lab simlab\n{\"title\": \"T\", \"model\": \"bad\"}\n```\n");
+        "---\ntitle: First\n---\n```lab simlab\n{\"title\": \"T\", \"model\": \"bad\", \"alt\": "
+        "\"A\"}\n```\n");
   const Ran result = on_course({"check"});
   EXPECT_EQ(result.code, kCourseErrors);
   EXPECT_TRUE(result.out.starts_with("FAIL  1.1")) << result.out;

@@ -156,17 +156,19 @@ TEST(Claims, OfValuesAndFormulas) {
 }
 
 TEST(Claims, OfLabsAndTheirPictures) {
-  EXPECT_EQ(told("```lab simlab\n{\"title\": \"T\", \"model\": \"ball\", \"controls\": ["
-                 "{\"type\": \"button\", \"label\": \"b\", \"run\": \"data.qvel[0] = 1\"}], "
-                 "\"readouts\": [{\"label\": \"r\", \"expr\": \"data.time\"}]}\n```\n"),
-            "4 lab proved: the lab “T”\n"
-            "    rehearsed: 2 runs of 2 s, 1 readout\n"
-            "    each control in each of its values by itself, a slider at both ends\n"
-            "4 picture proved: the picture of the lab “T”\n"
-            "    drawn by MuJoCo 2.2.2\n");
-  EXPECT_EQ(told("```lab simlab\n{\"title\": \"T\", \"model\": \"ball\", \"readouts\": ["
-                 "{\"label\": \"r\", \"expr\": \"data.tmie\"}]}\n```\n"),
-            "4 lab failed: the lab “T”\n");
+  EXPECT_EQ(
+      told("```lab simlab\n{\"title\": \"T\", \"model\": \"ball\", \"alt\": \"A.\", \"controls\": ["
+           "{\"type\": \"button\", \"label\": \"b\", \"run\": \"data.qvel[0] = 1\"}], "
+           "\"readouts\": [{\"label\": \"r\", \"expr\": \"data.time\"}]}\n```\n"),
+      "4 lab proved: the lab “T”\n"
+      "    rehearsed: 2 runs of 2 s, 1 readout\n"
+      "    each control in each of its values by itself, a slider at both ends\n"
+      "4 picture proved: the picture of the lab “T”\n"
+      "    drawn by MuJoCo 2.2.2\n");
+  EXPECT_EQ(
+      told("```lab simlab\n{\"title\": \"T\", \"model\": \"ball\", \"alt\": \"A.\", \"readouts\": ["
+           "{\"label\": \"r\", \"expr\": \"data.tmie\"}]}\n```\n"),
+      "4 lab failed: the lab “T”\n");
 }
 
 TEST(Claims, OfFigures) {

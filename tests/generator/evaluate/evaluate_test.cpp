@@ -53,7 +53,8 @@ std::printf("%d\n", model->nq);
 ```
 
 ```lab simlab
-{"title": "L", "height": 20, "model": "ball", "readouts": [{"label": "z", "expr": "data.qpos[2]"}],
+{"title": "L", "height": 20, "model": "ball", "alt": "A ball.",
+ "readouts": [{"label": "z", "expr": "data.qpos[2]"}],
  "controls": [{"type": "slider", "label": "push", "bind": "data.ctrl[0]", "min": 0, "max": 1}]}
 ```
 

@@ -9,8 +9,8 @@ namespace mjcourse {
 
 // `members` begin line 6, after the title and the model. Its poster is soon drawn.
 inline std::string lab_text(const std::string& members, const std::string& model = "ball") {
-  return "```lab simlab\n{\"title\": \"T\", \"height\": 20, \"model\": \"" + model + "\",\n" +
-         members + "}\n```\n";
+  return "```lab simlab\n{\"title\": \"T\", \"alt\": \"A.\", \"height\": 20, \"model\": \"" +
+         model + "\",\n" + members + "}\n```\n";
 }
 
 // Each mistake of such a lab: id, what it underlines, message, cure.

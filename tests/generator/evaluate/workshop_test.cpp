@@ -9,15 +9,15 @@ namespace mjcourse {
 namespace {
 
 std::string lab_on(const std::string& model) {
-  return "```lab simlab\n{\"title\": \"T\", \"model\": \"" + model + "\"}\n```\n";
+  return "```lab simlab\n{\"title\": \"T\", \"alt\": \"A.\", \"model\": \"" + model + "\"}\n```\n";
 }
 
 TEST(Model, MustBeThere) {
   EXPECT_EQ(
       evaluated_mistakes(lab_on("bal")),
-      R"(content/1-a/1.1-x.md:5:26: error: there is no model `bal` in models/ [E-model-unknown]
-  5 | {"title": "T", "model": "bal"}
-    |                          ^~~
+      R"(content/1-a/1.1-x.md:5:39: error: there is no model `bal` in models/ [E-model-unknown]
+  5 | {"title": "T", "alt": "A.", "model": "bal"}
+    |                                       ^~~
   cure: did you mean `ball`?
 )");
 }
@@ -31,9 +31,9 @@ TEST(Model, ShowsAMistakeInItsFileThereAndOnce) {
       R"(models/bad.xml:3:11: error: element 'geom': unrecognized attribute: 'sise' [E-model-mjcf]
   3 |     <geom sise='1'/>
     |           ^~~~
-  note: content/1-a/1.1-x.md:5:26: lesson content/1-a/1.1-x.md uses this model
-  5 | {"title": "T", "model": "bad"}
-    |                          ^~~
+  note: content/1-a/1.1-x.md:5:39: lesson content/1-a/1.1-x.md uses this model
+  5 | {"title": "T", "alt": "A.", "model": "bad"}
+    |                                       ^~~
   cure: did you mean `size`?
 )");
 }

@@ -21,7 +21,7 @@ std::string scripts_in(const std::string& markdown) {
 
 TEST(BlockScripts, AreThoseOfALab) {
   EXPECT_EQ(scripts_in(R"(```lab simlab
-{"title": "T", "model": "m", "controls": [
+{"title": "T", "model": "m", "alt": "A", "controls": [
   {"type": "button", "label": "L", "run": "a"},
   {"type": "slider", "label": "L", "bind": "b", "min": 0, "max": 1},
   {"type": "toggle", "label": "L", "on": "c", "off": "d"},

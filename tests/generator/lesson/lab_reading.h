@@ -12,9 +12,9 @@ inline ReadingOf lab_reading(const std::string& json) {
   return reading_of("```lab simlab\n" + json + "\n```\n");
 }
 
-// A lab with `members` beside its title and model.
+// A lab with `members` beside what each must have.
 inline ReadingOf lab_with(const std::string& members) {
-  return lab_reading(R"({"title": "T", "model": "m", )" + members + "}");
+  return lab_reading(R"({"title": "T", "model": "m", "alt": "A.", )" + members + "}");
 }
 
 // Each mistake of such a lab: id, what it underlines, message, cure.

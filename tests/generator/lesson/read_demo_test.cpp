@@ -28,7 +28,7 @@ TEST(Demo, LeavesEverythingInItsPlace) {
 
 TEST(Demo, ShowsAMistakeWhereItIs) {
   EXPECT_EQ(mistakes_in("Text.\n\n````demo\n```lab simlab\n{\"title\": \"T\", \"modle\": \"m\",\n"
-                        " \"model\": \"m\"}\n```\n````\n"),
+                        " \"model\": \"m\", \"alt\": \"A\"}\n```\n````\n"),
             "content/1-a/1.1-x.md:8:17: error: a lab has no key \"modle\" [E-json-key]\n"
             "  8 | {\"title\": \"T\", \"modle\": \"m\",\n"
             "    |                 ^~~~~\n"

@@ -99,7 +99,8 @@ TEST(Figure, HasAPinThatIsAFilesName) {
 // A lab's poster and a figure are pinned alike.
 TEST(Figure, HasAPinOfItsOwn) {
   const ReadingOf reading = reading_of(
-      "```lab simlab\n{\"title\": \"T\", \"model\": \"m\", \"pin\": \"arm\"}\n```\n"
+      "```lab simlab\n{\"title\": \"T\", \"model\": \"m\", \"alt\": \"A.\", \"pin\": "
+      "\"arm\"}\n```\n"
       "```figure\n{\"model\": \"m\", \"alt\": \"A.\", \"pin\": \"arm\"}\n```\n");
   EXPECT_EQ(underlined_mistakes(reading),
             "E-pin-name <arm> another picture of this lesson is pinned as \"arm\" | give each a "

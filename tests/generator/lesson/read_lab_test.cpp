@@ -8,8 +8,8 @@ namespace mjcourse {
 namespace {
 
 TEST(Lab, ReadsAllThatTheSeedLessonUses) {
-  const ReadingOf reading =
-      lab_reading(R"({"title": "Zoo", "model": "joint_zoo", "dock": true, "height": 420,
+  const ReadingOf reading = lab_reading(R"({"title": "Zoo", "model": "joint_zoo", "alt": "Joints.",
+  "dock": true, "height": 420,
   "camera": {"azimuth": 10, "elevation": -20, "distance": 3, "target": [0, 0.5, 1]},
   "toggles": ["frames", "contacts"], "overlays": {"frames": true, "contacts": false},
   "controls": [{"type": "button", "label": "Push", "run": ["a();", "b();"]}],
@@ -21,6 +21,7 @@ TEST(Lab, ReadsAllThatTheSeedLessonUses) {
   EXPECT_EQ(reading.mistakes(), "");
   const auto& found = reading.only<Lab>();
   EXPECT_EQ(found.title + " " + found.model.text, "Zoo joint_zoo");
+  EXPECT_EQ(found.alt, "Joints.");
   EXPECT_TRUE(found.dock);
   EXPECT_EQ(found.height, 420);
   EXPECT_EQ(found.camera->elevation, -20);
@@ -38,7 +39,7 @@ TEST(Lab, ReadsAllThatTheSeedLessonUses) {
 }
 
 TEST(Lab, KnowsWhereEachLineOfAScriptStands) {
-  const ReadingOf reading = lab_reading(R"({"title": "T", "model": "m", "controls": [
+  const ReadingOf reading = lab_reading(R"({"title": "T", "model": "m", "alt": "A.", "controls": [
   {"type": "button", "label": "L", "run": ["a;",
                                            "\"b\";"]}]})");
   const auto& run = std::get<Lab::Button>(reading.only<Lab>().controls[0]).run;
@@ -48,7 +49,7 @@ TEST(Lab, KnowsWhereEachLineOfAScriptStands) {
   EXPECT_EQ(reading.place(run, 4), "7:47");
 }
 
-TEST(Lab, NeedsATitleAndAModel) {
+TEST(Lab, NeedsATitleAModelAndWordsForItsPicture) {
   EXPECT_EQ(lab_reading("  {}").mistakes(),
             R"(content/1-a/1.1-x.md:5:3: error: this lab has no "title" [E-json-missing]
   5 |   {}
@@ -58,11 +59,18 @@ content/1-a/1.1-x.md:5:3: error: this lab has no "model" [E-json-missing]
   5 |   {}
     |   ^
   cure: add "model": …
+content/1-a/1.1-x.md:5:3: error: this lab has no "alt" [E-json-missing]
+  5 |   {}
+    |   ^
+  cure: add "alt": …
 )");
-  EXPECT_EQ(lab_reading(R"({"title": "T", "model": ""})").mistakes(),
+  EXPECT_EQ(lab_reading(R"({"title": "T", "model": "", "alt": ""})").mistakes(),
             R"(content/1-a/1.1-x.md:5:25: error: "model" is empty [E-json-missing]
-  5 | {"title": "T", "model": ""}
+  5 | {"title": "T", "model": "", "alt": ""}
     |                         ^~
+content/1-a/1.1-x.md:5:36: error: "alt" is empty [E-json-missing]
+  5 | {"title": "T", "model": "", "alt": ""}
+    |                                    ^~
 )");
 }
 

@@ -119,7 +119,7 @@ titel: T
 ```
 
 ```lab simlab
-{"title": "T", "model": "m", "dok": true}
+{"title": "T", "model": "m", "alt": "A", "dok": true}
 ```
 
 ```quiz

@@ -8,7 +8,8 @@ constexpr const char* kFigure = R"(```figure
 {"model": "m", "size": [64, 40], "alt": "An \"arm\"", "caption": "*C*"}
 ```
 )";
-constexpr const char* kLab = "```lab simlab\n{\"title\": \"T\", \"model\": \"m\"}\n```\n";
+constexpr const char* kLab =
+    "```lab simlab\n{\"title\": \"T\", \"model\": \"m\", \"alt\": \"L\"}\n```\n";
 
 class FigureDataTest : public PageWriterTest {
  protected:

@@ -21,7 +21,7 @@ class LabModuleTest : public PageWriterTest {
   // The module of a lab with these members.
   LabFiles module(const std::string& members) {
     PageWriter with = writer(R"(```lab simlab
-{"title": "T", "model": "m")" +
+{"title": "T", "model": "m", "alt": "A")" +
                              members + "}\n```\n");
     for (const Block& block : course_.lessons[0].blocks) {
       const auto* lab = std::get_if<Lab>(&block);

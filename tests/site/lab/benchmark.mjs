@@ -15,6 +15,7 @@ const humanoid = "/usr/share/mujoco/model/humanoid/humanoid.xml"; // of libmujoc
 const frames = 300;
 const lab = {
   title: "Humanoid",
+  alt: "A humanoid above the floor.",
   model: "humanoid",
   height: 400,
   overlays: { contacts: true, forces: true },
