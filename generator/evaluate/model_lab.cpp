@@ -4,7 +4,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "base/counted.h"
 #include "evaluate/lab.h"
 #include "lesson/lesson_reader.h"
 
@@ -52,18 +51,11 @@ json readouts_of(const ModelPage& page, const Model& model) {
   return readouts;
 }
 
-// The world is a body too, which nobody counts who looks.
-std::string alt_of(const std::string& name, const Model& model) {
-  return name + " at rest: " + counted(model->nbody - 1, "body", "bodies") + ", " +
-         counted(model->njnt, "joint") + ", " + counted(model->ngeom, "geom") + ".";
-}
-
-std::string fence_of(const std::string& name, const View& view, std::string alt, json controls,
-                     json readouts) {
+std::string fence_of(const ModelPage& page, const View& view, json controls, json readouts) {
   const Lab::Camera& camera = view.camera;
-  const json lab{{"title", name + ", live"},
-                 {"model", name},
-                 {"alt", std::move(alt)},
+  const json lab{{"title", page.name + ", live"},
+                 {"model", page.name},
+                 {"alt", alt_of(page)},
                  {"height", view.height},
                  {"camera",
                   {{"azimuth", camera.azimuth},
@@ -104,13 +96,11 @@ std::optional<ModelPage::LiveLab> rehearsed(const std::string& name, std::string
 
 std::optional<ModelPage::LiveLab> evaluate_model_lab(const ModelPage& page, const Model& model,
                                                      const View& view, Workshop& workshop) {
-  const std::string alt = alt_of(page.name, model);
   const json readouts = readouts_of(page, model);
-  const auto fence = [&](json controls) {
-    return fence_of(page.name, view, alt, std::move(controls), readouts);
-  };
-  auto lab = rehearsed(page.name, fence(controls_of(page, model)), workshop);
-  return lab ? std::move(lab) : rehearsed(page.name, fence(json::array()), workshop);
+  auto lab =
+      rehearsed(page.name, fence_of(page, view, controls_of(page, model), readouts), workshop);
+  if (lab) return lab;
+  return rehearsed(page.name, fence_of(page, view, json::array(), readouts), workshop);
 }
 
 Lesson lesson_of_lab(const ModelPage& page) {

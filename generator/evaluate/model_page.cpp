@@ -132,6 +132,10 @@ View portrait_of(const Model& model) {
 
 }  // namespace
 
+std::string alt_of(const ModelPage& page) {
+  return "The model " + page.name + " in its initial state";
+}
+
 std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Bench& bench) {
   Workshop& workshop = bench.workshop();
   const auto simulation =

@@ -55,6 +55,9 @@ struct ModelPage {
   std::optional<LiveLab> lab;  // nothing for a model that does not bear to be simulated
 };
 
+// What its poster shows, in words.
+std::string alt_of(const ModelPage& page);
+
 // Of the course's model `name`, which a page links to there. Nothing (reported) where it has none.
 std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Bench& bench);
 

@@ -76,7 +76,7 @@ std::string model_poster_path(const ModelPage& model) {
 
 json poster_data(const ModelPage& model, const std::string& root, Loaded loaded) {
   return still_data(root + model_poster_path(model), model.poster.width, model.poster.height,
-                    "The model " + model.name + " in its initial state", loaded);
+                    alt_of(model), loaded);
 }
 
 json sizes_data(const ModelPage& model) {
