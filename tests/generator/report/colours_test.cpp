@@ -1,20 +1,21 @@
 #include "report/colours.h"
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <cstdlib>
 
+#include "report/pseudo_terminal.h"
+
 namespace mjcourse {
 namespace {
 
-// A terminal that nobody looks at has colours, a pipe has none.
 TEST(Colours, AreForTerminalsThatDoNotRefuseThem) {
+  if (!PseudoTerminal::exists()) GTEST_SKIP();
   unsetenv("NO_COLOR");
   setenv("TERM", "xterm", 1);
-  const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
-  ASSERT_GE(terminal, 0);
+  const PseudoTerminal pseudo_terminal(80);
+  const int terminal = pseudo_terminal.descriptor();
   EXPECT_TRUE(wants_colours(terminal));
   setenv("NO_COLOR", "", 1);
   EXPECT_TRUE(wants_colours(terminal));
@@ -25,8 +26,11 @@ TEST(Colours, AreForTerminalsThatDoNotRefuseThem) {
   EXPECT_FALSE(wants_colours(terminal));
   unsetenv("TERM");
   EXPECT_TRUE(wants_colours(terminal));
-  close(terminal);
+}
 
+TEST(Colours, AreNotForPipes) {
+  unsetenv("NO_COLOR");
+  setenv("TERM", "xterm", 1);
   int pipe_ends[2];
   ASSERT_EQ(pipe(pipe_ends), 0);
   EXPECT_FALSE(wants_colours(pipe_ends[1]));

@@ -1,38 +1,14 @@
 #include "report/terminal_style.h"
 
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <cstdlib>
 
+#include "report/pseudo_terminal.h"
+
 namespace mjcourse {
 namespace {
-
-// A terminal of `columns`, which nobody looks at.
-class Terminal {
- public:
-  explicit Terminal(unsigned short columns)
-      : main_(posix_openpt(O_RDWR | O_NOCTTY)), descriptor_(main_) {
-    grantpt(main_);
-    unlockpt(main_);
-    descriptor_ = open(ptsname(main_), O_RDWR | O_NOCTTY);
-    const winsize size{24, columns, 0, 0};
-    ioctl(descriptor_, TIOCSWINSZ, &size);
-  }
-  ~Terminal() {
-    close(descriptor_);
-    close(main_);
-  }
-  Terminal(const Terminal&) = delete;
-  Terminal& operator=(const Terminal&) = delete;
-
-  int descriptor() const { return descriptor_; }
-
- private:
-  int main_, descriptor_;
-};
 
 class TerminalStyleTest : public testing::Test {
  protected:
@@ -45,7 +21,8 @@ class TerminalStyleTest : public testing::Test {
 };
 
 TEST_F(TerminalStyleTest, IsAsWideAsTheTerminal) {
-  const Terminal terminal(120);
+  if (!PseudoTerminal::exists()) GTEST_SKIP();
+  const PseudoTerminal terminal(120);
   const TerminalStyle style = style_for(terminal.descriptor());
   EXPECT_EQ(style.width, 119);
   EXPECT_TRUE(style.wraps);
@@ -53,7 +30,8 @@ TEST_F(TerminalStyleTest, IsAsWideAsTheTerminal) {
 }
 
 TEST_F(TerminalStyleTest, IsAsWideAsItsReaderSays) {
-  const Terminal terminal(120);
+  if (!PseudoTerminal::exists()) GTEST_SKIP();
+  const PseudoTerminal terminal(120);
   setenv("COLUMNS", "72", 1);
   EXPECT_EQ(style_for(terminal.descriptor()).width, 71);
   setenv("COLUMNS", "wide", 1);
@@ -61,8 +39,9 @@ TEST_F(TerminalStyleTest, IsAsWideAsItsReaderSays) {
 }
 
 TEST_F(TerminalStyleTest, IsNeverTooNarrowToRead) {
-  EXPECT_EQ(style_for(Terminal(12).descriptor()).width, 39);
-  EXPECT_EQ(style_for(Terminal(0).descriptor()).width, 100);
+  if (!PseudoTerminal::exists()) GTEST_SKIP();
+  EXPECT_EQ(style_for(PseudoTerminal(12).descriptor()).width, 39);
+  EXPECT_EQ(style_for(PseudoTerminal(0).descriptor()).width, 100);
 }
 
 TEST_F(TerminalStyleTest, LeavesAPipeItsLongLines) {
