@@ -99,7 +99,8 @@ const std::vector<std::string>& readable_system_paths() {
                                               "/proc/filesystems",
                                               "/proc/sys/vm/overcommit_memory",
                                               "/sys/devices/system/cpu",
-                                              "/sys/devices/system/node"};
+                                              "/sys/devices/system/node",
+                                              "/sys/kernel/mm/transparent_hugepage"};
   return paths;
 }
 

@@ -138,9 +138,11 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
   if (handlers) append(link, (handlers->folder / "handlers.o").string());
   for (const std::string& library : program.libraries) append(link, "-l" + library);
   append(link, "-o", program.binary.string());
-  // Of the warm header a program needs little, and its build nobody has to name.
+  // Of the warm header a program needs little, and its build nobody has to name. Other programs
+  // are built meanwhile.
   if (fast && toolchain_.has_mold) {
-    append(link, "-fuse-ld=mold", "-Wl,--gc-sections", "-Wl,--no-build-id");
+    append(link, "-fuse-ld=mold", "-Wl,--gc-sections", "-Wl,--no-build-id",
+           "-Wl,--thread-count=1");
   }
 
   WorkFolder at{program.folder, read_for(program.include), {}};
