@@ -13,7 +13,7 @@
 #include "cli/commands.h"
 #include "cli/size.h"
 #include "course/web_address.h"
-#include "physics/shader_cache.h"
+#include "physics/mesa.h"
 
 namespace mjcourse {
 namespace {
@@ -236,7 +236,7 @@ int run_named(const Named& named, const std::vector<std::string>& arguments) {
   }
   if (options.out.empty()) options.out = options.course / "build" / "site";
   options.course = std::filesystem::absolute(options.course);  // tools run in folders of their own
-  if (const auto cache = user_cache_folder()) keep_shaders_in(*cache);
+  set_up_mesa(user_cache_folder());
   return named.command(options);
 }
 

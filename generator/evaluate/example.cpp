@@ -10,9 +10,11 @@
 #include "evaluate/compiled_recipe.h"
 #include "evaluate/containment.h"
 #include "evaluate/judge_run.h"
+#include "evaluate/linked_libraries.h"
 #include "evaluate/program_files.h"
 #include "evaluate/records.h"
 #include "evaluate/region.h"
+#include "physics/mesa.h"
 
 namespace mjcourse {
 namespace {
@@ -56,10 +58,10 @@ std::string without_folders(std::string text, const std::vector<fs::path>& folde
   return text;
 }
 
-// The command line that runs `binary` in an empty folder inside `folder`; what it reports goes into
-// the file `records`.
-Command run_command(const Example& example, const fs::path& binary, const fs::path& folder,
-                    const fs::path& root, const fs::path& records) {
+// The command line that runs `binary`, made of `code`, in an empty folder inside `folder`; what it
+// reports goes into the file `records`.
+Command run_command(const Example& example, const LocatedText& code, const fs::path& binary,
+                    const fs::path& folder, const fs::path& root, const fs::path& records) {
   Command command;
   command.arguments = {binary.string()};
   command.arguments.insert(command.arguments.end(), example.arguments.begin(),
@@ -67,12 +69,18 @@ Command run_command(const Example& example, const fs::path& binary, const fs::pa
   command.folder = folder / "run";
   fs::create_directory(command.folder);
   command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string(),
-                         "MJCOURSE_RECORDS=" + fs::absolute(records).string(),
-                         "MESA_SHADER_CACHE_DISABLE=true"};  // it would lie in a user's home
+                         "MJCOURSE_RECORDS=" + fs::absolute(records).string()};
   command.seconds = example.seconds;
   write_file(records, "");
   command.sandbox = program_sandbox(binary, command.folder, records, root);
   command.record_opened = true;
+  if (draws(code.text)) {
+    const LentShaders shaders = lend_shaders_to(fs::absolute(folder / "shaders"));
+    command.environment.insert(command.environment.end(), shaders.variables.begin(),
+                               shaders.variables.end());
+    command.sandbox->write.push_back(shaders.own);
+    if (!shaders.ours.empty()) command.sandbox->read.push_back(shaders.ours);
+  }
   return command;
 }
 
@@ -115,7 +123,7 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
   }
   const fs::path records = folder.path() / "records";
   const Stopwatch stopwatch;
-  Outcome outcome = run(run_command(example, binary, folder.path(), root, records));
+  Outcome outcome = run(run_command(example, code, binary, folder.path(), root, records));
   const double seconds = stopwatch.seconds();
   trace_run(outcome, folder.path(), workshop);
   std::vector<std::string> files = program_files(compiled, outcome, workshop.setting());

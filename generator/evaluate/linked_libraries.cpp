@@ -6,11 +6,14 @@
 
 namespace mjcourse {
 
+bool draws(std::string_view program) {
+  return std::ranges::any_of(leading_includes(program),
+                             [](const Include& include) { return include.name == "GL/osmesa.h"; });
+}
+
 std::vector<std::string> linked_libraries(std::string_view program) {
   std::vector<std::string> libraries{"mujoco"};
-  const auto includes = leading_includes(program);
-  const auto draws = [](const Include& include) { return include.name == "GL/osmesa.h"; };
-  if (std::ranges::any_of(includes, draws)) libraries.emplace_back("OSMesa");
+  if (draws(program)) libraries.emplace_back("OSMesa");
   return libraries;
 }
 

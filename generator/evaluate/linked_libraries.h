@@ -7,8 +7,10 @@
 
 namespace mjcourse {
 
-// Their names, as they stand behind -l: MuJoCo, and OSMesa where the program includes
-// <GL/osmesa.h> to draw without a screen.
+// Does it draw without a screen: does it include <GL/osmesa.h>?
+bool draws(std::string_view program);
+
+// Their names, as they stand behind -l: MuJoCo, and OSMesa where the program draws.
 std::vector<std::string> linked_libraries(std::string_view program);
 
 }  // namespace mjcourse
