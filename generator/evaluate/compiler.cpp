@@ -141,8 +141,7 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
   // Of the warm header a program needs little, and its build nobody has to name. Other programs
   // are built meanwhile.
   if (fast && toolchain_.has_mold) {
-    append(link, "-fuse-ld=mold", "-Wl,--gc-sections", "-Wl,--no-build-id",
-           "-Wl,--thread-count=1");
+    append(link, "-fuse-ld=mold", "-Wl,--gc-sections", "-Wl,--no-build-id", "-Wl,--thread-count=1");
   }
 
   WorkFolder at{program.folder, read_for(program.include), {}};

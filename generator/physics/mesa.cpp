@@ -30,10 +30,17 @@ LentShaders lend_shaders_to(const fs::path& folder) {
   std::error_code none;
   if (kept == nullptr || !fs::is_directory(fs::path(kept) / kFolder, none)) return lent;
   lent.ours = fs::absolute(fs::path(kept) / kFolder);
-  // Folders by the first two digits of a shader's hash; the index beside them is each user's own.
-  for (const fs::directory_entry& entry : fs::directory_iterator(lent.ours, none)) {
-    if (!entry.is_directory(none)) continue;
-    fs::create_directory_symlink(entry.path(), lent.own / entry.path().filename(), none);
+  // In folders by the first digits of their hashes; the index beside these is each user's own.
+  for (const fs::directory_entry& folder_of : fs::directory_iterator(lent.ours, none)) {
+    if (!folder_of.is_directory(none)) continue;
+    const fs::path its = lent.own / folder_of.path().filename();
+    fs::create_directory(its);
+    fs::permissions(its, fs::perms::all);  // the program may run as somebody else
+    for (const fs::directory_entry& shader : fs::directory_iterator(folder_of.path(), none)) {
+      // One that is being written the program would write, too, and into ours.
+      if (shader.path().extension() == ".tmp") continue;
+      fs::create_symlink(shader.path(), its / shader.path().filename(), none);
+    }
   }
   return lent;
 }

@@ -25,8 +25,8 @@ struct LentShaders {
   std::vector<std::string> variables;  // "NAME=value", for the program's environment
 };
 
-// Makes `own` in `folder`, with links to what is in `ours`. As a program's shaders stay there, it
-// cannot change the pictures of another.
+// Makes `own` in `folder`, with links to the shaders in `ours`. As what a program adds stays there,
+// it cannot change the pictures of another.
 LentShaders lend_shaders_to(const std::filesystem::path& folder);
 
 }  // namespace mjcourse

@@ -46,6 +46,7 @@ TEST_F(MesaTest, LendsAProgramShadersThatItCanReadAndAPlaceForItsOwn) {
   const fs::path kept = folder_.path() / "kept" / "mesa_shader_cache";
   fs::create_directories(kept / "1c");
   write_file(kept / "1c" / "38e2", "a shader");
+  write_file(kept / "1c" / "3f0a.tmp", "half a shader");
   write_file(kept / "index", "ours");
   setenv(kCache, (folder_.path() / "kept").c_str(), 1);
 
@@ -57,9 +58,10 @@ TEST_F(MesaTest, LendsAProgramShadersThatItCanReadAndAPlaceForItsOwn) {
                                 std::string(kCache) + "=" + (folder_.path() / "lent").string(),
                                 "LP_NUM_THREADS=0"}));
   EXPECT_EQ(DiskFiles(lent.own).read("1c/38e2"), "a shader");
+  EXPECT_FALSE(fs::exists(lent.own / "1c" / "3f0a.tmp"));
   EXPECT_FALSE(fs::exists(lent.own / "index"));
-  fs::create_directory(lent.own / "2d");
-  EXPECT_FALSE(fs::exists(kept / "2d"));
+  write_file(lent.own / "1c" / "4d67", "its own");
+  EXPECT_FALSE(fs::exists(kept / "1c" / "4d67"));
 }
 
 TEST_F(MesaTest, GivesAPlaceWhereNothingIsKept) {
