@@ -2,8 +2,10 @@
 
 #include <mujoco/mujoco.h>
 
+#include <nlohmann/json.hpp>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "physics/field_table.h"
@@ -45,21 +47,23 @@ JSObjectRef view_of(JSContextRef context, const mjcField& field) {
                                                nullptr, nullptr);
 }
 
-JSObjectRef make_fields(JSContextRef context, const std::vector<mjcField>& fields) {
-  JSObjectRef result = make_empty_array(context);
-  unsigned next = 0;
+// A Table of site/script/field-table.ts.
+JSObjectRef make_table(JSContextRef context, std::vector<mjcField> fields) {
+  std::erase_if(fields, [](const mjcField& field) { return field.type == mjcFIELD_CHAR; });
+  nlohmann::json rows = nlohmann::json::array();
   for (const mjcField& field : fields) {
-    if (field.type == mjcFIELD_CHAR) continue;
-    JSObjectRef object = JSObjectMake(context, nullptr, nullptr);
-    JSObjectSetPropertyAtIndex(context, result, next++, object, nullptr);
-    set_property(context, object, "owner", make_text(context, field.owner));
-    set_property(context, object, "name", make_text(context, field.name));
-    set_property(context, object, "view", view_of(context, field));
-    set_property(context, object, "rows", JSValueMakeNumber(context, field.rows));
-    set_property(context, object, "columns", JSValueMakeNumber(context, field.columns));
-    set_property(context, object, "scalar", JSValueMakeBoolean(context, field.scalar != 0));
+    rows.push_back({field.owner, field.name, field.rows, field.columns, field.scalar != 0,
+                    field.type == mjcFIELD_INT});
   }
-  return result;
+  NativeFunction view = [fields = std::move(fields)](JSContextRef at,
+                                                     std::span<const JSValueRef> index) {
+    const double row = JSValueToNumber(at, index.front(), nullptr);
+    return view_of(at, fields.at(static_cast<std::size_t>(row)));
+  };
+  JSObjectRef table = JSObjectMake(context, nullptr, nullptr);
+  set_property(context, table, "rows", make_text(context, rows.dump()));
+  set_property(context, table, "view", make_function(context, std::move(view)));
+  return table;
 }
 
 std::vector<mjcField> model_fields(mjModel* model) {
@@ -106,8 +110,8 @@ JSObjectRef make_native_world(JSContextRef context, Simulation& simulation) {
   const auto set = [&](const char* name, JSObjectRef value) {
     set_property(context, native, name, value);
   };
-  set("modelFields", make_fields(context, model_fields(model)));
-  set("dataFields", make_fields(context, data_fields(model, data)));
+  set("modelTable", make_table(context, model_fields(model)));
+  set("dataTable", make_table(context, data_fields(model, data)));
   set("names", make_names(context, simulation.model()));
   set("step", make_mover(context, simulation, [](Simulation& moved) { moved.step(); }));
   set("forward", make_mover(context, simulation, [](Simulation& moved) { moved.forward(); }));

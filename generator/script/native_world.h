@@ -1,4 +1,5 @@
-// The native half of a world: the object that site/script/native.ts describes, over a simulation.
+// The native half of a world, over a simulation: the object that site/script/native.ts describes,
+// with tables (site/script/field-table.ts) in the place of fields.
 #pragma once
 
 #include <JavaScriptCore/JavaScript.h>

@@ -40,6 +40,7 @@ function readField(memory: Memory, address: Pointer): Field | undefined {
       rows: rows!,
       columns: columns!,
       scalar: scalar !== 0,
+      integer: view instanceof Int32Array,
     }
   );
 }

@@ -41,8 +41,8 @@ function innerStruct(path: string, owner: string): string {
 }
 
 function memberOf(field: Field, label: string): PropertyDescriptor {
-  if (!field.scalar) return arrayMember(field.view, label);
+  if (!field.scalar) return arrayMember(() => field.view, label);
   // whole numbers of the structs themselves are sizes and counts
-  const isSize = field.owner === "" && field.view instanceof Int32Array;
-  return isSize ? computedMember(field.view, label) : numberMember(field.view, 0, label);
+  const isSize = field.owner === "" && field.integer;
+  return isSize ? computedMember(field, label) : numberMember(field, 0, label);
 }

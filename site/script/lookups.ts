@@ -27,7 +27,7 @@ const jointSizes = [
 
 export function lookups(native: Native) {
   const view = (fields: readonly Field[], name: string): Numbers =>
-    fields.find((field) => field.owner === "" && field.name === name)!.view;
+    fields.find((field) => field.name === name && field.owner === "")!.view;
   const model = (name: string) => view(native.modelFields, name);
   const data = (name: string) => view(native.dataFields, name);
 
@@ -52,8 +52,8 @@ export function lookups(native: Native) {
     geom: element("geom", "geom", constants.mjOBJ_GEOM),
     site: element("site", "site", constants.mjOBJ_SITE),
     joint: element("joint", "jnt", constants.mjOBJ_JOINT, (id, label) => ({
-      qpos: arrayMember(jointPart("qpos", id), `${label}.qpos`),
-      qvel: arrayMember(jointPart("qvel", id), `${label}.qvel`),
+      qpos: arrayMember(() => jointPart("qpos", id), `${label}.qpos`),
+      qvel: arrayMember(() => jointPart("qvel", id), `${label}.qvel`),
     })),
     sensor: byName(native, "sensor", "sensor", constants.mjOBJ_SENSOR, (id, label) => {
       const start = model("sensor_adr")[id]!;
@@ -100,15 +100,16 @@ function byName(
 function rowMembers(native: Native, prefix: string, id: number, label: string) {
   const members: PropertyDescriptorMap = {};
   const alsoRows = (rowsOf[prefix] ?? "").split(" ");
-  for (const { owner, name, view, columns } of [...native.modelFields, ...native.dataFields]) {
+  for (const field of [...native.modelFields, ...native.dataFields]) {
+    const { owner, name, columns } = field;
     const prefixed = name.startsWith(`${prefix}_`);
     if (owner !== "" || !(prefixed || alsoRows.includes(name))) continue;
     const member = prefixed ? name.slice(prefix.length + 1) : name;
     const place = `${label}.${member}`;
     members[member] =
       columns === 1
-        ? numberMember(view, id, place)
-        : arrayMember(view.subarray(id * columns, (id + 1) * columns), place);
+        ? numberMember(field, id, place)
+        : arrayMember(() => field.view.subarray(id * columns, (id + 1) * columns), place);
   }
   return members;
 }

@@ -15,13 +15,16 @@ export interface Field {
   readonly name: string;
   /**
    * MuJoCo's own memory, `rows * columns` numbers, row major: a write is seen by the next step. It
-   * must stay valid as long as the world; the page opens a new world when its memory has moved.
+   * must stay valid as long as the world; the page opens a new world when its memory has moved. It
+   * may be made when it is first read.
    */
   readonly view: Numbers;
   readonly rows: number;
   readonly columns: number;
   /** A number and not an array; its view has one element. */
   readonly scalar: boolean;
+  /** C's int: the view is an Int32Array. */
+  readonly integer: boolean;
 }
 
 /**

@@ -7,7 +7,7 @@
 import { Fault } from "./fault.js";
 import { suggest } from "./suggest.js";
 import { checkWrite, strictArray } from "./strict-array.js";
-import type { Numbers } from "./native.js";
+import type { Field, Numbers } from "./native.js";
 
 /** `label` is how scripts write the object: "data", "model.opt", "body('box')". */
 export function strictStruct(label: string, members: PropertyDescriptorMap): object {
@@ -35,32 +35,32 @@ export function fixedMember(value: unknown, label: string, why: string): Propert
   return { enumerable: true, get: () => value, set: () => refuseWrite(label, why) };
 }
 
-export function arrayMember(view: Numbers, label: string): PropertyDescriptor {
-  const why = `it is an array: ${label}[0] = …, or ${label}.set([…])`;
-  let array: Numbers | undefined; // made when first read: a model has hundreds of fields
+/** The array that `view` gives, asked for when first read: a model has hundreds of fields. */
+export function arrayMember(view: () => Numbers, label: string): PropertyDescriptor {
+  let array: Numbers | undefined;
   return {
     enumerable: true,
-    get: () => (array ??= strictArray(view, label)),
-    set: () => refuseWrite(label, why),
+    get: () => (array ??= strictArray(view(), label)),
+    set: () => refuseWrite(label, `it is an array: ${label}[0] = …, or ${label}.set([…])`),
   };
 }
 
-/** The number at `view[index]`, as MuJoCo has it now. */
-export function numberMember(view: Numbers, index: number, label: string): PropertyDescriptor {
+/** The field's number at `index`, as MuJoCo has it now. */
+export function numberMember(field: Field, index: number, label: string): PropertyDescriptor {
   return {
     enumerable: true,
-    get: () => view[index],
+    get: () => field.view[index],
     set: (value: unknown) => {
-      checkWrite(view, value, label, label);
-      view[index] = value as number;
+      checkWrite(field.view, value, label, label);
+      field.view[index] = value as number;
     },
   };
 }
 
 /** A number that MuJoCo computes: read it, never write it. */
-export function computedMember(view: Numbers, label: string): PropertyDescriptor {
+export function computedMember(field: Field, label: string): PropertyDescriptor {
   const set = () => refuseWrite(label, "MuJoCo computes it from the model");
-  return { enumerable: true, get: () => view[0], set };
+  return { enumerable: true, get: () => field.view[0], set };
 }
 
 function refuseWrite(label: string, why: string): never {

@@ -3,6 +3,7 @@
  * constants, a `Math` that repeats. Enter with openWorld(); the generator and the page both do, each
  * over its own engine, so a script means the same in both.
  */
+import type { Structs } from "./arguments.js";
 import { constants } from "./constants.js";
 import { Fault, show } from "./fault.js";
 import { structOf } from "./fields.js";
@@ -14,20 +15,38 @@ import { strictMath } from "./strict-math.js";
 /** Names in scope and what they stand for. */
 export type Scope = Readonly<Record<string, unknown>>;
 
+/** `model` and `data` are made when first read. */
 export function openWorld(native: Native): Scope {
-  const model = structOf("model", native.modelFields) as { nq: number; nv: number };
-  const data = structOf("data", native.dataFields);
+  const structs = structsOf(native);
   return Object.freeze({
-    model,
-    data,
+    get model() {
+      return structs.model;
+    },
+    get data() {
+      return structs.data;
+    },
     Math: strictMath(),
     ...lookups(native),
     step: (count: unknown = 1) => steps(native, count),
     forward: () => native.forward(),
     reset: () => native.reset(),
-    ...mujocoFunctions(native, { model, data }),
+    ...mujocoFunctions(native, structs),
     ...constants,
   });
+}
+
+/** Each made when first read: they have hundreds of members, of which a script reads few or none. */
+function structsOf(native: Native): Structs {
+  let model: Structs["model"] | undefined;
+  let data: object | undefined;
+  return {
+    get model() {
+      return (model ??= structOf("model", native.modelFields) as Structs["model"]);
+    },
+    get data() {
+      return (data ??= structOf("data", native.dataFields));
+    },
+  };
 }
 
 /** One at a time, so that a time limit can end the loop. */
