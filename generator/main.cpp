@@ -2,9 +2,11 @@
 
 #include "cli/run.h"
 
-// Read by jemalloc before main(). In large pages, memory that is new costs a short run less.
+// Read by jemalloc before main(). In large pages, memory that is new costs a short run less; what
+// is large itself, a shadow map of 64 MB, jemalloc would give back at once, for the next one to be
+// new.
 extern "C" {
-const char* malloc_conf = "thp:always";
+const char* malloc_conf = "thp:always,oversize_threshold:0";
 }
 
 int main(int argc, char** argv) {
