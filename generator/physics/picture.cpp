@@ -80,7 +80,7 @@ std::string encode_png(const Picture& picture) {
   std::string bytes;
   png_set_write_fn(png, &bytes, append_to_string, nullptr);
   png_set_compression_level(png, 6);  // 9 takes four times as long for 3 % less
-  // What is drawn comes out a tenth larger with any filter, and takes half as long again.
+  // What is drawn comes out a tenth larger with PNG_FILTER_SUB, and two thirds with PNG_FILTER_UP.
   png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_NONE);
   png_set_IHDR(png, free_png.info, static_cast<png_uint_32>(picture.width),
                static_cast<png_uint_32>(picture.height), 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,

@@ -27,7 +27,7 @@ const jointSizes = [
 
 export function lookups(native: Native) {
   const view = (fields: readonly Field[], name: string): Numbers =>
-    fields.find((field) => field.name === name && field.owner === "")!.view;
+    fields.find((field) => field.owner === "" && field.name === name)!.view;
   const model = (name: string) => view(native.modelFields, name);
   const data = (name: string) => view(native.dataFields, name);
 
