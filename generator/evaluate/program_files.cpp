@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <set>
+#include <utility>
 
 namespace mjcourse {
 namespace {
@@ -11,61 +12,82 @@ namespace fs = std::filesystem;
 // Gathers files by what they are called in a course.
 class Gathering {
  public:
-  // `path` where it is a file in `folder`, which the course calls `name`. Was it in there?
-  bool add(const fs::path& path, const fs::path& folder, const std::string& name) {
-    const fs::path below = path.lexically_relative(fs::absolute(folder).lexically_normal());
-    if (below.empty() || *below.begin() == "..") return false;
-    std::error_code none;
-    if (fs::is_regular_file(path, none)) found_.insert((name / below).generic_string());
-    return true;
+  // What is in `folder` the course calls `name`/…; of folders in each other the inner one comes
+  // first. A compiler names a thousand files for each program, so these are made ready once.
+  void know(const fs::path& folder, const std::string& name) {
+    folders_.emplace_back(fs::absolute(folder).lexically_normal().string(), name);
   }
 
-  std::vector<std::string> take() const { return {found_.begin(), found_.end()}; }
+  // `path`, which is absolute, where it is a file in one of the folders. Is it in there?
+  bool add(const fs::path& path) {
+    const std::string normal = path.lexically_normal().string();
+    for (const auto& [folder, name] : folders_) {
+      if (!normal.starts_with(folder)) continue;
+      const std::string below = normal.substr(folder.size());
+      if (!below.empty() && below.front() != '/') continue;
+      std::error_code none;
+      if (fs::is_regular_file(path, none)) found_.insert(name + below);
+      return true;
+    }
+    return false;
+  }
+
+  void add_all(const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) add(path);
+  }
+
+  // All that is right in `folder`, or all below it.
+  template <typename Iterator>
+  void add_entries(const fs::path& folder) {
+    std::error_code none;
+    for (const fs::directory_entry& entry : Iterator(folder, none)) add(entry.path());
+  }
+
+  void give_to(std::vector<std::string>& files) const {
+    files.insert(files.end(), found_.begin(), found_.end());
+  }
 
  private:
+  std::vector<std::pair<std::string, std::string>> folders_;
   std::set<std::string> found_;
 };
 
-void add_sources(const std::vector<std::string>& sources, const Setting& setting,
-                 Gathering& gathering) {
-  for (const std::string& source : sources) {
-    const fs::path path = fs::path(source).lexically_normal();
-    bool included = false;
-    for (const fs::path& folder : setting.include_folders()) {
-      included = included || gathering.add(path, folder, "examples/include");
-    }
-    if (!included) gathering.add(path, setting.root() / "examples", "examples");
+Gathering sources_of(const Compiled& compiled, const Setting& setting) {
+  Gathering sources;
+  const IncludeFolders include = setting.include_folders();
+  for (const fs::path& folder : include) sources.know(folder, "examples/include");
+  sources.know(setting.root() / "examples", "examples");
+  if (compiled.dependencies) sources.add_all(*compiled.dependencies);
+  for (const WarmObjects::Entry& entry : {compiled.header, compiled.handlers}) {
+    if (entry) sources.add_all(entry->inputs);
   }
+  const fs::path handlers = handlers_source(include);
+  if (!handlers.empty()) sources.add(fs::absolute(handlers));
+  return sources;
 }
 
-// All that is right in `folder`, or all below it.
-template <typename Iterator>
-void add_models(const fs::path& folder, const fs::path& models, Gathering& gathering) {
-  std::error_code none;
-  for (const fs::directory_entry& entry : Iterator(folder, none)) {
-    gathering.add(entry.path(), models, "models");
+Gathering models_of(const Outcome& outcome, const Setting& setting) {
+  Gathering models;
+  const fs::path folder = fs::absolute(setting.root() / "models").lexically_normal();
+  models.know(folder, "models");
+  if (!outcome.opened) models.add_entries<fs::recursive_directory_iterator>(folder);
+  for (const std::string& opened : outcome.opened.value_or(std::vector<std::string>())) {
+    // Who lists a folder wants what is in it.
+    if (models.add(opened) && fs::is_directory(opened)) {
+      models.add_entries<fs::directory_iterator>(opened);
+    }
   }
+  return models;
 }
 
 }  // namespace
 
 std::vector<std::string> program_files(const Compiled& compiled, const Outcome& outcome,
                                        const Setting& setting) {
-  Gathering gathering;
-  if (compiled.dependencies) add_sources(*compiled.dependencies, setting, gathering);
-  for (const WarmObjects::Entry& entry : {compiled.header, compiled.handlers}) {
-    if (entry) add_sources(entry->inputs, setting, gathering);
-  }
-  const fs::path handlers = handlers_source(setting.include_folders());
-  if (!handlers.empty()) add_sources({fs::absolute(handlers).string()}, setting, gathering);
-  const fs::path models = fs::absolute(setting.root() / "models").lexically_normal();
-  if (!outcome.opened) add_models<fs::recursive_directory_iterator>(models, models, gathering);
-  for (const std::string& opened : outcome.opened.value_or(std::vector<std::string>())) {
-    if (!gathering.add(opened, models, "models")) continue;
-    // Who lists a folder wants what is in it.
-    if (fs::is_directory(opened)) add_models<fs::directory_iterator>(opened, models, gathering);
-  }
-  return gathering.take();
+  std::vector<std::string> files;
+  sources_of(compiled, setting).give_to(files);
+  models_of(outcome, setting).give_to(files);
+  return files;
 }
 
 }  // namespace mjcourse
