@@ -2,8 +2,9 @@
 //
 // INPUT    pick_place.xml; the seed of a random number generator
 // PROCESS  draw fifty starts: where the three objects are, which one to take,
-//          its mass and friction, how far the camera is off. Take each object
-//          to the tray, once with 0.6 s of patience and once with none
+//          its mass and friction, how far the camera is off. Reach for each,
+//          and take it to the tray, once with 0.6 s of patience, and once more
+//          from there with none
 // OUTPUT   how many of them arrive; of the others, the room that the fingers
 //          had beside the object, and the weight that friction could carry
 //
@@ -22,9 +23,10 @@ int main() {
   std::printf("start  not placed  room       could carry  weight\n");
   for (int i = 1; i <= 50; ++i) {
     const Start start = draw(random);
-    const auto [room, could, weight, in_tray] = attempt(start, model, 0.6);
+    const Trial trial(start, model);
+    const auto [room, could, weight, in_tray] = trial.carry(0.6);
     placed += in_tray;
-    placed_hastily += attempt(start, model, 0).placed;
+    placed_hastily += trial.carry(0).placed;
     foretold += in_tray == (room > 0 && could > weight);
     slippery += could < weight;
     if (in_tray) continue;

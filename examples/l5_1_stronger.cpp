@@ -26,8 +26,8 @@ int main() {
   int slippery = 0, placed = 0;
   std::printf("start   weight  could carry     now\n");
   for (const int i : {6, 16, 46}) {
-    const Outcome before = attempt(starts[i - 1], model, 0.6);
-    const Outcome now = attempt(starts[i - 1], strong, 0.6);
+    const Outcome before = Trial(starts[i - 1], model).carry(0.6);
+    const Outcome now = Trial(starts[i - 1], strong).carry(0.6);
     slippery += before.could < before.weight;
     placed += now.placed;
     std::printf("%4d   %5.2f N   %5.2f N    %5.2f N  %s\n", i, now.weight,

@@ -78,6 +78,13 @@ class Arm {
     place_plan();
   }
 
+  // Goes on with `data`, a copy of the other's.
+  Arm(const Arm& other, mjData* data)
+      : model_(other.model_),
+        data_(data),
+        plan_(mj_copyData(nullptr, model_, other.plan_)),
+        site_(other.site_) {}
+
   // Called after each step.
   std::function<void()> watch = [] {};
 

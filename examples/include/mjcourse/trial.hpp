@@ -3,8 +3,8 @@
 // to the tray.
 //
 //   std::mt19937 random(1);  // the same starts on every machine
-//   const Start start = draw(random);
-//   if (attempt(start, model, 0.6).placed) ...
+//   const Trial trial(draw(random), model);
+//   if (trial.carry(0.6).placed) ...
 #pragma once
 
 #include <mjcourse/arm.hpp>
@@ -50,7 +50,8 @@ inline Start draw(std::mt19937& random) {
   return start;
 }
 
-inline void set_up(const Start& start, mjModel* model, mjData* data) {
+inline Data set_up(const Start& start, mjModel* model) {
+  Data data = make_data(model);
   const char* name = kHolds[start.which].object;
   const int body = id_of(model, mjOBJ_BODY, name);
   const double factor = start.mass / model->body_mass[body];
@@ -70,6 +71,7 @@ inline void set_up(const Start& start, mjModel* model, mjData* data) {
     mju_axisAngle2Quat(q + 3, up, start.yaw[i]);
   }
   mj_forward(model, data);
+  return data;
 }
 
 struct Outcome {
@@ -79,43 +81,61 @@ struct Outcome {
   bool placed;    // in the tray
 };
 
-// Takes the object to the tray, waiting `patience` seconds for the fingers.
-inline Outcome attempt(const Start& start, const mjModel* base,
-                       double patience) {
-  const Model model(mj_copyModel(nullptr, base));
-  const Data data = make_data(model);
-  set_up(start, model, data);
-  const Hold& hold = kHolds[start.which];
-  const double* at = data->xpos + 3 * id_of(model, mjOBJ_BODY, hold.object);
-  const double* felt = data->sensordata;  // by the two pads, N
+// A start up to the moment at which the fingers, still open, are around the
+// object. From there it can be carried again and again.
+class Trial {
+ public:
+  Trial(const Start& start, const mjModel* base)
+      : start_(start),
+        model_(mj_copyModel(nullptr, base)),
+        data_(set_up(start, model_)),
+        grasp_(pose_for(kHolds[start.which], model_, data_)),
+        arm_(model_, data_) {
+    grasp_.position.head<2>() += start.camera;
+    arm_.move(raised(grasp_, 0.14), 0.8);
+    arm_.move(grasp_, 0.6);
+  }
 
-  Pose grasp = pose_for(hold, model, data);
-  grasp.position.head<2>() += start.camera;
-  const Eigen::Vector3d fingers = grasp.orientation * Eigen::Vector3d::UnitY();
-  const double aside = std::abs(fingers.head<2>().dot(start.camera));
-  Outcome outcome{kOpen - hold.half_width - aside, 0,
-                  start.mass * -model->opt.gravity[2], false};
+  // Closes the fingers, waits `patience` seconds for them, and takes what they
+  // hold to the tray.
+  Outcome carry(double patience) const {
+    const Data data(mj_copyData(nullptr, model_, data_));
+    Arm arm(arm_, data);
+    const Hold& hold = kHolds[start_.which];
+    const double* at = data->xpos + 3 * id_of(model_, mjOBJ_BODY, hold.object);
+    const double* felt = data->sensordata;  // by the two pads, N
 
-  Arm arm(model, data);
-  arm.move(raised(grasp, 0.14), 0.8);
-  arm.move(grasp, 0.6);
-  const double rest = at[2];
-  arm.grip(0);
-  arm.wait(patience);
-  outcome.could = start.friction * (felt[0] + felt[1]);
-  arm.move(raised(grasp, 0.16), 0.6);
-  if (at[2] < rest + 0.02) return outcome;  // left behind
+    const Eigen::Vector3d fingers =
+        grasp_.orientation * Eigen::Vector3d::UnitY();
+    const double aside = std::abs(fingers.head<2>().dot(start_.camera));
+    Outcome outcome{kOpen - hold.half_width - aside, 0,
+                    start_.mass * -model_->opt.gravity[2], false};
 
-  // 12 mm: the tray's floor, and a gap of 4 mm.
-  const Pose tray{{0.62, 0.28, grasp.position[2] + 0.012}, pointing_down(0)};
-  arm.move(raised(tray, 0.15), 1.0);
-  arm.move(tray, 0.5);
-  arm.grip(0.04);
-  arm.wait(0.3);
-  arm.move(raised(tray, 0.15), 0.5);
-  outcome.placed = std::abs(at[0] - 0.62) < 0.12 &&
-                   std::abs(at[1] - 0.28) < 0.09 && at[2] < 0.48;
-  return outcome;
-}
+    const double rest = at[2];
+    arm.grip(0);
+    arm.wait(patience);
+    outcome.could = start_.friction * (felt[0] + felt[1]);
+    arm.move(raised(grasp_, 0.16), 0.6);
+    if (at[2] < rest + 0.02) return outcome;  // left behind
+
+    // 12 mm: the tray's floor, and a gap of 4 mm.
+    const Pose tray{{0.62, 0.28, grasp_.position[2] + 0.012}, pointing_down(0)};
+    arm.move(raised(tray, 0.15), 1.0);
+    arm.move(tray, 0.5);
+    arm.grip(0.04);
+    arm.wait(0.3);
+    arm.move(raised(tray, 0.15), 0.5);
+    outcome.placed = std::abs(at[0] - 0.62) < 0.12 &&
+                     std::abs(at[1] - 0.28) < 0.09 && at[2] < 0.48;
+    return outcome;
+  }
+
+ private:
+  Start start_;
+  Model model_;
+  Data data_;
+  Pose grasp_;
+  Arm arm_;
+};
 
 }  // namespace mjcourse
