@@ -29,6 +29,7 @@ struct Known {
   // As the lesson has it, and what reading the rest of the lesson made of it.
   std::vector<std::string> text = {};
   std::vector<std::string> scripts = {};  // that work on it
+  bool draws = false;
 };
 
 struct KnownOf {
@@ -47,7 +48,8 @@ struct KnownOf {
   Known operator()(const Lab& lab) const {
     const double runs = 1.0 + static_cast<double>(lab.controls.size());
     return {"lab",      "rehearse the lab \"" + lab.title + "\"", false,
-            0.1 * runs, {fence(lab.span), lab.pin.text},          {"world"}};
+            0.1 * runs, {fence(lab.span), lab.pin.text},          {"world"},
+            true};
   }
   Known operator()(const Figure& figure) const {
     const double frames = figure.animation ? figure.animation->frames() : 1;
@@ -56,7 +58,8 @@ struct KnownOf {
             figure.from.has_value(),
             0.1 + 0.03 * frames,
             {fence(figure.span), figure.pin.text},
-            {"world"}};
+            {"world"},
+            true};
   }
   Known operator()(const Chart& chart) const {
     return {"plot", "draw the plot of " + chart.table.text,         true,
@@ -154,6 +157,10 @@ std::string BlockTask::name() const {
 
 bool BlockTask::quotes() const {
   return known_of(lesson(), block()).quotes;
+}
+
+bool BlockTask::draws() const {
+  return known_of(lesson(), block()).draws;
 }
 
 double BlockTask::effort() const {

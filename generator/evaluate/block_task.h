@@ -15,6 +15,7 @@ class BlockTask : public Task {
 
   std::string name() const override;
   bool quotes() const override;
+  bool draws() const override;
   double effort() const override;
   Dependencies recipe(const Setting& setting) const override;
   bool work(Workshop& workshop, Finding& finding) override;

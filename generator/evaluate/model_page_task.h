@@ -17,6 +17,7 @@ class ModelPageTask : public Task {
         trouble_(trouble) {}
 
   std::vector<std::size_t> blocks() const override { return {}; }
+  bool draws() const override { return true; }
   double effort() const override { return 0.2; }
   Dependencies recipe(const Setting& setting) const override;
   bool work(Workshop& workshop, Finding& finding) override;

@@ -37,6 +37,8 @@ class Task {
   virtual std::string name() const { return what_; }
   // Must all programs have been run?
   virtual bool quotes() const { return false; }
+  // Are models drawn?
+  virtual bool draws() const { return false; }
   // About how many seconds of work: the longest begins first.
   virtual double effort() const { return 0.01; }
   // What it depends on as is known before; `kind` and `text` at least. No names, for what is never

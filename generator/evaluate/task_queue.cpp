@@ -16,47 +16,61 @@ bool is_program(const Task& task) {
 
 TaskQueue::TaskQueue(const Tasks& tasks, const Blocks& first, std::function<void()> publish)
     : tasks_(tasks), publish_(std::move(publish)) {
-  std::vector<std::pair<bool, double>> weight;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    (tasks[i]->quotes() ? held_ : ready_).push_back(i);
+    list_of(tasks[i]->quotes() ? held_ : ready_, i).push_back(i);
     programs_ += is_program(*tasks[i]) ? 1 : 0;
     const bool is_first = first.contains({tasks[i]->lesson().source->path(), tasks[i]->block()});
-    weight.emplace_back(is_first, tasks[i]->effort());
+    weights_.push_back({is_first, tasks[i]->effort()});
   }
-  for (auto* list : {&ready_, &held_}) {
+  for (auto* list : {&ready_.drawn, &ready_.others, &held_.drawn, &held_.others}) {
     std::stable_sort(list->rbegin(), list->rend(),
-                     [&](std::size_t a, std::size_t b) { return weight[a] > weight[b]; });
+                     [&](std::size_t a, std::size_t b) { return weights_[a] > weights_[b]; });
   }
   if (programs_ == 0) release();
+}
+
+std::vector<std::size_t>& TaskQueue::list_of(Ready& tasks, std::size_t task) const {
+  return tasks_[task]->draws() ? tasks.drawn : tasks.others;
 }
 
 void TaskQueue::release() {
   publish_();
   // What was held back is behind what is ready, and quick: those who wait are few.
-  ready_.insert(ready_.begin(), held_.begin(), held_.end());
-  held_.clear();
+  ready_.drawn.insert(ready_.drawn.begin(), held_.drawn.begin(), held_.drawn.end());
+  ready_.others.insert(ready_.others.begin(), held_.others.begin(), held_.others.end());
+  held_ = {};
   changed_.notify_all();
+}
+
+std::vector<std::size_t>& TaskQueue::next_list() {
+  auto& [drawn, others] = ready_;
+  if (drawn.empty()) return others;
+  if (others.empty()) return drawn;
+  const bool drawn_first = weights_[drawn.back()].first;
+  if (drawn_first != weights_[others.back()].first) return drawn_first ? drawn : others;
+  return drawing_ == 0 ? drawn : others;
 }
 
 std::optional<std::size_t> TaskQueue::next() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [this] { return !ready_.empty() || held_.empty(); });
   if (ready_.empty()) return std::nullopt;
-  const std::size_t task = ready_.back();
-  ready_.pop_back();
+  std::vector<std::size_t>& list = next_list();
+  const std::size_t task = list.back();
+  list.pop_back();
+  drawing_ += tasks_[task]->draws() ? 1 : 0;
   return task;
 }
 
 void TaskQueue::finish(std::size_t task) {
-  if (!is_program(*tasks_[task])) return;
   const std::lock_guard lock(mutex_);
-  if (--programs_ == 0) release();
+  drawing_ -= tasks_[task]->draws() ? 1 : 0;
+  if (is_program(*tasks_[task]) && --programs_ == 0) release();
 }
 
 void TaskQueue::stop() {
   const std::lock_guard lock(mutex_);
-  ready_.clear();
-  held_.clear();
+  ready_ = held_ = {};
   changed_.notify_all();
 }
 

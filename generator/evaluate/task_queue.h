@@ -13,7 +13,9 @@
 namespace mjcourse {
 
 // From any thread. Those of the blocks `first` come before all others, and then the one with the
-// most effort; those that quote are held back until all programs are finished.
+// most effort; those that quote are held back until all programs are finished. As long as there is
+// anything else to do, one thread draws and the others do not: llvmpipe fills one picture at a
+// time, and has the others wait.
 class TaskQueue {
  public:
   // `publish` is called once, on one of the threads, before the first task that quotes is given.
@@ -26,14 +28,29 @@ class TaskQueue {
   void stop();
 
  private:
+  struct Weight {
+    bool first = false;
+    double effort = 0;
+    auto operator<=>(const Weight&) const = default;
+  };
+  // The next one last.
+  struct Ready {
+    std::vector<std::size_t> drawn, others;
+    bool empty() const { return drawn.empty() && others.empty(); }
+  };
+
+  std::vector<std::size_t>& list_of(Ready& tasks, std::size_t task) const;
+  std::vector<std::size_t>& next_list();
   void release();
 
   const Tasks& tasks_;
   std::function<void()> publish_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::vector<std::size_t> ready_, held_;  // the next one last
-  std::size_t programs_ = 0;               // not finished
+  std::vector<Weight> weights_;
+  Ready ready_, held_;
+  std::size_t programs_ = 0;  // not finished
+  std::size_t drawing_ = 0;   // given, and not finished
 };
 
 }  // namespace mjcourse

@@ -7,24 +7,27 @@
 namespace mjcourse {
 namespace {
 
+enum class Kind { plain, quoting, drawing };
+
 class Work : public Task {
  public:
-  Work(const Lesson& lesson, std::size_t block, double effort, bool quotes = false)
-      : Task(lesson, 0, block, "work"), effort_(effort), quotes_(quotes) {}
-  bool quotes() const override { return quotes_; }
+  Work(const Lesson& lesson, std::size_t block, double effort, Kind kind)
+      : Task(lesson, 0, block, "work"), effort_(effort), kind_(kind) {}
+  bool quotes() const override { return kind_ == Kind::quoting; }
+  bool draws() const override { return kind_ == Kind::drawing; }
   double effort() const override { return effort_; }
   Dependencies recipe(const Setting&) const override { return {}; }
   bool work(Workshop&, Finding&) override { return true; }
 
  private:
   double effort_;
-  bool quotes_;
+  Kind kind_;
 };
 
 class TaskQueueTest : public testing::Test {
  protected:
-  void add(double effort, bool quotes = false) {
-    tasks_.push_back(std::make_unique<Work>(*reading_.lesson, tasks_.size(), effort, quotes));
+  void add(double effort, Kind kind = Kind::plain) {
+    tasks_.push_back(std::make_unique<Work>(*reading_.lesson, tasks_.size(), effort, kind));
   }
   std::vector<std::size_t> order(const Blocks& first = {}) {
     TaskQueue queue(tasks_, first, [] {});
@@ -49,9 +52,36 @@ TEST_F(TaskQueueTest, BeginsWithWhatSomebodyWaitsFor) {
 }
 
 TEST_F(TaskQueueTest, PutsWhatQuotesBehindTheRest) {
-  add(5, true);
+  add(5, Kind::quoting);
   add(1);
   EXPECT_EQ(order(), (std::vector<std::size_t>{1, 0}));
+}
+
+TEST_F(TaskQueueTest, LetsOneThreadDrawAsLongAsThereIsAnythingElse) {
+  for (const double effort : {1, 3, 2}) add(effort, Kind::drawing);
+  for (const double effort : {4, 5}) add(effort);
+  TaskQueue queue(tasks_, {}, [] {});
+  EXPECT_EQ(queue.next(), 1);  // the longest that draws
+  EXPECT_EQ(queue.next(), 4);
+  queue.finish(1);
+  EXPECT_EQ(queue.next(), 2);
+  EXPECT_EQ(queue.next(), 3);
+  EXPECT_EQ(queue.next(), 0);  // the other thread need not wait for the one that draws
+  EXPECT_EQ(queue.next(), std::nullopt);
+}
+
+TEST_F(TaskQueueTest, DrawsLaterWhatNobodyWaitsFor) {
+  add(1);
+  add(5, Kind::drawing);
+  add(2);
+  EXPECT_EQ(order({{reading_.lesson->source->path(), 0}}), (std::vector<std::size_t>{0, 1, 2}));
+}
+
+TEST_F(TaskQueueTest, DrawsFirstWhatSomebodyWaitsFor) {
+  add(5);
+  add(1, Kind::drawing);
+  add(2, Kind::drawing);
+  EXPECT_EQ(order({{reading_.lesson->source->path(), 1}}), (std::vector<std::size_t>{1, 0, 2}));
 }
 
 }  // namespace
