@@ -180,9 +180,14 @@ Watcher::Reply Watcher::decide_on_path(const seccomp_notif& question, const Path
   const std::string normal = normal_path(*path);
   const bool own =
       is_in_any(normal, writable_) || (sandbox_ != nullptr && is_in_any(normal, sandbox_->write));
-  if (!own && !is_in_any(normal, kSystemFolders)) opened_.insert(normal);
   const FileAccess access = access_of(question, call);
-  if (access == FileAccess::look) return {};
+  const bool looks = access == FileAccess::look;
+  // realpath(3) looks at the folders that its own are in, which are of our choice.
+  const bool above = looks && std::ranges::any_of(writable_, [&](const std::string& own_folder) {
+                       return is_within(own_folder, normal);
+                     });
+  if (!own && !above && !is_in_any(normal, kSystemFolders)) opened_.insert(normal);
+  if (looks) return {};
   const bool writes = access == FileAccess::write;
   if (may(normal, writes)) return {};
   return refuse((writes ? "write " : "read ") + *text);
