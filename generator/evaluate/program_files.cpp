@@ -4,6 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "base/sandbox.h"
+
 namespace mjcourse {
 namespace {
 
@@ -22,11 +24,9 @@ class Gathering {
   bool add(const fs::path& path) {
     const std::string normal = path.lexically_normal().string();
     for (const auto& [folder, name] : folders_) {
-      if (!normal.starts_with(folder)) continue;
-      const std::string below = normal.substr(folder.size());
-      if (!below.empty() && below.front() != '/') continue;
+      if (!is_within(normal, folder)) continue;
       std::error_code none;
-      if (fs::is_regular_file(path, none)) found_.insert(name + below);
+      if (fs::is_regular_file(path, none)) found_.insert(name + normal.substr(folder.size()));
       return true;
     }
     return false;
