@@ -162,9 +162,9 @@ std::optional<std::string> ResultCodec::encode(Finding& finding, std::size_t fir
     results.push_back(
         {block - first, result, seconds == finding.seconds.end() ? 0 : seconds->second});
   }
-  change_paths(finding, [&](const fs::path& path) { return root_ / path; });
   const std::vector<std::uint8_t> bytes =
       json::to_cbor({{"results", std::move(results)}, {"model", finding.model_page}});
+  change_paths(finding, [&](const fs::path& path) { return root_ / path; });
   return std::string(bytes.begin(), bytes.end());
 }
 

@@ -34,12 +34,13 @@ export function run(mjcourse, words, environment = {}) {
   return { stdout, stderr, status };
 }
 
-// Checks the course; gives the names of the tasks that were worked out, sorted.
-export function worked(mjcourse, environment = {}) {
+// Checks the course, or does what `command` says with the course in `folder`; gives the names of the
+// tasks that were worked out, sorted.
+export function worked(mjcourse, environment = {}, folder = course, command = ["check"]) {
   const trace = join(home, "trace.json");
-  const words = ["check", "--course", course, "--store", store, "--trace", trace];
+  const words = [...command, "--course", folder, "--store", store, "--trace", trace];
   const { stderr, status } = run(mjcourse, words, environment);
-  if (status !== 0) throw new Error(`the check fails:\n${stderr}`);
+  if (status !== 0) throw new Error(`${command[0]} fails:\n${stderr}`);
   const { traceEvents } = JSON.parse(readFileSync(trace, "utf8"));
   const anew = traceEvents.filter((event) => event.cat === "worked").map((event) => event.name);
   return { anew: anew.sort(), notes: stderr };
