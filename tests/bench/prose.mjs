@@ -18,7 +18,7 @@ import { writeCourse, writePlainLessons } from "./prose-course.mjs";
 
 const mjcourse = resolve(process.argv[2]);
 const lessons = Number(process.argv[3] ?? 1000);
-const runs = 3;
+const runs = 7;
 const ofPandoc = 40; // lessons
 const many = 10; // times as many lessons, for the memory
 
