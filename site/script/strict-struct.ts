@@ -63,6 +63,7 @@ export function computedMember(field: Field, label: string): PropertyDescriptor 
   return { enumerable: true, get: () => field.view[0], set };
 }
 
-function refuseWrite(label: string, why: string): never {
+/** The error for a write to `label`: `why` says what to do instead. */
+export function refuseWrite(label: string, why: string): never {
   throw new Fault("E-script-value", `${label} cannot be assigned`, [label], why);
 }

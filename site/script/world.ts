@@ -11,6 +11,7 @@ import { lookups } from "./lookups.js";
 import { mujocoFunctions } from "./mujoco-functions.js";
 import type { Native } from "./native.js";
 import { strictMath } from "./strict-math.js";
+import { refuseWrite } from "./strict-struct.js";
 
 /** Names in scope and what they stand for. */
 export type Scope = Readonly<Record<string, unknown>>;
@@ -22,8 +23,14 @@ export function openWorld(native: Native): Scope {
     get model() {
       return structs.model;
     },
+    set model(_: unknown) {
+      refuseWrite("model", "assign its fields one by one: model.opt.timestep = …");
+    },
     get data() {
       return structs.data;
+    },
+    set data(_: unknown) {
+      refuseWrite("data", "assign its fields one by one: data.ctrl[0] = …");
     },
     Math: strictMath(),
     ...lookups(native),

@@ -193,6 +193,12 @@ TEST_F(WorldTest, WritesAreFiniteNumbers) {
       run_error("data.qpos = [1]"),
       "E-script-value 1:1+9 data.qpos cannot be assigned | it is an array: data.qpos[0] = …, or "
       "data.qpos.set([…])");
+  EXPECT_EQ(run_error("model = 3"),
+            "E-script-value 1:1+5 model cannot be assigned | assign its fields one by one: "
+            "model.opt.timestep = …");
+  EXPECT_EQ(run_error("data = model"),
+            "E-script-value 1:1+4 data cannot be assigned | assign its fields one by one: "
+            "data.ctrl[0] = …");
   EXPECT_EQ(simulation_.data()->qvel[3], 0);
 }
 
