@@ -13,6 +13,8 @@
 #include <new>
 #include <system_error>
 
+#include "base/descriptor.h"
+
 namespace mjcourse {
 namespace {
 
@@ -70,7 +72,7 @@ int wait_for(pid_t child, double seconds, bool& in_time) {
 Attempt attempt(const std::function<void()>& work, std::uint64_t bytes, double seconds) {
   const rlim_t limit = bytes_in_use() + bytes;
   const pid_t child = fork();
-  if (child < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (child < 0) throw_errno("fork");
   if (child == 0) work_within(work, limit, static_cast<rlim_t>(std::ceil(seconds)));
   bool in_time = false;
   const int status = wait_for(child, seconds, in_time);

@@ -12,6 +12,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/descriptor.h"
 #include "base/launch.h"
 
 namespace mjcourse {
@@ -24,14 +25,14 @@ struct Pair {
 
 Pair make_pipe() {
   int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  if (pipe2(ends, O_CLOEXEC) != 0) throw_errno("pipe");
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
 Pair make_sockets() {
   int ends[2];
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) {
-    throw std::system_error(errno, std::generic_category(), "socketpair");
+    throw_errno("socketpair");
   }
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }

@@ -2,6 +2,8 @@
 
 #include <unistd.h>
 
+#include <cerrno>
+#include <system_error>
 #include <utility>
 
 namespace mjcourse {
@@ -21,6 +23,10 @@ int Descriptor::release() {
 void Descriptor::reset() {
   if (number_ >= 0) close(number_);
   number_ = -1;
+}
+
+void throw_errno(const std::filesystem::path& path) {
+  throw std::system_error(errno, std::generic_category(), path.string());
 }
 
 }  // namespace mjcourse

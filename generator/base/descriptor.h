@@ -1,6 +1,8 @@
 // A file descriptor that closes itself.
 #pragma once
 
+#include <filesystem>
+
 namespace mjcourse {
 
 class Descriptor {
@@ -19,5 +21,8 @@ class Descriptor {
  private:
   int number_;
 };
+
+// A call of the system failed on `path`: throws std::system_error with what errno says.
+[[noreturn]] void throw_errno(const std::filesystem::path& path);
 
 }  // namespace mjcourse

@@ -23,10 +23,6 @@ namespace fs = std::filesystem;
 constexpr std::string_view kMark = "mjcourse-store 1 ";
 constexpr std::time_t kHour = 3600;  // seconds
 
-[[noreturn]] void fail(const fs::path& path) {
-  throw std::system_error(errno, std::generic_category(), path.string());
-}
-
 void mark_used(const fs::path& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0 || std::time(nullptr) - status.st_mtime < kHour) return;
@@ -50,7 +46,7 @@ std::optional<std::string> verified(const std::string& name, std::string bytes) 
 void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
   while (!bytes.empty()) {
     const ssize_t count = write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno != EINTR) fail(path);
+    if (count < 0 && errno != EINTR) throw_errno(path);
     if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
   }
 }
@@ -64,9 +60,9 @@ int open_lock(const fs::path& folder) {
 DiskStore::DiskStore(fs::path folder) : folder_(std::move(folder)) {
   fs::create_directories(folder_ / "tmp");
   lock_ = open_lock(folder_);
-  if (lock_ < 0) fail(folder_ / "lock");
+  if (lock_ < 0) throw_errno(folder_ / "lock");
   while (flock(lock_, LOCK_SH) != 0) {
-    if (errno != EINTR) fail(folder_ / "lock");
+    if (errno != EINTR) throw_errno(folder_ / "lock");
   }
 }
 
@@ -115,11 +111,11 @@ void DiskStore::write(const fs::path& path, std::string_view bytes) const {
   fs::create_directories(path.parent_path());
   std::string aside = (folder_ / "tmp" / "XXXXXX").string();
   const Descriptor file(mkostemp(aside.data(), O_CLOEXEC));
-  if (file.get() < 0) fail(aside);
+  if (file.get() < 0) throw_errno(aside);
   try {
     flock(file.get(), LOCK_EX);  // for as long as it is ours
     write_all(file.get(), bytes, aside);
-    if (fsync(file.get()) != 0) fail(aside);
+    if (fsync(file.get()) != 0) throw_errno(aside);
     fs::rename(aside, path);
   } catch (...) {
     unlink(aside.c_str());
@@ -170,10 +166,10 @@ void clear_unfinished(const fs::path& folder) {
 std::optional<Pruned> prune_store(const fs::path& folder, std::uintmax_t keep, bool wait) {
   if (!fs::exists(folder)) return Pruned{};
   const Descriptor lock(open_lock(folder));
-  if (lock.get() < 0) fail(folder / "lock");
+  if (lock.get() < 0) throw_errno(folder / "lock");
   while (flock(lock.get(), LOCK_EX | (wait ? 0 : LOCK_NB)) != 0) {
     if (errno == EWOULDBLOCK) return std::nullopt;
-    if (errno != EINTR) fail(folder / "lock");
+    if (errno != EINTR) throw_errno(folder / "lock");
   }
   clear_unfinished(folder);
   std::vector<Entry> entries = entries_of(folder);

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "base/descriptor.h"
 #include "base/files.h"
 
 namespace mjcourse {
@@ -16,17 +17,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-[[noreturn]] void fail(const fs::path& path) {
-  throw std::system_error(errno, std::generic_category(), path.string());
-}
-
 // What a chain of links ends at, whether it is there or not.
 fs::path target_of(fs::path path) {
   constexpr int most_links = 40;  // as the kernel follows
   for (int i = 0; fs::is_symlink(path); ++i) {
     if (i == most_links) {
       errno = ELOOP;
-      fail(path);
+      throw_errno(path);
     }
     path = path.parent_path() / fs::read_symlink(path);
   }
@@ -40,7 +37,7 @@ class Beside {
       : path_(path),
         name_((path.parent_path() / ("." + path.filename().string() + ".XXXXXX")).string()),
         file_(mkostemp(name_.data(), O_CLOEXEC)) {
-    if (file_ < 0) fail(path_);
+    if (file_ < 0) throw_errno(path_);
   }
   ~Beside() {
     if (file_ >= 0) close(file_);
@@ -54,27 +51,27 @@ class Beside {
     struct stat old {};
     if (stat(path_.c_str(), &old) == 0) {
       // Only root may give a file away; for others it is theirs already, or becomes so.
-      if (fchown(file_, old.st_uid, old.st_gid) != 0 && errno != EPERM) fail(path_);
-      if (fchmod(file_, old.st_mode & 07777) != 0) fail(path_);
+      if (fchown(file_, old.st_uid, old.st_gid) != 0 && errno != EPERM) throw_errno(path_);
+      if (fchmod(file_, old.st_mode & 07777) != 0) throw_errno(path_);
       return;
     }
     const mode_t mask = umask(0);
     umask(mask);
-    if (fchmod(file_, 0666 & ~mask) != 0) fail(path_);
+    if (fchmod(file_, 0666 & ~mask) != 0) throw_errno(path_);
   }
 
   void write_all(std::string_view bytes) {
     while (!bytes.empty()) {
       const ssize_t written = write(file_, bytes.data(), bytes.size());
       if (written < 0 && errno == EINTR) continue;
-      if (written < 0) fail(path_);
+      if (written < 0) throw_errno(path_);
       bytes.remove_prefix(static_cast<std::size_t>(written));
     }
-    if (fsync(file_) != 0) fail(path_);
+    if (fsync(file_) != 0) throw_errno(path_);
   }
 
   void take_its_place() {
-    if (rename(name_.c_str(), path_.c_str()) != 0) fail(path_);
+    if (rename(name_.c_str(), path_.c_str()) != 0) throw_errno(path_);
     name_.clear();
     // The rename itself must reach the disk as well.
     const int folder = open(path_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

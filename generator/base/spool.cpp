@@ -8,19 +8,14 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "base/descriptor.h"
+
 namespace mjcourse {
-namespace {
-
-[[noreturn]] void fail() {
-  throw std::system_error(errno, std::generic_category(), "a temporary file");
-}
-
-}  // namespace
 
 Spool::Spool()
     : file_(open(std::filesystem::temp_directory_path().c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC,
                  0600)) {
-  if (file_ < 0) fail();
+  if (file_ < 0) throw_errno("a temporary file");
 }
 
 Spool::~Spool() {
@@ -32,7 +27,7 @@ Spool::Piece Spool::put(std::string_view text) {
   for (std::size_t done = 0; done < text.size();) {
     const ssize_t count = pwrite(file_, text.data() + done, text.size() - done,
                                  piece.begin + static_cast<std::int64_t>(done));
-    if (count < 0 && errno != EINTR) fail();
+    if (count < 0 && errno != EINTR) throw_errno("a temporary file");
     if (count > 0) done += static_cast<std::size_t>(count);
   }
   return piece;
@@ -43,7 +38,7 @@ std::string Spool::get(Piece piece) const {
   for (std::size_t done = 0; done < piece.size;) {
     const ssize_t count = pread(file_, text.data() + done, piece.size - done,
                                 piece.begin + static_cast<std::int64_t>(done));
-    if (count < 0 && errno != EINTR) fail();
+    if (count < 0 && errno != EINTR) throw_errno("a temporary file");
     if (count == 0) throw std::logic_error("a piece behind the end of its spool");
     if (count > 0) done += static_cast<std::size_t>(count);
   }

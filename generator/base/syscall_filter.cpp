@@ -63,7 +63,13 @@ const int kDeniedToPrograms[] = {
 const int kSignals[] = {SCMP_SYS(kill), SCMP_SYS(tkill), SCMP_SYS(tgkill),
                         SCMP_SYS(rt_sigqueueinfo), SCMP_SYS(rt_tgsigqueueinfo)};
 
-constexpr int kTerminalInput = 0x5412, kTerminalSelection = 0x541C;  // TIOCSTI, TIOCLINUX
+constexpr std::uint32_t kGuardedOptions[] = {PR_SET_PDEATHSIG, PR_SET_DUMPABLE, PR_SET_SECCOMP};
+constexpr std::uint32_t kTerminalRequests[] = {0x5412, 0x541C};  // TIOCSTI, TIOCLINUX
+
+// A condition on an argument of a system call. (libseccomp's own macros are C's compound literals.)
+scmp_arg_cmp argument(unsigned number, scmp_compare compare, scmp_datum_t a, scmp_datum_t b = 0) {
+  return {number, compare, a, b};
+}
 
 class Builder {
  public:
@@ -102,24 +108,24 @@ class Builder {
     for (const int call : kDenied) deny(call);
     // Its flags lie in memory, where no filter sees them; without it the C library takes clone.
     add(SCMP_ACT_ERRNO(ENOSYS), SCMP_SYS(clone3));
-    for (const int option : {PR_SET_PDEATHSIG, PR_SET_DUMPABLE, PR_SET_SECCOMP}) {
-      add(no, SCMP_SYS(prctl), SCMP_A0_32(SCMP_CMP_EQ, option));
+    for (const std::uint32_t option : kGuardedOptions) {
+      add(no, SCMP_SYS(prctl), argument(0, SCMP_CMP_EQ, option));
     }
-    for (const int request : {kTerminalInput, kTerminalSelection}) {
-      add(no, SCMP_SYS(ioctl), SCMP_A1_32(SCMP_CMP_EQ, request));
+    for (const std::uint32_t request : kTerminalRequests) {
+      add(no, SCMP_SYS(ioctl), argument(1, SCMP_CMP_EQ, request));
     }
-    add(no, SCMP_SYS(prlimit64), SCMP_A0_32(SCMP_CMP_NE, 0));
-    add(no, SCMP_SYS(socketpair), SCMP_A0_32(SCMP_CMP_NE, AF_UNIX));
+    add(no, SCMP_SYS(prlimit64), argument(0, SCMP_CMP_NE, 0));
+    add(no, SCMP_SYS(socketpair), argument(0, SCMP_CMP_NE, AF_UNIX));
     // The C library asks its name service over a local socket, and does well without.
-    add(no, SCMP_SYS(socket), SCMP_A0_32(SCMP_CMP_EQ, AF_UNIX));
-    add(told(), SCMP_SYS(socket), SCMP_A0_32(SCMP_CMP_NE, AF_UNIX));
+    add(no, SCMP_SYS(socket), argument(0, SCMP_CMP_EQ, AF_UNIX));
+    add(told(), SCMP_SYS(socket), argument(0, SCMP_CMP_NE, AF_UNIX));
     if (kind_.processes) {
       // Where Landlock does not see to it, a signal may reach whoever is of the same user.
       deny(SCMP_SYS(kill));
       for (const auto flag : {CLONE_NEWNS, CLONE_NEWUTS, CLONE_NEWIPC, CLONE_NEWUSER, CLONE_NEWPID,
                               CLONE_NEWNET, CLONE_NEWCGROUP, CLONE_PARENT}) {
         const auto bit = static_cast<scmp_datum_t>(flag);
-        add(no, SCMP_SYS(clone), SCMP_A0_64(SCMP_CMP_MASKED_EQ, bit, bit));
+        add(no, SCMP_SYS(clone), argument(0, SCMP_CMP_MASKED_EQ, bit, bit));
       }
     }
   }
@@ -135,7 +141,7 @@ class Builder {
       add(SCMP_ACT_NOTIFY, SCMP_SYS(fchmod));
       for (const int call : kSignals) add(SCMP_ACT_NOTIFY, call);
     } else {
-      add(SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), SCMP_A0_64(SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0));
+      add(SCMP_ACT_ERRNO(EPERM), SCMP_SYS(clone), argument(0, SCMP_CMP_MASKED_EQ, CLONE_THREAD, 0));
       deny(SCMP_SYS(kill));  // abort() sends its signal by tgkill
     }
   }

@@ -11,6 +11,8 @@
 #include <string>
 #include <system_error>
 
+#include "base/descriptor.h"
+
 namespace mjcourse {
 namespace fs = std::filesystem;
 namespace {
@@ -48,7 +50,7 @@ TemporaryFolder::TemporaryFolder() {
     if (lock_ >= 0) close(lock_);
     std::string name = (parent / (kPrefix + "XXXXXX")).string();
     if (mkdtemp(name.data()) == nullptr) {
-      throw std::system_error(errno, std::generic_category(), name);
+      throw_errno(name);
     }
     path_ = name;
     // Its files can be used by whoever was told of them, such as a program that is no longer root.

@@ -1,6 +1,7 @@
 // UTF-8: what the lesson language is written in.
 #pragma once
 
+#include <cctype>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -22,6 +23,11 @@ std::optional<std::size_t> find_invalid_utf8(std::string_view text);
 // The offset of the first control character that no text holds: all but tabs, line feeds, and a
 // carriage return before one or at the very end; or nothing.
 std::optional<std::size_t> find_control_character(std::string_view text);
+
+// Is it an ASCII letter, a digit or `_`: a word character, as regular expressions have them (`\w`)?
+inline bool is_word_character(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
 
 // `text` as one line that any terminal shows: control characters as C has them (`\n`, `\x1b`), and
 // U+FFFD for each byte that is not UTF-8.

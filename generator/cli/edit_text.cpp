@@ -7,6 +7,7 @@
 #include "base/counted.h"
 #include "base/text_lines.h"
 #include "base/utf8.h"
+#include "cli/size.h"
 #include "report/colours.h"
 #include "report/diff_text.h"
 
@@ -15,13 +16,6 @@ namespace {
 
 bool is_text(std::string_view bytes) {
   return bytes.find('\0') == bytes.npos && !find_invalid_utf8(bytes);
-}
-
-std::string size_text(std::size_t bytes) {
-  if (bytes < 1000) return counted(bytes, "byte");
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f KB", static_cast<double>(bytes) / 1000);
-  return text;
 }
 
 std::string indented(const std::string& lines) {

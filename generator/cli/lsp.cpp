@@ -13,8 +13,6 @@
 namespace mjcourse {
 namespace {
 
-// An upgrade of the compiler shows so much later.
-constexpr std::chrono::seconds kPatience{10};
 // The protocol's exit code of a server whose editor went away without a word.
 constexpr int kLeftAlone = 1;
 
@@ -25,7 +23,7 @@ int lsp(const Options& options) {
   QuickStore store(kept.store());
   const DiskFiles assets(assets_folder());
   Workplace workplace = workplace_of(options, assets, &store);
-  workplace.known_files = std::make_shared<KnownFiles>(kPatience);
+  workplace.known_files = std::make_shared<KnownFiles>(kPatienceWhileEditing);
   LanguageServer server({workplace, options.course_named, MJCOURSE_VERSION}, std::cout);
   return server.run(std::cin) ? kClean : kLeftAlone;
 }

@@ -15,6 +15,7 @@
 #include <thread>
 
 #include "base/counted.h"
+#include "base/descriptor.h"
 #include "base/subprocess.h"
 #include "cli/commands.h"
 #include "cli/run.h"
@@ -27,15 +28,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// An upgrade of the compiler shows so much later.
-constexpr std::chrono::seconds kPatience{10};
-
 // Ctrl-C and its like, for who waits for them.
 class Interrupt {
  public:
   Interrupt() {
     if (pipe2(ends_.data(), O_CLOEXEC) != 0) {
-      throw std::system_error(errno, std::generic_category(), "pipe");
+      throw_errno("pipe");
     }
     struct sigaction action {};
     action.sa_handler = [](int) {
@@ -100,7 +98,7 @@ int preview(const Options& options) {
   const DiskFiles assets(assets_folder());
   Teller teller;
   Workplace workplace = workplace_of(options, assets, &store);
-  workplace.known_files = std::make_shared<KnownFiles>(kPatience);
+  workplace.known_files = std::make_shared<KnownFiles>(kPatienceWhileEditing);
   Preview preview({workplace, assets_folder(), site_sources(), options.link},
                   [&](const Snapshot& snapshot) { teller.tell(snapshot); });
   PreviewServer server(preview, options.port);

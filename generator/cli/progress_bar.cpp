@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kPatience = 500ms;  // work that ends before shows no bar
+constexpr auto kQuickWork = 500ms;  // work that ends before shows no bar
 constexpr auto kFrame = 100ms;
 constexpr std::size_t kBar = 24;  // characters
 
@@ -27,7 +27,7 @@ ProgressBar::ProgressBar() {
   if (isatty(STDERR_FILENO) == 0) return;
   painter_ = std::jthread([this](const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, stop, kPatience, [] { return false; });
+    changed_.wait_for(lock, stop, kQuickWork, [] { return false; });
     while (!stop.stop_requested()) {
       draw();
       changed_.wait_for(lock, stop, kFrame, [] { return false; });

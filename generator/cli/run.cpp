@@ -118,15 +118,15 @@ constexpr Option kLink{"--link", "an address with {file} in it",
                          return value.find("{file}") != value.npos;
                        }};
 
-struct Named {
+struct NamedCommand {
   std::string_view name;
   int (*command)(const Options&);
   std::vector<Option> options;
   bool takes_words = false;  // that are no options
 };
 
-const std::vector<Named>& commands() {
-  static const std::vector<Named> all{
+const std::vector<NamedCommand>& commands() {
+  static const std::vector<NamedCommand> all{
       {"accept", accept, {kCourse, kDryRun, kStore, kJobs}, true},
       {"build",
        build,
@@ -198,13 +198,13 @@ int wrong_usage(const std::string& message) {
   return kWrongUsage;
 }
 
-std::string no_option(const Named& named, const std::string& argument) {
+std::string no_option(const NamedCommand& named, const std::string& argument) {
   std::vector<std::string> known;
   for (const Option& option : named.options) known.emplace_back(option.name);
   return std::string(named.name) + " has no option " + argument + "; " + suggest(argument, known);
 }
 
-int run_named(const Named& named, const std::vector<std::string>& arguments) {
+int run_named(const NamedCommand& named, const std::vector<std::string>& arguments) {
   Options options;
   for (std::size_t i = 1; i < arguments.size(); ++i) {
     // `--format=json` is `--format json`.
@@ -254,7 +254,7 @@ int run_command(const std::vector<std::string>& arguments) {
   }
   try {
     std::vector<std::string> names;
-    for (const Named& named : commands()) {
+    for (const NamedCommand& named : commands()) {
       if (arguments[0] == named.name) return run_named(named, arguments);
       names.emplace_back(named.name);
     }

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/utf8.h"
+
 namespace mjcourse {
 namespace {
 
@@ -11,10 +13,6 @@ struct Token {
   std::string_view text;  // a word, "->", or one character
   int line = 0;
 };
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 class Tokens {
  public:
@@ -43,11 +41,12 @@ class Tokens {
  private:
   void take(std::string_view rest) {
     std::size_t size = 1;
-    if (is_word(rest[0])) {
-      while (size < rest.size() && is_word(rest[size])) ++size;
+    if (is_word_character(rest[0])) {
+      while (size < rest.size() && is_word_character(rest[size])) ++size;
       // 1'000'000 is no string.
       while (std::isdigit(static_cast<unsigned char>(rest[0])) != 0 && size + 1 < rest.size() &&
-             (is_word(rest[size]) || (rest[size] == '\'' && is_word(rest[size + 1])))) {
+             (is_word_character(rest[size]) ||
+              (rest[size] == '\'' && is_word_character(rest[size + 1])))) {
         ++size;
       }
     } else if (rest.starts_with("->")) {
@@ -120,7 +119,7 @@ class Finder {
   void declare(const std::string& structure) {
     std::size_t next = at_ + 1;
     while (text(next) == "*" || text(next) == "&" || text(next) == "const") ++next;
-    if (!text(next).empty() && is_word(text(next)[0])) {
+    if (!text(next).empty() && is_word_character(text(next)[0])) {
       objects_[std::string(text(next))] = structure;
     }
   }

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "base/utf8.h"
+
 namespace mjcourse {
 namespace {
 
@@ -16,10 +18,7 @@ constexpr int kMostErrors = 5;  // of one program: later ones mostly follow from
 // The length of the name that begins at `at`; at least 1.
 std::size_t name_length(std::string_view text, std::size_t at) {
   std::size_t end = at;
-  while (end < text.size() &&
-         (std::isalnum(static_cast<unsigned char>(text[end])) != 0 || text[end] == '_')) {
-    ++end;
-  }
+  while (end < text.size() && is_word_character(text[end])) ++end;
   return end > at ? end - at : 1;
 }
 

@@ -13,7 +13,7 @@
 namespace mjcourse {
 namespace {
 
-constexpr double kScriptLimit = 5;  // seconds of CPU time for the script
+constexpr double kFigureScriptLimit = 5;  // seconds of CPU time for the script
 
 // A part of a state as an example records it, and where a simulation has it.
 struct Part {
@@ -67,7 +67,7 @@ bool restore(const Figure::Snapshot& from, const Figure& figure, Simulation& sim
 }
 
 bool run_script(const LocatedText& script, Simulation& simulation, const Bench& bench) {
-  World world(bench.workshop().world_bundle(), simulation, kScriptLimit);
+  World world(bench.workshop().world_bundle(), simulation, kFigureScriptLimit);
   const auto done = world.run(script.text);
   if (!done) return bench.error(done.error(), script);
   simulation.forward();

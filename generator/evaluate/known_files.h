@@ -27,6 +27,10 @@ std::chrono::system_clock::time_point changed_at(const struct stat& status);
 // Two changes may come so close that the file's time of change is the same.
 std::chrono::system_clock::duration tick_of(const struct stat& status);
 
+// The patience of a program that looks at a course again and again while it is being written: an
+// upgrade of the compiler shows so much later.
+inline constexpr std::chrono::seconds kPatienceWhileEditing{10};
+
 class KnownFiles {
  public:
   using Clock = std::chrono::steady_clock;

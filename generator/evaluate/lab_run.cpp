@@ -11,7 +11,7 @@
 namespace mjcourse {
 namespace {
 
-constexpr double kScriptLimit = 5;  // seconds of CPU time for one script
+constexpr double kLabScriptLimit = 5;  // seconds of CPU time for one script
 
 // The script of the author's that makes the control do its work; empty for a slider and a keyframe.
 struct ScriptOf {
@@ -54,7 +54,7 @@ struct ValueAtStart {
 
 LabRun::Actor::Actor(const LabBench& bench, Simulation loaded)
     : simulation(std::move(loaded)),
-      world(bench.workshop().world_bundle(), simulation, kScriptLimit) {}
+      world(bench.workshop().world_bundle(), simulation, kLabScriptLimit) {}
 
 std::unique_ptr<LabRun::Actor> LabRun::load(const LabBench& bench, const LocatedText& model) {
   std::optional<Simulation> simulation = bench.simulate(model);

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kWidth = 712, kHeight = 400;  // CSS pixels of the picture
+constexpr int kPictureWidth = 712, kPictureHeight = 400;  // CSS pixels of the picture
 
 // With a true minus sign.
 std::string number(double x) {
@@ -125,7 +125,7 @@ std::vector<ModelPage::File> files_of(const fs::path& root, const std::string& m
 
 // All of the model, from less high above than a figure has it.
 View portrait_of(const Model& model) {
-  View view{camera_of(std::nullopt, model), {}, kWidth, kHeight};
+  View view{camera_of(std::nullopt, model), {}, kPictureWidth, kPictureHeight};
   view.camera.elevation = -30;
   return view;
 }

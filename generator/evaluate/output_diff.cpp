@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "base/text_lines.h"
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -28,10 +29,6 @@ std::vector<std::string_view> split_lines(std::string_view text) {
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
-}
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
 // The length of the number at the start of `text`: 12, -0.5, 1e-9, 2. ; 0 when there is none.
@@ -127,7 +124,7 @@ class LineMatch {
       return true;
     }
     if (stated_[0] != real_[0]) return false;
-    after_word_ = is_word(stated_[0]);
+    after_word_ = is_word_character(stated_[0]);
     stated_.remove_prefix(1);
     real_.remove_prefix(1);
     return true;

@@ -11,7 +11,7 @@
 namespace mjcourse {
 namespace {
 
-constexpr int kWidth = 160;  // pixels, of a new reference
+constexpr int kReferenceWidth = 160;  // pixels, of a new reference
 constexpr const char* kAccept =
     "look at it (`check --report DIR` shows it); if it is as you mean it, `mjcourse accept` keeps "
     "it "
@@ -46,7 +46,7 @@ class Pin {
 
   PinComparison compare() {
     result_.name = pin_.text;
-    keep(std::min(kWidth, picture_.width));
+    keep(std::min(kReferenceWidth, picture_.width));
     const Files& files = bench_.workshop().files();
     if (!files.exists(path_)) {
       report("E-picture-unpinned", "there is no reference picture " + path_ + " yet", kAccept);

@@ -36,7 +36,7 @@ Reported reported_of(const json& value) {
   return number_of(value);
 }
 
-Table columns_of(const json& value) {
+Table table_of(const json& value) {
   Table columns;
   std::set<std::string> names;
   for (const json& column : value) {
@@ -53,7 +53,7 @@ Table columns_of(const json& value) {
   return columns;
 }
 
-State state_of(const json& value) {
+State snapshot_of(const json& value) {
   State state;
   for (const auto& [field, numbers] : value.items()) {
     state[field] = numbers.is_array() ? numbers_of(numbers) : std::vector{number_of(numbers)};
@@ -72,10 +72,10 @@ class Reader {
         return add("result", *kind, record["value"], reported_of, records_.results);
       }
       if (const auto kind = record.find("table"); kind != record.end()) {
-        return add("table", *kind, record["value"], columns_of, records_.tables);
+        return add("table", *kind, record["value"], table_of, records_.tables);
       }
       if (const auto kind = record.find("snapshot"); kind != record.end()) {
-        return add("snapshot", *kind, record["value"], state_of, records_.snapshots);
+        return add("snapshot", *kind, record["value"], snapshot_of, records_.snapshots);
       }
     }
     faults_.push_back({"", "what the program reported cannot be read: `" + line.substr(0, 60) + "`",

@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Made = std::optional<PreparedFiles::Made>;
 
-constexpr const char* kDependencies = "dependencies";
+constexpr const char* kHeaderDependencies = "dependencies";
 
 // Programs are compiled fast, and yet compute fast, as what takes time in them is mostly Eigen's
 // code, from here: made once, it can take seven seconds more.
@@ -46,14 +46,14 @@ std::vector<std::string> with(std::vector<std::string> command,
   return command;
 }
 
-// A compilation with kDependencies, which has to be silent. What is wrong with the headers is known
+// A compilation with kHeaderDependencies, which has to be silent. What is wrong with the headers is known
 // by its place; a full disk has none, and may have room the next time.
 Made compile(const std::vector<std::string>& command, const fs::path& folder,
              const std::vector<fs::path>& reads) {
-  const Outcome outcome = run_tool(with(command, {"-MD", "-MF", kDependencies}), folder, reads);
+  const Outcome outcome = run_tool(with(command, {"-MD", "-MF", kHeaderDependencies}), folder, reads);
   const bool silent = succeeded(outcome) && outcome.err.empty();
   if (!silent && parse_messages(outcome.err).empty()) return std::nullopt;
-  const auto rule = DiskFiles(folder).read(kDependencies);
+  const auto rule = DiskFiles(folder).read(kHeaderDependencies);
   if (!rule) return std::nullopt;
   return PreparedFiles::Made{silent, parse_dependencies(*rule, folder)};
 }

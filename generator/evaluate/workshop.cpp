@@ -1,20 +1,16 @@
 #include "evaluate/workshop.h"
 
 #include <algorithm>
-#include <cctype>
 #include <regex>
 #include <string_view>
 #include <utility>
 
 #include "base/nearest.h"
+#include "base/utf8.h"
 #include "physics/model_files.h"
 
 namespace mjcourse {
 namespace {
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 // What of `line` a model's error is about: the word that MuJoCo quotes last ("unrecognized
 // attribute: 'poss'"), else the whole line without its indentation.
@@ -25,8 +21,8 @@ Span blamed(std::string_view line, const std::string& message) {
     const std::string word = part[1];
     for (std::size_t at = 0; (at = line.find(word, at)) != line.npos; ++at) {
       const std::size_t end = at + word.size();
-      const bool begins = at == 0 || !is_word(line[at - 1]);
-      if (begins && (end == line.size() || !is_word(line[end]))) return {at, end};
+      const bool begins = at == 0 || !is_word_character(line[at - 1]);
+      if (begins && (end == line.size() || !is_word_character(line[end]))) return {at, end};
     }
   }
   return {std::min(line.find_first_not_of(" \t"), line.size()), line.size()};

@@ -8,7 +8,7 @@
 namespace mjcourse {
 namespace {
 
-constexpr const char* kCure = "write \"data\": {\"name\": \"EXAMPLE/TABLE\"}";
+constexpr const char* kDataCure = "write \"data\": {\"name\": \"EXAMPLE/TABLE\"}";
 
 // {"name": "EXAMPLE/TABLE"}
 void read_data(const JsonValue& value, Reading& reading, Chart& chart) {
@@ -19,7 +19,7 @@ void read_data(const JsonValue& value, Reading& reading, Chart& chart) {
     if (found == nullptr) continue;
     reading.error("E-plot-data", found->span,
                   "a plot shows a table that an example of the course reported, and no other data",
-                  kCure);
+                  kDataCure);
     return;
   }
   const LocatedText name = data.string("name");
@@ -27,7 +27,8 @@ void read_data(const JsonValue& value, Reading& reading, Chart& chart) {
   if (name.text.empty()) return;
   const std::size_t slash = name.text.find('/');
   if (slash == std::string::npos || slash == 0 || slash + 1 == name.text.size()) {
-    reading.error("E-plot-data", name.span(), "this does not name a table of an example", kCure);
+    reading.error("E-plot-data", name.span(), "this does not name a table of an example",
+                  kDataCure);
     return;
   }
   chart.example = name.part(0, slash);
@@ -45,7 +46,7 @@ std::optional<Chart> read_chart(Fence& fence, LessonReader& reader) {
   if (!object.is_object()) return std::nullopt;
   Chart chart;
   chart.span = fence.span();
-  if (const JsonValue* data = object.require("data", "this plot has no \"data\"", kCure)) {
+  if (const JsonValue* data = object.require("data", "this plot has no \"data\"", kDataCure)) {
     read_data(*data, reading, chart);
   }
   chart.caption = reader.fragment(object.string("caption"));

@@ -2,15 +2,12 @@
 #include <algorithm>
 #include <cctype>
 
+#include "base/utf8.h"
 #include "lesson/lesson_reader.h"
 #include "lesson/term_syntax.h"
 
 namespace mjcourse {
 namespace {
-
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
 
 // Was a term meant by the `[[` at `at` of a text, whose `]]` is missing? Only a word follows it
 // then.
@@ -38,7 +35,7 @@ cmark_node* LessonReader::read_text(cmark_node* node, Region& region) {
   const std::string literal = cmark_node_get_literal(node);
   for (std::size_t at = 0; (at = literal.find("[[", at)) != literal.npos; at += 2) {
     const bool plain = pass_brackets(region);
-    if (!plain || (at > 0 && is_word(literal[at - 1]))) continue;
+    if (!plain || (at > 0 && is_word_character(literal[at - 1]))) continue;
     if (const std::optional<CutTerm> term = cut_term(node, at)) {
       read_term(*term, region);
       return cmark_node_next(term->node);

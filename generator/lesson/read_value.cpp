@@ -6,7 +6,7 @@
 namespace mjcourse {
 namespace {
 
-constexpr const char* kCure =
+constexpr const char* kValueCure =
     "a value is written `{joint_zoo} model.nq`; for code that looks like one write "
     "`<code>…</code>`";
 
@@ -49,18 +49,18 @@ std::optional<InlineValue> read_value(const LocatedText& code, Reading& reading)
   const std::string& text = code.text;
   const std::size_t close = end_of_name(text);
   if (text[close] != '}') {
-    reading.error("E-value-form", code.span(0, 1), "this `{` is never closed", kCure);
+    reading.error("E-value-form", code.span(0, 1), "this `{` is never closed", kValueCure);
     return std::nullopt;
   }
   if (text[close + 1] != ' ') {
     reading.error("E-value-form", code.span(close, close + 1),
-                  "a space is missing behind the name in braces", kCure);
+                  "a space is missing behind the name in braces", kValueCure);
     return std::nullopt;
   }
   const std::size_t format = start_of_format(text);
   const std::size_t begin = text.find_first_not_of(' ', close + 1);
   if (begin >= format) {
-    reading.error("E-value-form", code.span(), "what is its value to be of?", kCure);
+    reading.error("E-value-form", code.span(), "what is its value to be of?", kValueCure);
     return std::nullopt;
   }
   InlineValue value{code.part(1, close), code.part(begin, format), {}};

@@ -5,10 +5,10 @@
 namespace mjcourse {
 namespace {
 
-using Kind = NamedThing::Kind;
-
 class Gatherer {
  public:
+  using Kind = NamedThing::Kind;
+
   void operator()(const InlineValue& value) {
     // Whether it is a model's or a program's is for the course to say.
     add(Kind::model, value.source);
@@ -52,7 +52,7 @@ class Gatherer {
 std::vector<NamedThing> named_things(const Lesson& lesson) {
   Gatherer gatherer;
   for (const Block& block : lesson.blocks) std::visit(gatherer, block);
-  for (const Link& link : lesson.links) gatherer.add(Kind::link, link.target);
+  for (const Link& link : lesson.links) gatherer.add(NamedThing::Kind::link, link.target);
   return std::move(gatherer.things);
 }
 

@@ -1,18 +1,15 @@
 #include "lsp/script_cursor.h"
 
 #include <algorithm>
-#include <cctype>
+
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
 
-bool is_name(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 // Where the name begins that ends at `end`.
 std::size_t name_begin(std::string_view text, std::size_t end) {
-  while (end > 0 && is_name(text[end - 1])) --end;
+  while (end > 0 && is_word_character(text[end - 1])) --end;
   return end;
 }
 
@@ -84,7 +81,7 @@ std::optional<ScriptCursor> script_cursor(std::string_view before) {
 
 std::optional<NamedField> field_at(std::string_view text, std::size_t offset) {
   std::size_t end = std::min(offset, text.size());
-  while (end < text.size() && is_name(text[end])) ++end;
+  while (end < text.size() && is_word_character(text[end])) ++end;
   const std::size_t begin = name_begin(text, end);
   const auto place = script_cursor(text.substr(0, end));
   if (begin == end || !place || place->kind != ScriptCursor::Kind::field) return std::nullopt;

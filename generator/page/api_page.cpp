@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kMostLines = 5;     // that are linked to, of one program
+constexpr std::size_t kMostUseLines = 5;  // that are linked to, of one program
 constexpr std::size_t kMostPrograms = 2;  // whose lines are shown at once
 
 // The sections that speak of it, or have code that does, but for programs.
@@ -29,7 +29,7 @@ json sections_data(const ApiEntry& entry, const Course& course, const Evaluation
 json lines_data(const CodeUse& use, const std::string& address) {
   json lines = json::array();
   for (const int line : use.lines) {
-    if (lines.size() == kMostLines) break;
+    if (lines.size() == kMostUseLines) break;
     lines.push_back({{"line", line}, {"href", address + "-L" + std::to_string(line)}});
   }
   return lines;
@@ -48,7 +48,7 @@ json programs_data(const ApiEntry& entry, const Course& course) {
                         {"file", program.name() + ".cpp"},
                         {"href", href},
                         {"lines", lines_data(use, path + "#" + line_anchor(program))},
-                        {"more", use.lines.size() > kMostLines}});
+                        {"more", use.lines.size() > kMostUseLines}});
   }
   return programs;
 }

@@ -29,22 +29,22 @@ std::string output_label(const Example& example, const std::string& program) {
   return label + ", which exits with code " + std::to_string(example.exit_code);
 }
 
-// Of an output with more lines than `kMostLines`, only the first are shown at once.
-constexpr std::ptrdiff_t kMostLines = 30, kFirstLines = 20;
+// Of an output with more lines than `kMostOutputLines`, only the first are shown at once.
+constexpr std::ptrdiff_t kMostOutputLines = 30, kFirstOutputLines = 20;
 
 // What example.hbs calls an output.
 json output_data(const std::string& text, bool proved, const std::string& label) {
   std::size_t shown = text.size();
   const std::ptrdiff_t lines = std::count(text.begin(), text.end(), '\n');
-  if (lines > kMostLines) {
+  if (lines > kMostOutputLines) {
     shown = 0;
-    for (std::ptrdiff_t i = 0; i < kFirstLines; ++i) shown = text.find('\n', shown) + 1;
+    for (std::ptrdiff_t i = 0; i < kFirstOutputLines; ++i) shown = text.find('\n', shown) + 1;
   }
   return {{"text", text.substr(0, shown)},
           {"proved", proved},
           {"label", label},
           {"rest", text.substr(shown)},
-          {"more", lines - kFirstLines}};
+          {"more", lines - kFirstOutputLines}};
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 namespace mjcourse {
 namespace {
 
-std::string quoted(const std::string& name) {
+std::string csv_field(const std::string& name) {
   if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
   std::string text = "\"";
   for (const char c : name) text += c == '"' ? "\"\"" : std::string(1, c);
@@ -21,7 +21,8 @@ std::string exact(double value) {
 
 std::string csv_of(const Table& table) {
   std::string text;
-  for (std::size_t i = 0; i < table.size(); ++i) text += (i > 0 ? "," : "") + quoted(table[i].name);
+  for (std::size_t i = 0; i < table.size(); ++i)
+    text += (i > 0 ? "," : "") + csv_field(table[i].name);
   text += "\r\n";
   const std::size_t rows = table.empty() ? 0 : table.front().values.size();
   for (std::size_t row = 0; row < rows; ++row) {

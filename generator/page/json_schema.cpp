@@ -8,20 +8,20 @@
 namespace mjcourse {
 namespace {
 
-using json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
-json object_schema(const Vocabulary& vocabulary);
+ordered_json object_schema(const Vocabulary& vocabulary);
 
-json of_type(const char* type) {
+ordered_json of_type(const char* type) {
   return {{"type", type}};
 }
 
-json list_of(json items) {
+ordered_json list_of(ordered_json items) {
   return {{"type", "array"}, {"items", std::move(items)}};
 }
 
-json list_of(json items, const Limits& count) {
-  json list = list_of(std::move(items));
+ordered_json list_of(ordered_json items, const Limits& count) {
+  ordered_json list = list_of(std::move(items));
   if (!count.text.empty()) {
     list["minItems"] = static_cast<int>(count.least);
     list["maxItems"] = static_cast<int>(count.most);
@@ -29,16 +29,16 @@ json list_of(json items, const Limits& count) {
   return list;
 }
 
-json lines() {
+ordered_json lines() {
   return {{"type", {"string", "array"}}, {"items", of_type("string")}};
 }
 
-json one_of(json first, json second) {
+ordered_json one_of(ordered_json first, ordered_json second) {
   return {{"anyOf", {std::move(first), std::move(second)}}};
 }
 
-json number(const char* type, const Limits& limits) {
-  json schema = of_type(type);
+ordered_json number(const char* type, const Limits& limits) {
+  ordered_json schema = of_type(type);
   const Limits none;
   if (limits.least == kAboveZero) {
     schema["exclusiveMinimum"] = 0;
@@ -49,14 +49,14 @@ json number(const char* type, const Limits& limits) {
   return schema;
 }
 
-json words_of(const Vocabulary& vocabulary) {
-  json words = json::array();
+ordered_json words_of(const Vocabulary& vocabulary) {
+  ordered_json words = ordered_json::array();
   for (const Variant& one : vocabulary.variants) words.push_back(one.word);
   return {{"type", "string"}, {"enum", std::move(words)}};
 }
 
 // What may stand behind `key` of `owner`.
-json value_schema(const Key& key, const Vocabulary& owner) {
+ordered_json value_schema(const Key& key, const Vocabulary& owner) {
   switch (key.kind) {
     case KeyKind::text:
     case KeyKind::markdown:
@@ -97,11 +97,11 @@ json value_schema(const Key& key, const Vocabulary& owner) {
     case KeyKind::true_or_object:
       return one_of(of_type("boolean"), object_schema(*key.of));
   }
-  return json::object();
+  return ordered_json::object();
 }
 
-json key_schema(const Key& key, const Vocabulary& owner) {
-  json schema = value_schema(key, owner);
+ordered_json key_schema(const Key& key, const Vocabulary& owner) {
+  ordered_json schema = value_schema(key, owner);
   schema["description"] = key.meaning;
   if (key.need == Need::filled && key.kind != KeyKind::word) {
     const bool text = schema["type"] == "string" || schema["type"].is_array();
@@ -112,8 +112,8 @@ json key_schema(const Key& key, const Vocabulary& owner) {
 }
 
 // `word`: what the first key must say, where it decides.
-json plain_object_schema(const Vocabulary& vocabulary, std::string_view word) {
-  json properties = json::object(), required = json::array();
+ordered_json plain_object_schema(const Vocabulary& vocabulary, std::string_view word) {
+  ordered_json properties = ordered_json::object(), required = ordered_json::array();
   for (const Key& key : vocabulary.keys) {
     const std::string name(key.name);
     properties[name] = key_schema(key, vocabulary);
@@ -122,16 +122,16 @@ json plain_object_schema(const Vocabulary& vocabulary, std::string_view word) {
     }
     if (key.need != Need::none) required.push_back(name);
   }
-  json schema{{"type", "object"}, {"properties", std::move(properties)}};
+  ordered_json schema{{"type", "object"}, {"properties", std::move(properties)}};
   if (!required.empty()) schema["required"] = std::move(required);
   schema["additionalProperties"] = vocabulary.open;
   return schema;
 }
 
-json object_schema(const Vocabulary& vocabulary) {
+ordered_json object_schema(const Vocabulary& vocabulary) {
   if (vocabulary.variants.empty()) return plain_object_schema(vocabulary, "");
   // What all have comes first, so that a misspelt word is what an editor complains of.
-  json schema = plain_object_schema(vocabulary, "");
+  ordered_json schema = plain_object_schema(vocabulary, "");
   const Key& chooser = vocabulary.keys.front();
   schema["properties"][std::string(chooser.name)] = key_schema(chooser, vocabulary);
   schema["additionalProperties"] = true;
@@ -143,9 +143,9 @@ json object_schema(const Vocabulary& vocabulary) {
 
 }  // namespace
 
-json json_schema(const JsonFence& fence, const PlotGrammar& grammar) {
-  json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
-              {"title", "mjcourse: a fence `" + std::string(fence.opened) + "`"}};
+ordered_json json_schema(const JsonFence& fence, const PlotGrammar& grammar) {
+  ordered_json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
+                      {"title", "mjcourse: a fence `" + std::string(fence.opened) + "`"}};
   schema.update(object_schema(*fence.vocabulary));
   if (fence.vocabulary->open) add_plot_schema(grammar, schema);
   return schema;

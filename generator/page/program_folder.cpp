@@ -50,7 +50,7 @@ std::string cmake_lists(const TakenProgram& program, const std::string& text) {
 }
 
 // A word of a command line.
-std::string quoted(const std::string& word) {
+std::string shell_word(const std::string& word) {
   const bool plain = word.find_first_not_of(
                          "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz"
                          "0123456789_./=+-,:@") == word.npos;
@@ -63,8 +63,8 @@ std::string quoted(const std::string& word) {
 std::string readme(const TakenProgram& program, const std::string& text, const SiteData& site) {
   const Example& example = program.example;
   const bool draws = std::ranges::count(linked_libraries(text), "OSMesa") > 0;
-  std::string run = quoted("build/" + example.name());
-  for (const std::string& argument : example.arguments) run += " " + quoted(argument);
+  std::string run = shell_word("build/" + example.name());
+  for (const std::string& argument : example.arguments) run += " " + shell_word(argument);
   return example.name() + ".cpp: a program of “" + site.course.title + "”, for MuJoCo " +
          site.evaluation.versions.mujoco +
          (draws ? ", Eigen 3.4 and OSMesa (Debian: libmujoco-dev, libeigen3-dev, libosmesa6-dev)\n"

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "base/descriptor.h"
 #include "base/files.h"
 
 namespace mjcourse {
@@ -17,10 +18,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kMark = ".mjcourse-site";  // what tells a site of ours from other folders
-
-[[noreturn]] void fail(const fs::path& path) {
-  throw std::system_error(errno, std::generic_category(), path.string());
-}
 
 fs::path beside(const fs::path& site, const std::string& suffix) {
   return site.parent_path() / ("." + site.filename().string() + suffix);
@@ -40,7 +37,7 @@ SiteDirectory::SiteDirectory(const fs::path& site) : site_(fs::weakly_canonical(
   fs::create_directories(site_.parent_path());
   const fs::path lock = beside(site_, ".lock");
   lock_ = open(lock.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
-  if (lock_ < 0) fail(lock);
+  if (lock_ < 0) throw_errno(lock);
   if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     close(lock_);
     throw std::runtime_error("another build is writing " + site_.string() + "; wait for it");
@@ -84,7 +81,7 @@ void SiteDirectory::commit() {
   if (!fs::exists(site_)) {
     fs::rename(staging_, site_);
   } else if (renameat2(AT_FDCWD, staging_.c_str(), AT_FDCWD, site_.c_str(), RENAME_EXCHANGE) != 0) {
-    fail(site_);
+    throw_errno(site_);
   }
   // The old site is now where the new one was made, and goes with this object.
 }

@@ -15,7 +15,7 @@ constexpr zip_uint32_t kSmallest = 9;                             // of zlib's l
 using Archive = std::unique_ptr<zip_t, decltype(&zip_discard)>;
 using Source = std::unique_ptr<zip_source_t, decltype(&zip_source_free)>;
 
-[[noreturn]] void fail(const std::string& what) {
+[[noreturn]] void give_up(const std::string& what) {
   throw std::runtime_error("libzip: " + what);
 }
 
@@ -27,17 +27,17 @@ void add(zip_t* archive, const std::string& path, const std::string& bytes) {
   if (added < 0 || zip_file_set_dostime(archive, index, 0, kFirstDay, 0) != 0 ||
       zip_set_file_compression(archive, index, ZIP_CM_DEFLATE, kSmallest) != 0 ||
       zip_file_set_external_attributes(archive, index, 0, ZIP_OPSYS_UNIX, kPlainFile) != 0) {
-    fail(path + ": " + zip_strerror(archive));
+    give_up(path + ": " + zip_strerror(archive));
   }
 }
 
 std::string bytes_of(zip_source_t* source) {
   zip_stat_t stat;
-  if (zip_source_stat(source, &stat) != 0 || zip_source_open(source) != 0) fail("no archive");
+  if (zip_source_stat(source, &stat) != 0 || zip_source_open(source) != 0) give_up("no archive");
   std::string bytes(stat.size, '\0');
   const zip_int64_t read = zip_source_read(source, bytes.data(), bytes.size());
   zip_source_close(source);
-  if (read != static_cast<zip_int64_t>(bytes.size())) fail("half an archive");
+  if (read != static_cast<zip_int64_t>(bytes.size())) give_up("half an archive");
   return bytes;
 }
 
@@ -45,12 +45,12 @@ std::string bytes_of(zip_source_t* source) {
 
 std::string zip_of(const std::map<std::string, std::string>& files) {
   const Source target(zip_source_buffer_create(nullptr, 0, 0, nullptr), zip_source_free);
-  if (!target) fail("no memory");
+  if (!target) give_up("no memory");
   zip_source_keep(target.get());  // the archive gives one hold of it up
   Archive archive(zip_open_from_source(target.get(), ZIP_TRUNCATE, nullptr), zip_discard);
-  if (!archive) fail("no archive");
+  if (!archive) give_up("no archive");
   for (const auto& [path, bytes] : files) add(archive.get(), path, bytes);
-  if (zip_close(archive.get()) != 0) fail(zip_strerror(archive.get()));
+  if (zip_close(archive.get()) != 0) give_up(zip_strerror(archive.get()));
   static_cast<void>(archive.release());  // closed
   return bytes_of(target.get());
 }

@@ -14,7 +14,7 @@ constexpr const char* kFilm = "film.mp4";
 constexpr const char* kColours =
     "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int+bitexact,"
     "format=yuv420p";
-constexpr double kMostSeconds = 600;  // of wall clock; a thousand megabytes take some thirty
+constexpr double kMostEncoding = 600;  // of wall clock; a thousand megabytes take some thirty
 
 // Whatever would put the time, the version or the number of threads into the file is off. The
 // colours are those of BT.709, and said to be.
@@ -47,7 +47,7 @@ tl::expected<std::string, Film::Fault> Film::encode() {
   Command command;
   command.arguments = command_line(std::to_string(width_) + "x" + std::to_string(height_), rate_);
   command.folder = folder_.path().string();
-  command.seconds = kMostSeconds;
+  command.seconds = kMostEncoding;
   command.sandbox = Sandbox{{}, {command.folder}};
   command.sandbox->file_bytes = command.sandbox->folder_bytes = 4ull << 30;
   const Outcome outcome = run(command);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/text_lines.h"
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -35,10 +36,6 @@ bool is_blank(char c) {
   return std::isspace(static_cast<unsigned char>(c)) != 0;
 }
 
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 // Of some hundred lines each, these two are read by hand: regular expressions take milliseconds.
 
 // The name that a declaration gives: "mjtNum gravity[3];" → "gravity"; "" where it gives none.
@@ -49,7 +46,7 @@ std::string declared_name(std::string_view declaration) {
     declaration = trimmed(declaration.substr(0, declaration.rfind('[')));
   }
   std::size_t begin = declaration.size();
-  while (begin > 0 && is_word(declaration[begin - 1])) --begin;
+  while (begin > 0 && is_word_character(declaration[begin - 1])) --begin;
   const bool behind_a_type =
       begin > 0 && (is_blank(declaration[begin - 1]) || declaration[begin - 1] == '*');
   return behind_a_type ? std::string(declaration.substr(begin)) : "";

@@ -14,7 +14,7 @@ namespace {
 // colours are kept at half the resolution (use_sharp_yuv takes as long as all else); at 88 files
 // are half as large again.
 constexpr float webp_quality = 75;
-constexpr unsigned longest_side = 4096;  // pixels, of a picture that is read
+constexpr unsigned kLongestSideRead = 4096;  // pixels, of a picture that is read
 
 struct FreeWebP {
   void operator()(WebPPicture* picture) const { WebPPictureFree(picture); }
@@ -100,7 +100,7 @@ tl::expected<Picture, std::string> decode_png(const std::string& bytes) {
   if (png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()) == 0) {
     return tl::unexpected(std::string(image.message));
   }
-  if (std::max(image.width, image.height) > longest_side) {
+  if (std::max(image.width, image.height) > kLongestSideRead) {
     return tl::unexpected("it is " + std::to_string(image.width) + " × " +
                           std::to_string(image.height) + " pixels large");
   }

@@ -10,7 +10,7 @@ namespace mjcourse {
 namespace {
 
 constexpr int most_shapes = 10000;  // in one scene, frames' axes and the like counted
-constexpr int longest_side = 2048;  // pixels; with 4 samples a buffer takes 32 bytes a pixel
+constexpr int kLongestSide = 2048;  // pixels; with 4 samples a buffer takes 32 bytes a pixel
 constexpr int film_shadow = 1024;   // texels a side
 
 mjvCamera free_camera(const Camera& camera) {
@@ -128,8 +128,8 @@ tl::expected<Picture, std::string> Renderer::render(const Simulation& simulation
   if (simulation.stopped()) return tl::unexpected(*simulation.trouble());
   const auto options = visual_options(overlays);
   if (!options) return tl::unexpected(options.error());
-  if (std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > longest_side) {
-    return tl::unexpected("a picture's sides are 1 to " + std::to_string(longest_side) + " pixels");
+  if (std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > kLongestSide) {
+    return tl::unexpected("a picture's sides are 1 to " + std::to_string(kLongestSide) + " pixels");
   }
   if (!stage_->opengl.make_current()) {
     return tl::unexpected<std::string>("OSMesa lost its OpenGL context");

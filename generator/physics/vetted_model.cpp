@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 using Loaded = tl::expected<Model, ModelError>;
 
 constexpr std::uint64_t kMostBytes = 2ull << 30;
-constexpr double kMostSeconds = 20;
+constexpr double kMostTrying = 20;
 // MuJoCo stops earlier where the solver has converged, which some never do.
 constexpr int kMostIterations = 100'000;
 
@@ -89,7 +89,7 @@ std::optional<ModelError> try_once(const std::string& key, const std::string& fi
   const auto [found, is_new] = known.try_emplace(key, Attempt::done);
   if (is_new && kTries) {
     const std::unique_lock alone(loading);
-    found->second = attempt([&] { try_out(load); }, kMostBytes, kMostSeconds);
+    found->second = attempt([&] { try_out(load); }, kMostBytes, kMostTrying);
   }
   return verdict_of(found->second, file);
 }

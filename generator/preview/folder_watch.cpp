@@ -11,6 +11,8 @@
 #include <system_error>
 #include <utility>
 
+#include "base/descriptor.h"
+
 namespace mjcourse {
 namespace {
 
@@ -39,7 +41,7 @@ bool is_in(const fs::path& path, const fs::path& folder) {
 
 FolderWatch::FolderWatch(const std::vector<fs::path>& folders)
     : notify_(inotify_init1(IN_CLOEXEC | IN_NONBLOCK)) {
-  if (notify_ < 0) throw std::system_error(errno, std::generic_category(), "inotify");
+  if (notify_ < 0) throw_errno("inotify");
   for (const fs::path& folder : folders) {
     folders_.push_back(fs::absolute(folder).lexically_normal());
   }

@@ -37,9 +37,9 @@ std::vector<Hunk> hunks_of(const std::vector<DiffLine>& lines) {
   return hunks;
 }
 
-class Writer {
+class DiffWriter {
  public:
-  Writer(const std::vector<DiffLine>& lines, const SameLine& same, const DiffStyle& style)
+  DiffWriter(const std::vector<DiffLine>& lines, const SameLine& same, const DiffStyle& style)
       : lines_(lines), style_(style), moves_(moved_lines(lines, same)) {
     for (const DiffLine& line : lines) {
       width_ = std::max(width_, std::to_string(line.line).size());
@@ -148,7 +148,7 @@ class Writer {
 
 std::string diff_text(const std::vector<DiffLine>& lines, const SameLine& same,
                       const DiffStyle& style) {
-  return Writer(lines, same, style).text();
+  return DiffWriter(lines, same, style).text();
 }
 
 }  // namespace mjcourse

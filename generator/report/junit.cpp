@@ -22,7 +22,7 @@ std::string rounded(double seconds) {
   return text;
 }
 
-class Writer {
+class JunitWriter {
  public:
   void open(const char* element, const std::string& name, const std::vector<TestCase>& cases,
             double seconds) {
@@ -68,7 +68,7 @@ class Writer {
 
   std::string take() const { return xml_.CStr(); }
 
-  Writer() { xml_.PushDeclaration(R"(xml version="1.0" encoding="UTF-8")"); }
+  JunitWriter() { xml_.PushDeclaration(R"(xml version="1.0" encoding="UTF-8")"); }
 
  private:
   tinyxml2::XMLPrinter xml_;
@@ -81,7 +81,7 @@ std::string junit_xml(const std::vector<TestSuite>& suites, double seconds) {
   for (const TestSuite& suite : suites) {
     all.insert(all.end(), suite.cases.begin(), suite.cases.end());
   }
-  Writer writer;
+  JunitWriter writer;
   writer.open("testsuites", "mjcourse", all, seconds);
   for (const TestSuite& suite : suites) {
     double taken = 0;

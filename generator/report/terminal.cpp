@@ -18,9 +18,9 @@ struct Shown {
   int before = 0, marks = 1;
 };
 
-class Writer {
+class DiagnosticWriter {
  public:
-  explicit Writer(const TerminalStyle& style) : style_(style) {}
+  explicit DiagnosticWriter(const TerminalStyle& style) : style_(style) {}
 
   void coloured(std::string_view colour, std::string_view text) {
     if (style_.colours) out_ << colour;
@@ -103,7 +103,7 @@ Shown shown(const Place& place, int room) {
           std::max(1, std::min(end, last + cut_behind) - caret)};
 }
 
-void Writer::excerpt(const Place& place) {
+void DiagnosticWriter::excerpt(const Place& place) {
   if (place.line == 0 || place.column == 0) return;
   const std::string number = std::to_string(place.line);
   const auto [line, before, marks] =
@@ -116,7 +116,7 @@ void Writer::excerpt(const Place& place) {
   column_ = 0;
 }
 
-void Writer::indented(std::string_view lines) {
+void DiagnosticWriter::indented(std::string_view lines) {
   while (!lines.empty()) {
     const std::size_t end = lines.find('\n');
     const std::string_view line = lines.substr(0, end);
@@ -129,7 +129,7 @@ void Writer::indented(std::string_view lines) {
 
 std::string format_for_terminal(const Diagnostic& diagnostic, const TerminalStyle& style) {
   constexpr int indent = 4;
-  Writer out(style);
+  DiagnosticWriter out(style);
   const bool error = diagnostic.severity == Severity::error;
   out.location(diagnostic.place);
   out.coloured(error ? kRed : kYellow, error ? "error: " : "warning: ");

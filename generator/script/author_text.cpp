@@ -24,15 +24,13 @@ std::size_t bytes_before(std::string_view line, int column) {
   return at;
 }
 
-bool is_name_part(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
-
 // Does `token` stand at `at` as a whole, and not inside a longer name?
 bool is_whole(std::string_view line, std::size_t at, std::string_view token) {
   const std::size_t end = at + token.size();
-  const bool begins = at == 0 || !is_name_part(token.front()) || !is_name_part(line[at - 1]);
-  const bool ends = end == line.size() || !is_name_part(token.back()) || !is_name_part(line[end]);
+  const bool begins =
+      at == 0 || !is_word_character(token.front()) || !is_word_character(line[at - 1]);
+  const bool ends =
+      end == line.size() || !is_word_character(token.back()) || !is_word_character(line[end]);
   return begins && ends;
 }
 
@@ -82,7 +80,7 @@ void AuthorText::point_at(const Exception& exception, int line, ScriptError& err
   if (reported) {
     // of a call, JavaScriptCore points at the bracket: what is called stands before it
     std::size_t begin = *reported;
-    while (begin > 0 && (is_name_part(text[begin - 1]) || text[begin - 1] == '.')) --begin;
+    while (begin > 0 && (is_word_character(text[begin - 1]) || text[begin - 1] == '.')) --begin;
     return mark(text, begin, text.substr(begin, *reported - begin));
   }
   const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());

@@ -9,11 +9,11 @@ namespace mjcourse {
 
 namespace {
 
-constexpr const char* url = "lesson.js";
+constexpr const char* kScriptUrl = "lesson.js";
 
 // around an expression, on lines of their own
-constexpr const char* before_value = "return (\n";
-constexpr const char* after_value = "\n);";
+constexpr const char* kBeforeValue = "return (\n";
+constexpr const char* kAfterValue = "\n);";
 
 // Does `text` parse by itself between `before` and `after`? As a function's body it cannot close
 // the wrapper's own braces.
@@ -24,9 +24,9 @@ tl::expected<void, ScriptError> check(const Engine& engine, const AuthorText& te
   const std::string body = before + std::string(text.lines().text()) + after;
   JSValueRef thrown = nullptr;
   JSObjectMakeFunction(engine.context(), nullptr, 0, nullptr, JsString("\"use strict\";" + body),
-                       JsString(url), 1, &thrown);
+                       JsString(kScriptUrl), 1, &thrown);
   if (thrown == nullptr) return {};
-  Exception exception = read_exception(engine.context(), thrown, url);
+  Exception exception = read_exception(engine.context(), thrown, kScriptUrl);
   int line = exception.line - lines_before;
   if (exception.message == "Parser error") {
     exception.message = "a closing bracket has no opening one";
@@ -39,7 +39,7 @@ tl::expected<void, ScriptError> check(const Engine& engine, const AuthorText& te
 
 tl::expected<void, ScriptError> check_value(const Engine& engine, const AuthorText& text,
                                             const CompiledScript::Names& names) {
-  return check(engine, text, before_value, after_value, names).map_error([](ScriptError error) {
+  return check(engine, text, kBeforeValue, kAfterValue, names).map_error([](ScriptError error) {
     error.in_value = true;
     return error;
   });
@@ -64,7 +64,7 @@ tl::expected<CompiledScript, ScriptError> CompiledScript::compile(
   }
   if (script && expression) source += "yield;";
   if (expression) {
-    source += before_value + *expression + after_value;
+    source += kBeforeValue + *expression + kAfterValue;
     parts.push_back({AuthorText(*expression), lines, true});
   }
   for (const Part& part : parts) {
@@ -72,7 +72,7 @@ tl::expected<CompiledScript, ScriptError> CompiledScript::compile(
                                      : check(engine, part.text, "\n", "", names);
     if (!sound) return tl::unexpected(sound.error());
   }
-  const auto function = engine.evaluate(source + "})", url);
+  const auto function = engine.evaluate(source + "})", kScriptUrl);
   if (!function) return tl::unexpected(engine.describe(function.error()));
   JSObjectRef object = JSValueToObject(engine.context(), *function, nullptr);
   return CompiledScript(std::move(parts), Protected(engine.context(), object));
@@ -83,8 +83,8 @@ tl::expected<CompiledScript, ScriptError> CompiledScript::compile_assignment(
   const AuthorText text(target);
   const auto sound = check_value(engine, text, names);
   if (!sound) return tl::unexpected(sound.error());
-  const auto function =
-      engine.evaluate("(function (value) { \"use strict\"; (\n" + target + "\n) = value; })", url);
+  const auto function = engine.evaluate(
+      "(function (value) { \"use strict\"; (\n" + target + "\n) = value; })", kScriptUrl);
   if (!function) {  // an expression, but no place to put a value into
     ScriptError error;
     error.id = "E-script-syntax";
@@ -100,7 +100,7 @@ tl::expected<CompiledScript, ScriptError> CompiledScript::compile_assignment(
 ScriptError CompiledScript::explain(const Engine& engine, const Engine::Thrown& thrown,
                                     const Names& names) const {
   if (thrown.exception == nullptr) return engine.describe(thrown);
-  const Exception exception = read_exception(engine.context(), thrown.exception, url);
+  const Exception exception = read_exception(engine.context(), thrown.exception, kScriptUrl);
   ScriptError error = mjcourse::explain(exception, names);
   const Part* part = nullptr;
   for (const Part& candidate : parts_) {

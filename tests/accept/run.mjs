@@ -62,7 +62,7 @@ function accept(course, words) {
   return said
     .replaceAll(`${course}/`, "")
     .replaceAll(course, "COURSE")
-    .replace(/\.png \([\d.]+ (KB|bytes)\)/g, ".png (N KB)");
+    .replace(/\.png \([\d.]+ (kB|bytes)\)/g, ".png (N kB)");
 }
 
 function difference(expected, actual, what) {

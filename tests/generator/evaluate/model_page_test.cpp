@@ -7,7 +7,7 @@
 namespace mjcourse {
 namespace {
 
-constexpr const char* kRig = R"(<mujoco>
+constexpr const char* kRigModel = R"(<mujoco>
   <include file="parts/rail.xml"/>
   <actuator><motor name="push" joint="rail" ctrllimited="true" ctrlrange="-2 2"/></actuator>
   <sensor><jointpos name="place" joint="rail"/><framepos objtype="site" objname="tip"/></sensor>
@@ -25,7 +25,7 @@ class ModelPageOf {
  public:
   ModelPageOf()
       : evaluation_("See [it](model:rig) and [it](model:rig).\n",
-                    {{"models/rig.xml", kRig}, {"models/parts/rail.xml", kRail}}) {}
+                    {{"models/rig.xml", kRigModel}, {"models/parts/rail.xml", kRail}}) {}
   const ModelPage& page() const { return evaluation_.evaluation().models.at(0); }
 
  private:
@@ -62,7 +62,7 @@ TEST(ModelPage, HasThePictureAndTheFiles) {
   const ModelPage& page = rig.page();
   ASSERT_EQ(page.files.size(), 2U);
   EXPECT_EQ(page.files[0].path + " " + page.files[1].path, "models/rig.xml models/parts/rail.xml");
-  EXPECT_EQ(page.files[0].text, kRig);
+  EXPECT_EQ(page.files[0].text, kRigModel);
   EXPECT_EQ(page.files[1].text, kRail);
   EXPECT_TRUE(page.poster.webp.bytes().starts_with("RIFF"));
   EXPECT_GT(page.poster.width * page.poster.height, 0);

@@ -8,11 +8,11 @@
 namespace mjcourse {
 namespace {
 
-constexpr const char* kProgram = "```cpp file=examples/a.cpp\n```\n\n";
+constexpr const char* kEditedProgram = "```cpp file=examples/a.cpp\n```\n\n";
 
 // The lesson's body below its program, once what that `printed` is accepted.
 std::string accepted(const std::string& body, const std::string& printed) {
-  const ReadingOf reading = reading_of(kProgram + body);
+  const ReadingOf reading = reading_of(kEditedProgram + body);
   EXPECT_EQ(reading.mistakes(), "");
   const auto& output = reading.only<Output>();
   const Edit edit =
@@ -22,7 +22,7 @@ std::string accepted(const std::string& body, const std::string& printed) {
   EXPECT_EQ(edit.before, reading.lesson->source->text());
   std::string text = *edit.before;
   text.replace(edit.span->begin, edit.span->end - edit.span->begin, edit.text);
-  const std::string front = std::string("---\ntitle: T\n---\n") + kProgram;
+  const std::string front = std::string("---\ntitle: T\n---\n") + kEditedProgram;
   EXPECT_EQ(text.substr(0, front.size()), front);
   return text.substr(front.size());
 }

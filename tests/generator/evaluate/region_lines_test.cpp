@@ -5,7 +5,7 @@
 namespace mjcourse {
 namespace {
 
-const std::string kProgram =
+const std::string kLinedProgram =
     "int main() {\n"
     "  // #region a\n"
     "  one();\n"
@@ -21,7 +21,7 @@ const std::string kProgram =
     "}\n";
 
 Region region(const std::string& name) {
-  return find_region(program_lines(kProgram), name).value();
+  return find_region(program_lines(kLinedProgram), name).value();
 }
 
 // `program` with the lines of its region `a` made `code`.
@@ -33,12 +33,12 @@ std::string replaced(std::string program, const std::string& code) {
 }
 
 TEST(RegionLines, AreFoundByTheirName) {
-  EXPECT_EQ(region_names(program_lines(kProgram)),
+  EXPECT_EQ(region_names(program_lines(kLinedProgram)),
             (std::vector<std::string>{"a", "b", "inside", "open"}));
   EXPECT_EQ(joined(region("a").lines), "one();\n\n  two();\n");
   EXPECT_EQ(region("a").indentation, "  ");
   EXPECT_EQ(region("a").lines.front().number, 3);
-  EXPECT_FALSE(find_region(program_lines(kProgram), "main"));
+  EXPECT_FALSE(find_region(program_lines(kLinedProgram), "main"));
 }
 
 TEST(RegionLines, KnowWhetherTheyEndAndWhatTheyHold) {
@@ -49,7 +49,7 @@ TEST(RegionLines, KnowWhetherTheyEndAndWhatTheyHold) {
 }
 
 TEST(RegionLines, AreReplacedWhereTheyDiffer) {
-  const SourceText file("a.cpp", kProgram);
+  const SourceText file("a.cpp", kLinedProgram);
   const auto change = replace_region(file, region("a"), "one();\n\n  2();\n");
   ASSERT_TRUE(change);
   EXPECT_EQ(file.text().substr(change->span.begin, change->span.end - change->span.begin),

@@ -8,7 +8,7 @@
 namespace mjcourse {
 namespace {
 
-std::string fence(const std::string& file, const std::string& code = "") {
+std::string program_fence(const std::string& file, const std::string& code = "") {
   return "```cpp file=examples/" + file + "\n" + code + "```\n\n";
 }
 
@@ -28,24 +28,27 @@ class Shown {
 };
 
 TEST(ShownProgram, IsGatheredFromAllLessons) {
-  const Shown shown(fence("a.cpp") + fence("b.cpp") + fence("a.cpp#r"), fence("a.cpp", "x;\n"));
+  const Shown shown(program_fence("a.cpp") + program_fence("b.cpp") + program_fence("a.cpp#r"),
+                    program_fence("a.cpp", "x;\n"));
   EXPECT_EQ(shown->whole.size(), 2u);
   EXPECT_EQ(shown->regions.size(), 1u);
   ASSERT_NE(shown->text(), nullptr);
   EXPECT_EQ(shown->text()->code.text, "x;\n");
-  EXPECT_EQ(Shown(fence("a.cpp"), fence("a.cpp#r", "x;\n"))->text(), nullptr);
+  EXPECT_EQ(Shown(program_fence("a.cpp"), program_fence("a.cpp#r", "x;\n"))->text(), nullptr);
 }
 
 TEST(ShownProgram, ContradictsItselfWhereTwoFencesDiffer) {
-  const std::string x = fence("a.cpp", "x;\n"), y = fence("a.cpp", "y;\n");
+  const std::string x = program_fence("a.cpp", "x;\n"), y = program_fence("a.cpp", "y;\n");
   EXPECT_TRUE(Shown(x, y)->contradicts_itself());
-  EXPECT_FALSE(Shown(x, x + fence("a.cpp"))->contradicts_itself());
-  EXPECT_TRUE(Shown(fence("a.cpp#r", "x;\n"), fence("a.cpp#r", "y;\n"))->contradicts_itself());
-  EXPECT_FALSE(Shown(fence("a.cpp#r", "x;\n"), fence("a.cpp#s", "y;\n"))->contradicts_itself());
+  EXPECT_FALSE(Shown(x, x + program_fence("a.cpp"))->contradicts_itself());
+  EXPECT_TRUE(Shown(program_fence("a.cpp#r", "x;\n"), program_fence("a.cpp#r", "y;\n"))
+                  ->contradicts_itself());
+  EXPECT_FALSE(Shown(program_fence("a.cpp#r", "x;\n"), program_fence("a.cpp#s", "y;\n"))
+                   ->contradicts_itself());
 }
 
 TEST(ShownProgram, HasTheLinesOfItsRegionsFences) {
-  const Shown shown(fence("a.cpp#r", "x;\n"), fence("a.cpp#missing", "y;\n"));
+  const Shown shown(program_fence("a.cpp#r", "x;\n"), program_fence("a.cpp#missing", "y;\n"));
   EXPECT_EQ(with_shown_regions("  // #region r\n  old;\n  // #endregion\n", *shown),
             "  // #region r\n  x;\n  // #endregion\n");
   EXPECT_EQ(with_shown_regions("// #region r\nnever closed;\n", *shown),

@@ -11,16 +11,16 @@ std::string snippet(const std::string& code, const std::string& options = "model
   return "```cpp snippet " + options + "\n" + code + "```\n";
 }
 
-std::string printed(const std::string& text) {
+std::string printed_by_snippets(const std::string& text) {
   return "```text\n" + text + "```\n";
 }
 
 TEST(Snippets, SeeTheirModelAndFreshData) {
   const EvaluationOf found(snippet("data->qpos[0] = 5;\nstd::printf(\"%d\\n\", model->nq);\n") +
-                           printed("8\n") +
+                           printed_by_snippets("8\n") +
                            snippet("//| const double x = data->qpos[0];\n"
                                    "std::printf(\"%.1f\\n\", x);\n") +
-                           printed("0.0\n"));
+                           printed_by_snippets("0.0\n"));
   EXPECT_EQ(found.mistakes(), "");
   EXPECT_EQ(found.tally().snippets, 2);
   EXPECT_EQ(found.tally().programs, 0);

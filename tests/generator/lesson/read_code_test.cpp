@@ -66,7 +66,7 @@ TEST(ReadCode, LetsASnippetStateItsOutput) {
 }
 
 // What is wrong with a fence with these words behind `cpp `.
-std::string mistake(const std::string& words) {
+std::string code_mistake(const std::string& words) {
   std::string text;
   for (const Diagnostic& found : reading_of("```cpp " + words + "\n```\n").diagnostics) {
     const auto start = static_cast<std::size_t>(found.place.column - 1);
@@ -77,12 +77,12 @@ std::string mistake(const std::string& words) {
 }
 
 TEST(ReadCode, RefusesAnExpectationThatItDoesNotKnow) {
-  EXPECT_EQ(mistake("file=examples/a.cpp expect=compile-eror"),
+  EXPECT_EQ(code_mistake("file=examples/a.cpp expect=compile-eror"),
             "compile-eror: nothing is known to expect as this; did you mean `compile-error`?\n");
-  EXPECT_EQ(mistake("file=examples/a.cpp expect=success"),
+  EXPECT_EQ(code_mistake("file=examples/a.cpp expect=success"),
             "success: nothing is known to expect as this; known: exit:1, compile-error\n");
   for (const std::string code : {"exit:", "exit:256", "exit:-1", "exit:one"}) {
-    EXPECT_EQ(mistake("file=examples/a.cpp expect=" + code),
+    EXPECT_EQ(code_mistake("file=examples/a.cpp expect=" + code),
               code +
                   ": an exit code is a whole number from 0 to 255; write it as "
                   "`expect=exit:1`\n");
@@ -90,27 +90,27 @@ TEST(ReadCode, RefusesAnExpectationThatItDoesNotKnow) {
 }
 
 TEST(ReadCode, RefusesWordsThatItDoesNotKnow) {
-  EXPECT_EQ(mistake("file=examples/a.cpp optimise"),
+  EXPECT_EQ(code_mistake("file=examples/a.cpp optimise"),
             "optimise: a `cpp` fence has no option `optimise`; did you mean `optimize`?\n");
-  EXPECT_EQ(mistake("file=examples/a.cpp timeout"),
+  EXPECT_EQ(code_mistake("file=examples/a.cpp timeout"),
             "timeout: `timeout` needs a value; write `timeout=…`\n");
-  EXPECT_EQ(mistake("file=examples/a.cpp optimize=1"),
+  EXPECT_EQ(code_mistake("file=examples/a.cpp optimize=1"),
             "optimize: `optimize` takes no value; write `optimize` alone\n");
-  EXPECT_EQ(mistake("unchecked optimize"),
+  EXPECT_EQ(code_mistake("unchecked optimize"),
             "optimize: a `cpp unchecked` fence has no option `optimize`; known: because\n");
 }
 
 TEST(ReadCode, RefusesASnippetOfNothing) {
-  EXPECT_EQ(mistake("snippet"),
+  EXPECT_EQ(code_mistake("snippet"),
             "```cpp snippet: a snippet says which model it is about; write `cpp snippet "
             "model=NAME`\n");
-  EXPECT_EQ(mistake("snippet model=ball"),
+  EXPECT_EQ(code_mistake("snippet model=ball"),
             "```cpp snippet model=ball: this snippet shows nothing; write a line that does not "
             "begin with `//| `\n");
 }
 
 TEST(ReadCode, RefusesToRunARegionInAWayOfItsOwn) {
-  EXPECT_EQ(mistake("file=examples/a.cpp#main timeout=5"),
+  EXPECT_EQ(code_mistake("file=examples/a.cpp#main timeout=5"),
             "timeout: a `cpp` fence has no option `timeout`; known: file\n");
 }
 

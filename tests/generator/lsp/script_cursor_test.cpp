@@ -5,13 +5,11 @@
 namespace mjcourse {
 namespace {
 
-using Kind = ScriptCursor::Kind;
-
 std::string text_of(std::string_view before) {
   const auto cursor = script_cursor(before);
   if (!cursor) return "";
-  return (cursor->kind == Kind::field ? "field of " : "name for ") + cursor->of + ": " +
-         cursor->part;
+  return (cursor->kind == ScriptCursor::Kind::field ? "field of " : "name for ") + cursor->of +
+         ": " + cursor->part;
 }
 
 TEST(ScriptCursor, NamesAField) {

@@ -8,7 +8,7 @@
 namespace mjcourse {
 namespace {
 
-using json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 constexpr std::array kWheelKeys{
     Key{"size", KeyKind::whole, "In inches.", Need::there, {10, 30, "is in inches"}}};
@@ -28,7 +28,7 @@ constexpr std::array kCars{Variant{"van", &kVan}, Variant{"bus", &kBus}};
 constexpr Vocabulary kCar{"car", kCarKeys, kCars};
 
 TEST(JsonSchema, IsMadeOfAVocabulary) {
-  EXPECT_EQ(json_schema({"car", "car", &kCar}, {}), json::parse(R"({
+  EXPECT_EQ(json_schema({"car", "car", &kCar}, {}), ordered_json::parse(R"({
     "$schema": "http://json-schema.org/draft-07/schema#",
     "title": "mjcourse: a fence `car`",
     "type": "object",
@@ -67,7 +67,7 @@ TEST(JsonSchema, IsMadeOfAVocabulary) {
 }
 
 TEST(JsonSchema, LeavesOpenWhatOthersKnow) {
-  const json plot = json_schema({"plot", "plot", vocabulary_of("plot")}, {});
+  const ordered_json plot = json_schema({"plot", "plot", vocabulary_of("plot")}, {});
   EXPECT_EQ(plot["additionalProperties"], true);
   EXPECT_EQ(plot["properties"]["data"]["additionalProperties"], false);
 }

@@ -3,7 +3,7 @@
 namespace mjcourse {
 namespace {
 
-constexpr const char* kLab = R"(```lab simlab
+constexpr const char* kLabFence = R"(```lab simlab
 {"title": "T & U", "model": "m", "alt": "A \"ball\".", "dock": true, "toggles": ["frames"],
  "controls": [{"type": "slider", "label": "S", "bind": "data.time", "min": 0, "max": 4}],
  "readouts": [{"label": "x", "expr": "1", "digits": 1, "unit": "m"}],
@@ -27,7 +27,7 @@ TEST_F(LabDataTest, WakesUpWhereTheSiteHasAnEngine) {
                {"lab.css", "assets/lab-4.css"},
                {"engine.mjs", "assets/engine-2.mjs"},
                {"engine.wasm", "assets/engine-3.wasm"}};
-  PageWriter with = writer(kLab);
+  PageWriter with = writer(kLabFence);
   const std::string html = with.body();
   ASSERT_EQ(with.lab_files().size(), 1U);
   const std::string open = "<sim-lab class=\"lab dock\" id=\"lab-1\" data-module=\"../" +
@@ -40,7 +40,7 @@ TEST_F(LabDataTest, WakesUpWhereTheSiteHasAnEngine) {
 }
 
 TEST_F(LabDataTest, SaysThatItCannotWakeUpWithoutOne) {
-  EXPECT_EQ(body(kLab), R"(<sim-lab class="lab dock" id="lab-1">
+  EXPECT_EQ(body(kLabFence), R"(<sim-lab class="lab dock" id="lab-1">
 <figure aria-labelledby="lab-1-title">
 <figcaption id="lab-1-title">T &amp; U</figcaption>
 <div class="lab-view">

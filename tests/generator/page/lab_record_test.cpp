@@ -32,7 +32,7 @@ TEST(LabRecord, HoldsWhatTheReadoutsSaidInEachRun) {
 
 TEST(LabRecord, HoldsWhatAPredictionIsMeasuredBy) {
   Lab lab;
-  lab.predict.emplace();
+  lab.predict = Lab::Predict{};
   lab.predict->digits = 1;
   LabResult result;
   result.predicted = 0.25;

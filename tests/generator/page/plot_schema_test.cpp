@@ -7,7 +7,7 @@
 namespace mjcourse {
 namespace {
 
-using json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 TEST(PlotSchema, AddsWhatASpecMaySay) {
   const PlotGrammar grammar{{{"o", {}, {{"mark", "What is drawn.", 1}, {"layer", "", 2}}},
@@ -15,11 +15,11 @@ TEST(PlotSchema, AddsWhatASpecMaySay) {
                              {"a", {}, {}, {}, 0},
                              {"nz"}},
                             {"href"}};
-  json schema{{"type", "object"},
-              {"properties", {{"data", {{"type", "string"}}}}},
-              {"additionalProperties", true}};
+  ordered_json schema{{"type", "object"},
+                      {"properties", {{"data", {{"type", "string"}}}}},
+                      {"additionalProperties", true}};
   add_plot_schema(grammar, schema);
-  EXPECT_EQ(schema, json::parse(R"({
+  EXPECT_EQ(schema, ordered_json::parse(R"({
     "type": "object",
     "properties": {
       "data": {"type": "string"},
@@ -41,8 +41,8 @@ TEST(PlotSchema, AddsWhatASpecMaySay) {
 }
 
 TEST(PlotSchema, LeavesOpenWhatNobodyKnows) {
-  json schema{{"type", "object"}, {"additionalProperties", true}};
-  const json before = schema;
+  ordered_json schema{{"type", "object"}, {"additionalProperties", true}};
+  const ordered_json before = schema;
   add_plot_schema({}, schema);
   EXPECT_EQ(schema, before);
 }

@@ -14,7 +14,7 @@ ModelError error_of(const tl::expected<Model, ModelError>& model) {
   return model ? ModelError{} : model.error();
 }
 
-const std::string arm = R"(<mujoco>
+const std::string kArm = R"(<mujoco>
   <worldbody>
     <body name="upper"><joint name="shoulder"/><geom size="0.1"/>
       <body pos="1 0 0"><joint/><geom size="0.1"/></body>
@@ -24,8 +24,8 @@ const std::string arm = R"(<mujoco>
 
 TEST(Model, LoadsTextAndFileAlike) {
   const ModelFolder folder;
-  const auto text = load_model_text(arm);
-  const auto file = load_model_file(folder.write("arm.xml", arm));
+  const auto text = load_model_text(kArm);
+  const auto file = load_model_file(folder.write("arm.xml", kArm));
   ASSERT_TRUE(text.has_value()) << text.error().message;
   ASSERT_TRUE(file.has_value()) << file.error().message;
   EXPECT_EQ((*text)->nq, 2);
@@ -35,7 +35,7 @@ TEST(Model, LoadsTextAndFileAlike) {
 }
 
 TEST(Model, KnowsItsObjectsByName) {
-  const Model model = load_model_text(arm).value();
+  const Model model = load_model_text(kArm).value();
   EXPECT_EQ(model.id(mjOBJ_JOINT, "shoulder"), 0);
   EXPECT_EQ(model.id(mjOBJ_JOINT, "elbow"), -1);
   EXPECT_EQ(model.name(mjOBJ_JOINT, 0), "shoulder");
@@ -111,7 +111,7 @@ TEST(Model, SaysWhichIncludeIsWrong) {
 
 TEST(Model, LoadsFilesFromMemory) {
   const ModelFiles files{{"Arm.xml", "<mujoco><include file='parts/hand.xml'/></mujoco>"},
-                         {"hand.xml", arm}};
+                         {"hand.xml", kArm}};
   const auto model = load_model_files("Arm.xml", files);
   ASSERT_TRUE(model.has_value()) << model.error().message;
   EXPECT_EQ((*model)->nq, 2);
@@ -123,8 +123,8 @@ TEST(Model, SaysWhichOfTheFilesIsWrong) {
     return error.file + ": " + error.message;
   };
   EXPECT_EQ(told({}), "arm.xml: file not found");
-  EXPECT_EQ(told({{"arm.xml", arm}, {"arm.png", ""}}), "arm.png: the file is empty");
-  EXPECT_EQ(told({{"a/arm.xml", arm}, {"arm.xml", arm}}),
+  EXPECT_EQ(told({{"arm.xml", kArm}, {"arm.png", ""}}), "arm.png: the file is empty");
+  EXPECT_EQ(told({{"a/arm.xml", kArm}, {"arm.xml", kArm}}),
             "arm.xml: another file has the same name");
 }
 
@@ -142,7 +142,7 @@ TEST(Model, KeepsTheCompilersWarnings) {
 TEST(Model, LoadsOnManyThreadsAtOnce) {
   const auto load_often = [](int* right) {
     for (int i = 0; i < 20; ++i) {
-      const auto good = load_model_text(arm);
+      const auto good = load_model_text(kArm);
       const auto bad =
           load_model_text("<mujoco>\n<worldbody>\n<geom size='-1'/></worldbody></mujoco>");
       if (good && !bad && bad.error().line == 3) ++*right;

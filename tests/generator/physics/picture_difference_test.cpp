@@ -19,7 +19,7 @@ Picture grey() {
 void paint(Picture& picture, int x, int y, int side, std::uint8_t red) {
   for (int row = y; row < y + side; ++row) {
     for (int column = x; column < x + side; ++column) {
-      picture.rgb[3 * (static_cast<std::size_t>(row) * kWidth + column)] = red;
+      picture.rgb[3 * static_cast<std::size_t>(row * kWidth + column)] = red;
     }
   }
 }

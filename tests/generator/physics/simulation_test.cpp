@@ -8,7 +8,7 @@
 namespace mjcourse {
 namespace {
 
-Simulation simulate(const std::string& mjcf) {
+Simulation simulation_of(const std::string& mjcf) {
   auto model = load_model_text(mjcf);
   EXPECT_TRUE(model.has_value()) << model.error().message;
   return Simulation(std::move(model.value()));
@@ -36,7 +36,7 @@ testing::AssertionResult says(const Simulation& simulation, const std::string& w
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Simulation, BeginsForwarded) {
-  Simulation simulation = simulate(falling);
+  Simulation simulation = simulation_of(falling);
   EXPECT_EQ(simulation.data()->time, 0);
   EXPECT_DOUBLE_EQ(simulation.data()->xpos[3 + 2], 1);
   EXPECT_NEAR(simulation.data()->qacc[0], -9.81, 1e-12);
@@ -44,7 +44,7 @@ TEST(Simulation, BeginsForwarded) {
 }
 
 TEST(Simulation, AdvancesByTheNearestNumberOfSteps) {
-  Simulation simulation = simulate(falling);
+  Simulation simulation = simulation_of(falling);
   simulation.advance(0.5);
   EXPECT_NEAR(simulation.data()->time, 0.5, 1e-12);
   EXPECT_NEAR(simulation.data()->qpos[0], -9.81 * 0.5 * 0.5 / 2, 0.03);
@@ -55,7 +55,7 @@ TEST(Simulation, AdvancesByTheNearestNumberOfSteps) {
 }
 
 TEST(Simulation, ResetsToItsStartAndToKeyframes) {
-  Simulation simulation = simulate(falling);
+  Simulation simulation = simulation_of(falling);
   simulation.step(10);
   simulation.reset();
   EXPECT_EQ(simulation.data()->time, 0);
@@ -69,7 +69,7 @@ TEST(Simulation, ResetsToItsStartAndToKeyframes) {
 }
 
 TEST(Simulation, KnowsItsKeyframes) {
-  Simulation simulation = simulate(falling);
+  Simulation simulation = simulation_of(falling);
   EXPECT_EQ(simulation.reset_to_keyframe("hihg").error(),
             "there is no keyframe `hihg`; did you mean `high`?");
   EXPECT_EQ(simulation.reset_to_keyframe(2).error(), "there is no keyframe 2; the model has 2");
@@ -78,7 +78,7 @@ TEST(Simulation, KnowsItsKeyframes) {
 
 // When MuJoCo, left to itself, first resets a simulation of `mjcf`.
 double time_of_first_reset(const std::string& mjcf) {
-  Simulation simulation = simulate(mjcf);
+  Simulation simulation = simulation_of(mjcf);
   double time = 0;
   while (simulation.data()->time >= time && time < 10) {
     time = simulation.data()->time;
@@ -88,7 +88,7 @@ double time_of_first_reset(const std::string& mjcf) {
 }
 
 TEST(Simulation, StopsWhenItDiverges) {
-  Simulation simulation = simulate(exploding);
+  Simulation simulation = simulation_of(exploding);
   simulation.advance(10);
   ASSERT_TRUE(simulation.stopped());
   std::ostringstream time;
@@ -107,7 +107,7 @@ TEST(Simulation, StopsWhenItDiverges) {
 }
 
 TEST(Simulation, SeesStepsThatOthersMade) {
-  Simulation simulation = simulate(exploding);
+  Simulation simulation = simulation_of(exploding);
   for (int i = 0; i < 1000; ++i) mj_step(simulation.model().get(), simulation.data().get());
   EXPECT_FALSE(simulation.trouble());
   simulation.watch();
@@ -116,7 +116,7 @@ TEST(Simulation, SeesStepsThatOthersMade) {
 }
 
 TEST(Simulation, SeesAStateThatIsNoNumber) {
-  Simulation simulation = simulate(falling);
+  Simulation simulation = simulation_of(falling);
   simulation.data()->qvel[0] = not_a_number;
   simulation.forward();
   EXPECT_TRUE(says(simulation, "qvel[0] of joint `drop`"));
@@ -128,7 +128,7 @@ TEST(Simulation, SeesAStateThatIsNoNumber) {
 }
 
 TEST(Simulation, NamesTheJointThatAPositionBelongsTo) {
-  Simulation simulation = simulate(R"(<mujoco><worldbody>
+  Simulation simulation = simulation_of(R"(<mujoco><worldbody>
       <body><joint name="ball" type="ball"/><geom size="0.1"/></body>
       <body><joint name="hinge"/><geom size="0.1"/></body>
     </worldbody></mujoco>)");
@@ -142,7 +142,7 @@ TEST(Simulation, NamesTheJointThatAPositionBelongsTo) {
 }
 
 TEST(Simulation, SeesTimeRunBackwards) {
-  Simulation simulation = simulate(falling);
+  Simulation simulation = simulation_of(falling);
   simulation.step(10);
   mj_resetData(simulation.model().get(), simulation.data().get());
   simulation.watch();
@@ -150,7 +150,7 @@ TEST(Simulation, SeesTimeRunBackwards) {
 }
 
 TEST(Simulation, ReportsAWarningAndGoesOn) {
-  Simulation simulation = simulate(R"(<mujoco><worldbody>
+  Simulation simulation = simulation_of(R"(<mujoco><worldbody>
       <body><joint name="motor"/><geom size="0.1"/></body></worldbody>
       <actuator><motor joint="motor"/></actuator></mujoco>)");
   simulation.data()->ctrl[0] = not_a_number;
@@ -161,7 +161,7 @@ TEST(Simulation, ReportsAWarningAndGoesOn) {
 }
 
 TEST(Simulation, ReportsWhatElseMujocoWarnsOf) {
-  Simulation simulation = simulate(falling);
+  Simulation simulation = simulation_of(falling);
   mjcb_passive = [](const mjModel*, mjData*) { mju_warning("it is slippery"); };
   simulation.step();
   mjcb_passive = nullptr;

@@ -7,7 +7,7 @@
 namespace mjcourse {
 namespace {
 
-bool equal(std::string_view a, std::string_view b) {
+bool equal_lines(std::string_view a, std::string_view b) {
   return a == b;
 }
 
@@ -15,7 +15,7 @@ bool equal(std::string_view a, std::string_view b) {
 std::string changes(const std::vector<std::string_view>& before,
                     const std::vector<std::string_view>& after) {
   std::string text;
-  for (const DiffLine& change : line_diff(before, after, equal)) {
+  for (const DiffLine& change : line_diff(before, after, equal_lines)) {
     text += change.kind == DiffLine::Kind::gone ? "-" : "+";
     text += std::to_string(change.line) + " " + change.text + "\n";
   }
@@ -43,7 +43,7 @@ TEST(LineDiff, AsksNothingOfHugeTextsButTheirEnds) {
   before.front() = after.front() = "first";
   before.back() = after.back() = "last";
   before[2500] = after[2500] = "middle";
-  const std::vector<DiffLine> lines = line_diff(before, after, equal);
+  const std::vector<DiffLine> lines = line_diff(before, after, equal_lines);
   ASSERT_EQ(lines.size(), 2u * 4998);
   EXPECT_EQ(lines.front().line, 2);
   EXPECT_EQ(lines.back().line, 5000);
