@@ -103,7 +103,8 @@ TEST(Evaluate, GivesWhatIsKeptAsItWasFound) {
   const std::size_t tasks = first.evaluation().times.size();
   EXPECT_EQ(tasks, 11);
   EXPECT_EQ(reused(first.evaluation()), tasks);
-  EXPECT_EQ(all_of(first.evaluation(), scratch), all_of(alone.evaluation(), scratch));
+  const std::string plainly = all_of(alone.evaluation(), scratch);  // whose pictures are here
+  EXPECT_EQ(all_of(first.evaluation(), scratch), plainly);
   EXPECT_EQ(first.claims().size(), alone.claims().size());
   for (std::size_t i = 0; i < alone.claims().size(); ++i) {
     EXPECT_EQ(first.claims()[i].key, alone.claims()[i].key) << alone.claims()[i].what;
