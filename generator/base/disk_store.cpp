@@ -13,6 +13,7 @@
 
 #include "base/descriptor.h"
 #include "base/files.h"
+#include "base/folder_size.h"
 #include "base/sha256.h"
 
 namespace mjcourse {
@@ -133,6 +134,10 @@ std::vector<std::string> DiskStore::notes() const {
   return notes_;
 }
 
+fs::path prepared_folder(const fs::path& folder) {
+  return folder / "prepared";
+}
+
 namespace {
 
 struct Entry {
@@ -149,6 +154,14 @@ std::vector<Entry> entries_of(const fs::path& folder) {
       if (file.is_regular_file())
         entries.push_back({file.path(), file.file_size(), file.last_write_time()});
     }
+  }
+  if (!fs::exists(prepared_folder(folder))) return entries;
+  for (const fs::directory_entry& entry : fs::directory_iterator(prepared_folder(folder))) {
+    std::error_code none;
+    const fs::file_time_type used = fs::last_write_time(entry.path() / "current", none);
+    FolderSize size;
+    add_size(entry.path().string(), UINT64_MAX, size);
+    entries.push_back({entry.path(), size.bytes, none ? fs::file_time_type::min() : used});
   }
   return entries;
 }
@@ -181,7 +194,7 @@ std::optional<Pruned> prune_store(const fs::path& folder, std::uintmax_t keep, b
   pruned.entries_left = entries.size();
   for (const Entry& entry : entries) {
     if (pruned.bytes_left <= keep) break;
-    fs::remove(entry.path);
+    fs::remove_all(entry.path);
     ++pruned.entries, --pruned.entries_left;
     pruned.bytes += entry.bytes, pruned.bytes_left -= entry.bytes;
   }

@@ -3,6 +3,7 @@
 //     ac/3f/2a91…   "mjcourse-store 1 SHA256\n", then the bytes
 //     cas/77/b0c4…  the bytes
 //     tmp/XXXXXX    what is being written, and what a killed process left of that
+//     prepared/…    folders of what programs share (evaluate/prepared_files.h)
 //     lock          held shared by each run, and alone by who prunes
 //
 // An entry is written aside, synced and renamed, so it is there as a whole or not at all; and it is
@@ -46,6 +47,10 @@ class DiskStore : public Store {
   mutable std::mutex mutex_;  // of the notes
   std::vector<std::string> notes_;
 };
+
+// Where a store in `folder` has what is not of one file: each folder in there is an entry, which is
+// used when the file `current` in it is touched.
+std::filesystem::path prepared_folder(const std::filesystem::path& folder);
 
 struct Pruned {
   std::uintmax_t entries = 0, bytes = 0;  // removed

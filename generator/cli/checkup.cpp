@@ -43,12 +43,12 @@ Sign mujoco() {
 // Compiles and runs a program as a lesson's.
 Sign compiler() {
   const char* const cure = "`apt-get install clang-16 mold libmujoco-dev libeigen3-dev`";
-  const std::optional<Compiler> found = Compiler::find({});
+  const std::optional<Compiler> found = Compiler::find({}, std::nullopt);
   if (!found) return {"compiler", Grade::missing, "none: no program can be run", cure};
   const TemporaryFolder folder;
   const fs::path source = folder.path() / "program.cpp", binary = folder.path() / "program";
   write_file(source, kProgram);
-  const Compiled compiled = found->compile(source, folder.path(), binary, folder.path());
+  const Compiled compiled = found->compile(source, binary, folder.path());
   if (!compiled.succeeded) {
     const std::string why = compiled.stopped.empty() ? compiled.raw : compiled.stopped;
     return {"compiler", Grade::missing,

@@ -79,7 +79,10 @@ std::filesystem::path assets_folder() {
 }
 
 Workplace workplace_of(const Options& options, const Files& assets, Store* store) {
-  return {options.course, assets, store, options.jobs, assets_folder() / "examples" / "include"};
+  Workplace workplace{options.course, assets, store, options.jobs,
+                      assets_folder() / "examples" / "include"};
+  if (store != nullptr) workplace.prepared = prepared_folder(store_folder(options.store));
+  return workplace;
 }
 
 void print_diagnostics(const Diagnostics& diagnostics) {

@@ -17,6 +17,9 @@ struct TaskRecord {
   Dependencies recipe, traced;  // what it depends on; the latter where it was kept, or found
   bool reused = false;          // it was kept before
   bool open = false;            // nobody worked on it: what is known does not have it
+  bool looked = false;          // it was prepared, and looked up
+  bool waiting = false;         // its work is to be done
+  std::size_t said = 0;         // diagnostics, when it was prepared
   std::size_t thread = 0;
   double begin = 0, seconds = 0;  // measured, since the crew began
 };

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <utility>
 
-#include "base/cache_folder.h"
 #include "base/files.h"
 #include "evaluate/driver_steps.h"
 #include "evaluate/linked_libraries.h"
@@ -91,9 +90,7 @@ void leave_out(const WarmObjects::Entry& entry, Compiled& compiled) {
 }  // namespace
 
 struct Compiler::Program {
-  fs::path source;
-  IncludeFolders include;
-  fs::path binary, folder;
+  fs::path source, binary, folder;
   std::vector<std::string> libraries;
   bool optimize = false;
 };
@@ -108,33 +105,38 @@ bool Compiled::refused() const {
   });
 }
 
-std::optional<Compiler> Compiler::find(fs::path helper) {
+std::optional<Compiler> Compiler::find(IncludeFolders include, std::optional<fs::path> prepared) {
   std::optional<Toolchain> toolchain = Toolchain::find();
   if (!toolchain) return std::nullopt;
-  std::optional<fs::path> cache = user_cache_folder();
-  if (cache) *cache /= "header";
-  return Compiler(*std::move(toolchain), std::move(cache), std::move(helper));
+  return Compiler(*std::move(toolchain), std::move(include), std::move(prepared));
 }
 
-Compiler::Compiler(Toolchain toolchain, std::optional<fs::path> cache, fs::path helper)
-    : toolchain_(toolchain),
-      helper_(std::move(helper)),
-      warm_(std::make_shared<WarmObjects>(std::move(toolchain), std::move(cache))) {}
+Compiler::Compiler(Toolchain toolchain, IncludeFolders include, std::optional<fs::path> prepared)
+    : toolchain_(std::move(toolchain)),
+      include_(std::move(include)),
+      warm_(std::make_shared<WarmObjects>(toolchain_, std::move(prepared), include_)) {}
 
-void Compiler::prepare(const std::vector<std::string>& roots, const fs::path& examples) const {
-  const IncludeFolders include = include_folders_of(examples, helper_);
-  warm_->header(roots, include);
-  warm_->handlers(include);
+bool Compiler::has_header(const std::vector<std::string>& roots) const {
+  return warm_->header(roots) != nullptr;
+}
+
+void Compiler::make_header(const std::vector<std::string>& roots, Warmth warmth) const {
+  warm_->make_header(roots, warmth);
 }
 
 Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& header,
                            const WarmObjects::Entry& handlers, bool fast) const {
-  const std::vector<std::string> plain = toolchain_.command(program.optimize, program.include);
-  std::vector<std::string> command = plain;
-  if (header) append(command, "-include-pch", (header->folder / "header.pch").string());
+  const std::vector<std::string> plain = toolchain_.command(program.optimize, include_);
+  std::vector<std::string> command = plain, link;
+  if (header) {
+    const fs::path overlay = program.folder / "overlay.json", object = header->folder / "header.o";
+    write_file(overlay, warm_->headers().overlay(header->folder.parent_path() / "header.hpp"));
+    command = toolchain_.command(program.optimize, warm_->headers().shown());
+    append(command, "-ivfsoverlay", overlay.string(), "-include-pch",
+           (header->folder / "header.pch").string());
+    if (fs::exists(object)) append(link, object.string());
+  }
   append(command, program.source.string());
-  std::vector<std::string> link;
-  if (header) append(link, (header->folder / "header.o").string());
   if (handlers) append(link, (handlers->folder / "handlers.o").string());
   for (const std::string& library : program.libraries) append(link, "-l" + library);
   append(link, "-o", program.binary.string());
@@ -144,14 +146,14 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
     append(link, "-fuse-ld=mold", "-Wl,--gc-sections", "-Wl,--no-build-id", "-Wl,--thread-count=1");
   }
 
-  WorkFolder at{program.folder, read_for(program.include), {}};
+  WorkFolder at{program.folder, read_for(include_), {}};
   for (const WarmObjects::Entry& entry : {header, handlers}) {
     if (entry) at.reads.push_back(entry->folder.parent_path());
   }
   if (fast && toolchain_.is_clang()) at.names = {program.source, program.binary, program.folder};
 
   Compiled compiled;
-  const fs::path source = handlers_source(program.include);
+  const fs::path source = handlers_source(include_);
   if (handlers || source.empty()) {  // a course may do without handlers
     command.insert(command.end(), link.begin(), link.end());
     take(command, at, compiled);
@@ -166,6 +168,11 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
     if (compiled.succeeded) take(command, at, compiled);
   }
   compiled.messages = parse_messages(compiled.raw);
+  if (header && compiled.dependencies) {
+    std::erase(*compiled.dependencies, CourseHeaders::kSource);
+    for (std::string& file : *compiled.dependencies) file = warm_->headers().true_path(file);
+    std::ranges::sort(*compiled.dependencies);
+  }
   for (const WarmObjects::Entry& entry : {header, handlers}) {
     leave_out(entry, compiled);
   }
@@ -174,17 +181,15 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
   return compiled;
 }
 
-Compiled Compiler::compile(const fs::path& source, const fs::path& examples, const fs::path& binary,
-                           const fs::path& folder, bool optimize) const {
+Compiled Compiler::compile(const fs::path& source, const fs::path& binary, const fs::path& folder,
+                           bool optimize) const {
   // What cannot be read, the compiler will say.
   const std::string text =
       DiskFiles(source.parent_path()).read(source.filename().string()).value_or("");
-  const Program program{
-      source,  include_folders_of(examples, helper_), binary, folder, linked_libraries(text),
-      optimize};
-  const WarmObjects::Entry handlers = warm_->handlers(program.include);
+  const Program program{source, binary, folder, linked_libraries(text), optimize};
+  const WarmObjects::Entry handlers = warm_->handlers();
   WarmObjects::Entry header;
-  if (!optimize) header = warm_->header(warm_roots(text, program.include), program.include);
+  if (!optimize) header = warm_->header(warm_roots(text, include_));
   const auto silent = [](const Compiled& compiled) {
     return compiled.succeeded && compiled.raw.empty();
   };

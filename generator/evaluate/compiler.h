@@ -1,10 +1,10 @@
 // The C++ compiler of the examples: clang-16, or what is found.
 //
 // Enter with Compiler::find() and compile(). A program is first tried the fast way: with the warm
-// header of what it includes (warm_header.h), compiled once, with mold, and without the compiler's
-// driver (driver_steps.h). Whenever that says anything, be it a warning, the program is compiled as
-// its reader would, and what that says counts. So a message is always that of a plain compilation,
-// and the fast way only ever saves time.
+// header of what it includes (warm_objects.h), if there is one, with mold, and without the
+// compiler's driver (driver_steps.h). Whenever that says anything, be it a warning, the program is
+// compiled as its reader would, and what that says counts. So a message is always that of a plain
+// compilation, and the fast way only ever saves time.
 #pragma once
 
 #include <filesystem>
@@ -42,13 +42,13 @@ struct Compiled {
 
 class Compiler {
  public:
-  // Nothing where no compiler is installed. What programs share is kept in the user's cache.
-  // `helper` is the folder with the helper header for a course without one; it may be empty.
-  static std::optional<Compiler> find(std::filesystem::path helper);
+  // Nothing where no compiler is installed. Its programs have their headers in `include`; what they
+  // share is kept in `prepared`, and without a folder not at all.
+  static std::optional<Compiler> find(IncludeFolders include,
+                                      std::optional<std::filesystem::path> prepared);
 
-  // The same with another folder for what programs share; nothing is kept without one.
-  Compiler(Toolchain toolchain, std::optional<std::filesystem::path> cache,
-           std::filesystem::path helper = {});
+  Compiler(Toolchain toolchain, IncludeFolders include,
+           std::optional<std::filesystem::path> prepared);
 
   // "clang 16.0.6", "g++ 12.2.0"
   const std::string& version() const { return toolchain_.version; }
@@ -57,15 +57,15 @@ class Compiler {
   // the flags (compile_flags).
   const Toolchain& toolchain() const { return toolchain_; }
 
-  // Make what programs with these roots (warm_header.h) share, as the first of them would.
-  void prepare(const std::vector<std::string>& roots, const std::filesystem::path& examples) const;
+  // The headers that programs with these roots (warm_header.h) share: is a compiled one at hand,
+  // and make one, which takes a second and up to half a minute.
+  bool has_header(const std::vector<std::string>& roots) const;
+  void make_header(const std::vector<std::string>& roots, Warmth warmth) const;
 
-  // Compile the program `source` of the course with these `examples` against MuJoCo, Eigen and the
-  // helper header into `binary`; `folder` is for files in between. Safe to call from several
-  // threads; all but the first wait for a warm header that is being made.
-  Compiled compile(const std::filesystem::path& source, const std::filesystem::path& examples,
-                   const std::filesystem::path& binary, const std::filesystem::path& folder,
-                   bool optimize = false) const;
+  // Compile the program `source` against MuJoCo, Eigen and the helper header into `binary`;
+  // `folder` is for files in between. Safe to call from several threads.
+  Compiled compile(const std::filesystem::path& source, const std::filesystem::path& binary,
+                   const std::filesystem::path& folder, bool optimize = false) const;
 
  private:
   struct Program;
@@ -73,7 +73,7 @@ class Compiler {
                    const WarmObjects::Entry& handlers, bool fast) const;
 
   Toolchain toolchain_;
-  std::filesystem::path helper_;
+  IncludeFolders include_;
   std::shared_ptr<WarmObjects> warm_;
 };
 

@@ -77,7 +77,7 @@ class Evaluator {
       : course_(course),
         workplace_(workplace),
         progress_(progress),
-        setting_(course, workplace.root, workplace.assets, workplace.helper,
+        setting_(course, workplace.root, workplace.assets, workplace.helper, workplace.prepared,
                  workplace.known_scripts),
         fingerprints_(workplace.root, workplace.known_files) {
     if (workplace.store != nullptr)
@@ -97,6 +97,8 @@ class Evaluator {
     gather(tasks, crew.run(tasks, workplace_.first, [&](const TaskRecords& records) {
       publish(tasks, records, setting_.reports(), fingerprints_);
     }));
+    const std::vector<TaskTime>& headers = crew.header_times();
+    evaluation_.times.insert(evaluation_.times.end(), headers.begin(), headers.end());
     for (std::size_t i = 0; i < course_.lessons.size(); ++i) finish(i);
     const auto results_of = [&](const Lesson& page) -> const auto& {
       return evaluation_.results_of(course_, page);

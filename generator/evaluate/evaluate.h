@@ -29,14 +29,6 @@
 
 namespace mjcourse {
 
-// When a task was worked on, in seconds since the first began; measured.
-struct TaskTime {
-  std::string what;
-  std::size_t thread = 0;
-  double begin = 0, seconds = 0;
-  bool reused = false;
-};
-
 struct Evaluation {
   std::vector<LessonResults> lessons;  // one for each lesson of the course
   LessonResults glossary = {};         // of its page
@@ -62,6 +54,8 @@ struct Workplace {
   Store* store = nullptr;      // may be null: then all is worked out
   std::size_t threads = core_count();
   std::filesystem::path helper = {};  // has the helper header for a course without one
+  // Where what programs share is kept (warm_objects.h); without it nothing is.
+  std::optional<std::filesystem::path> prepared = {};
   // Of files and scripts that were looked at before, by who evaluates again and again.
   std::shared_ptr<KnownFiles> known_files = std::make_shared<KnownFiles>();
   std::shared_ptr<KnownScripts> known_scripts = std::make_shared<KnownScripts>();

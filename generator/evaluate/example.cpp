@@ -107,8 +107,7 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
   const fs::path binary = folder.path() / example.name();
   write_file(source, "#line " + std::to_string(first_line) + " \"" + shown_as + "\"\n" + code.text);
 
-  const Compiled compiled =
-      compiler->compile(source, root / "examples", binary, folder.path(), example.optimize);
+  const Compiled compiled = compiler->compile(source, binary, folder.path(), example.optimize);
   trace_compilation(compiled, folder.path(), workshop);
   if (!example.compiles && compiled.refused()) {
     return ExampleResult{shown,

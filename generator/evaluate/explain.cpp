@@ -37,7 +37,7 @@ Place place_of_task(const Task& task) {
 class Explainer {
  public:
   Explainer(const Course& course, const Workplace& workplace)
-      : setting_(course, workplace.root, workplace.assets, workplace.helper,
+      : setting_(course, workplace.root, workplace.assets, workplace.helper, workplace.prepared,
                  workplace.known_scripts),
         fingerprints_(workplace.root),
         archive_(*workplace.store, workplace.root, fingerprints_),

@@ -29,7 +29,7 @@ constexpr const char* kManifest = "current";
 constexpr const char* kLock = "lock";
 constexpr const char* kStaging = "making";
 
-// What `current` says: the entry's name, then a line "HASH PATH" for each input.
+// What `current` says: the entry's name, then a line "HASH NAME" for each input.
 struct Manifest {
   std::string name;
   std::vector<std::pair<std::string, std::string>> inputs;
@@ -54,12 +54,13 @@ std::string hash_of_file(const fs::path& path) {
   return hash;
 }
 
-Manifest manifest_of(const std::vector<std::string>& paths) {
+Manifest manifest_of(const std::vector<std::string>& names,
+                     const PreparedFiles::TruePath& true_path) {
   Manifest manifest;
   std::string all;
-  for (const std::string& path : paths) {
-    manifest.inputs.emplace_back(hash_of_file(path), path);
-    all += manifest.inputs.back().first + path;
+  for (const std::string& name : names) {
+    manifest.inputs.emplace_back(hash_of_file(true_path(name)), name);
+    all += manifest.inputs.back().first + name;
   }
   manifest.name = content_hash(all);
   return manifest;
@@ -77,60 +78,12 @@ std::optional<Manifest> read_manifest(const fs::path& folder) {
   return manifest;
 }
 
-struct Found {
-  bool current = false;                // what is there was made of the inputs as they are now
-  std::shared_ptr<const Entry> entry;  // null where these inputs do not give one
-};
-
-Found find(const fs::path& folder) {
-  const std::optional<Manifest> manifest = read_manifest(folder);
-  if (!manifest) return {};
-  Entry entry{folder / manifest->name, {}};
-  for (const auto& [hash, path] : manifest->inputs) {
-    if (hash_of_file(path) != hash) return {};
-    entry.inputs.push_back(path);
-  }
-  std::error_code ignored;  // somebody else's cache may be read, but not be written to
-  fs::last_write_time(folder / kManifest, fs::file_time_type::clock::now(), ignored);
-  if (!fs::is_directory(entry.folder)) return {true, nullptr};
-  return {true, std::make_shared<const Entry>(std::move(entry))};
-}
-
 void bring_to_disk(const fs::path& path) {
   const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
   const bool synced = descriptor >= 0 && fsync(descriptor) == 0;
   const int reason = errno;
   if (descriptor >= 0) close(descriptor);
   if (!synced) throw std::system_error(reason, std::generic_category(), path.string());
-}
-
-// Under the folder's lock.
-std::shared_ptr<const Entry> make_anew(const fs::path& folder, const PreparedFiles::Make& make) {
-  const fs::path staging = folder / kStaging;
-  for (const fs::directory_entry& old : fs::directory_iterator(folder)) {
-    // The last entry, and what a maker left who was killed. A compiler that reads the last entry
-    // just now says so, and its program is compiled without.
-    if (old.is_directory()) fs::remove_all(old.path());
-  }
-  fs::create_directory(staging);
-  const std::optional<PreparedFiles::Made> made = make(folder, staging);
-  if (!made) {
-    fs::remove_all(staging);
-    return nullptr;
-  }
-  const Manifest manifest = manifest_of(made->inputs);
-  if (made->worked) {
-    for (const fs::directory_entry& file : fs::directory_iterator(staging)) {
-      bring_to_disk(file.path());
-    }
-    fs::rename(staging, folder / manifest.name);
-    bring_to_disk(folder);
-  } else {
-    fs::remove_all(staging);
-  }
-  const auto before = DiskFiles(folder).read(kManifest);
-  replace_file(folder / kManifest, before ? std::optional(*before) : std::nullopt, manifest.text());
-  return find(folder).entry;
 }
 
 std::uintmax_t size_of(const fs::path& folder) {
@@ -166,6 +119,63 @@ void prune(const fs::path& all, const fs::path& kept, std::uintmax_t most_bytes)
 
 }  // namespace
 
+PreparedFiles::Found PreparedFiles::look(const fs::path& folder) const {
+  const std::optional<Manifest> manifest = read_manifest(folder);
+  if (!manifest) return {};
+  Entry entry{folder / manifest->name, {}};
+  for (const auto& [hash, name] : manifest->inputs) {
+    entry.inputs.push_back(true_path_(name));
+    if (hash_of_file(entry.inputs.back()) != hash) return {};
+  }
+  std::sort(entry.inputs.begin(), entry.inputs.end());
+  std::error_code ignored;  // somebody else's cache may be read, but not be written to
+  fs::last_write_time(folder / kManifest, fs::file_time_type::clock::now(), ignored);
+  if (!fs::is_directory(entry.folder)) return {true, nullptr};
+  return {true, std::make_shared<const Entry>(std::move(entry))};
+}
+
+// Under the folder's lock.
+std::shared_ptr<const Entry> PreparedFiles::make_anew(const fs::path& folder, const Make& make) {
+  const fs::path staging = folder / kStaging;
+  for (const fs::directory_entry& old : fs::directory_iterator(folder)) {
+    // The last entry, and what a maker left who was killed. A compiler that reads the last entry
+    // just now says so, and its program is compiled without.
+    if (old.is_directory()) fs::remove_all(old.path());
+  }
+  fs::create_directory(staging);
+  const std::optional<Made> made = make(folder, staging);
+  if (!made) {
+    fs::remove_all(staging);
+    return nullptr;
+  }
+  const Manifest manifest = manifest_of(made->inputs, true_path_);
+  if (made->worked) {
+    for (const fs::directory_entry& file : fs::directory_iterator(staging)) {
+      bring_to_disk(file.path());
+    }
+    fs::rename(staging, folder / manifest.name);
+    bring_to_disk(folder);
+  } else {
+    fs::remove_all(staging);
+  }
+  const auto before = DiskFiles(folder).read(kManifest);
+  replace_file(folder / kManifest, before ? std::optional(*before) : std::nullopt, manifest.text());
+  return look(folder).entry;
+}
+
+std::shared_ptr<const Entry> PreparedFiles::find(const std::string& request) {
+  if (!folder_) return nullptr;
+  const std::lock_guard lock(mutex_);
+  if (const auto known = found_.find(request); known != found_.end()) return known->second;
+  try {
+    const Found found = look(*folder_ / content_hash(request));
+    if (found.current && found.entry) return found_[request] = found.entry;
+  } catch (const std::system_error&) {
+    // A cache that cannot be read is one that is not there.
+  }
+  return nullptr;
+}
+
 std::shared_ptr<const Entry> PreparedFiles::get(const std::string& request, const Make& make) {
   if (!folder_) return nullptr;
   std::promise<std::shared_ptr<const Entry>> promise;
@@ -193,11 +203,11 @@ std::shared_ptr<const Entry> PreparedFiles::get(const std::string& request, cons
 }
 
 std::shared_ptr<const Entry> PreparedFiles::find_or_make(const fs::path& folder, const Make& make) {
-  if (const Found found = find(folder); found.current) return found.entry;
+  if (const Found found = look(folder); found.current) return found.entry;
   fs::create_directories(folder);
   const FileLock lock(folder / kLock);
   // Somebody else may have made it while we waited.
-  if (const Found found = find(folder); found.current) return found.entry;
+  if (const Found found = look(folder); found.current) return found.entry;
   auto entry = make_anew(folder, make);
   prune(*folder_, folder, most_bytes_);
   return entry;

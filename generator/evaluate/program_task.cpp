@@ -6,6 +6,7 @@
 #include "base/stopwatch.h"
 #include "evaluate/compiled_recipe.h"
 #include "evaluate/example.h"
+#include "evaluate/warm_header.h"
 
 namespace mjcourse {
 
@@ -18,6 +19,11 @@ Dependencies ProgramTask::recipe(const Setting& setting) const {
                                 std::to_string(program_.exit_code)};
   text.insert(text.end(), program_.arguments.begin(), program_.arguments.end());
   return compiled_recipe(setting, "program", text, program_.optimize);
+}
+
+std::vector<std::string> ProgramTask::warm_roots(const Setting& setting) const {
+  if (program_.optimize || !code_) return {};
+  return mjcourse::warm_roots(code_->text.text, setting.include_folders());
 }
 
 bool ProgramTask::prepare(Workshop& workshop, Finding& finding) {

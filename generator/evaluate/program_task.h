@@ -19,6 +19,8 @@ class ProgramTask : public Task {
   const Example& program() const { return program_; }
 
   double effort() const override { return 1; }
+  bool compiles() const override { return true; }
+  std::vector<std::string> warm_roots(const Setting& setting) const override;
   Dependencies recipe(const Setting& setting) const override;
   bool prepare(Workshop& workshop, Finding& finding) override;
   bool work(Workshop& workshop, Finding& finding) override;

@@ -1,6 +1,7 @@
-// Progress: who wants to know how far the work is.
+// Progress: who wants to know how far the work is, and how long it took.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace mjcourse {
@@ -12,6 +13,14 @@ class Progress {
   virtual void plan(std::size_t tasks) = 0;
   virtual void begin(const std::string& what) = 0;  // "compile and run l1_2_…"; not of what is kept
   virtual void end(const std::string& what) = 0;    // of every task
+};
+
+// When a task was worked on, in seconds since the first began; measured.
+struct TaskTime {
+  std::string what;
+  std::size_t thread = 0;
+  double begin = 0, seconds = 0;
+  bool reused = false;
 };
 
 }  // namespace mjcourse

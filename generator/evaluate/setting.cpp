@@ -5,17 +5,19 @@
 namespace mjcourse {
 
 Setting::Setting(const Course& course, std::filesystem::path root, const Files& assets,
-                 std::filesystem::path helper, std::shared_ptr<KnownScripts> scripts)
+                 std::filesystem::path helper, std::optional<std::filesystem::path> prepared,
+                 std::shared_ptr<KnownScripts> scripts)
     : course_(course),
       root_(std::move(root)),
       assets_(assets),
       helper_(std::move(helper)),
+      prepared_(std::move(prepared)),
       scripts_(std::move(scripts)),
       shown_(shown_programs(course)) {}
 
 const std::optional<Compiler>& Setting::compiler() const {
   const std::lock_guard lock(mutex_);
-  if (!compiler_) compiler_ = Compiler::find(helper_);
+  if (!compiler_) compiler_ = Compiler::find(include_folders(), prepared_);
   return *compiler_;
 }
 

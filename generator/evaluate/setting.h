@@ -20,9 +20,10 @@ namespace mjcourse {
 class Setting {
  public:
   // `root` is the course's folder on the disk; `assets` holds script/*.js; `helper` is where the
-  // helper header is for a course without one. All must outlive this.
+  // helper header is for a course without one; `prepared` is where what programs share is kept, and
+  // without it nothing is. All must outlive this.
   Setting(const Course& course, std::filesystem::path root, const Files& assets,
-          std::filesystem::path helper = {},
+          std::filesystem::path helper = {}, std::optional<std::filesystem::path> prepared = {},
           std::shared_ptr<KnownScripts> scripts = std::make_shared<KnownScripts>());
 
   const Course& course() const { return course_; }
@@ -50,6 +51,7 @@ class Setting {
   std::filesystem::path root_;
   const Files& assets_;
   std::filesystem::path helper_;
+  std::optional<std::filesystem::path> prepared_;
   std::shared_ptr<KnownScripts> scripts_;
   ShownPrograms shown_;
   Reports reports_;

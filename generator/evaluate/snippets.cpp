@@ -75,9 +75,8 @@ std::vector<Placed> snippets_of(const Lesson& lesson) {
 // Each function opens on the line of its fence and closes on that of the fence's end, so every line
 // of the program belongs to a snippet.
 std::string program_text(const std::vector<Placed>& snippets, const Lesson& lesson,
-                         bool has_helper) {
-  std::string text = kPrelude;
-  if (has_helper) text += kHelper;
+                         const IncludeFolders& include) {
+  std::string text = snippets_prelude(include);
   std::string table;
   for (std::size_t i = 0; i < snippets.size(); ++i) {
     const std::string name = "snippet_" + std::to_string(i);
@@ -155,6 +154,12 @@ fs::path model_file(const Snippet& snippet, const Course& course, const fs::path
 
 }  // namespace
 
+std::string snippets_prelude(const IncludeFolders& include) {
+  std::string text = kPrelude;
+  if (!folder_with(kHelperHeader, include).empty()) text += kHelper;
+  return text;
+}
+
 std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, Workshop& workshop,
                                                        Diagnostics& diagnostics) {
   const std::vector<Placed> snippets = snippets_of(lesson);
@@ -167,9 +172,8 @@ std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, Wor
   }
   const TemporaryFolder folder;
   const fs::path source = folder.path() / "snippets.cpp", binary = folder.path() / "snippets";
-  const bool has_helper = !folder_with(kHelperHeader, workshop.setting().include_folders()).empty();
-  write_file(source, program_text(snippets, lesson, has_helper));
-  const Compiled compiled = compiler->compile(source, root / "examples", binary, folder.path());
+  write_file(source, program_text(snippets, lesson, workshop.setting().include_folders()));
+  const Compiled compiled = compiler->compile(source, binary, folder.path());
   trace_compilation(compiled, folder.path(), workshop);
   report_messages(compiled, snippets, lesson, diagnostics);
   std::map<std::size_t, ExampleResult> results;

@@ -14,6 +14,9 @@ namespace mjcourse {
 
 // By their blocks; only of those that did what they should. A model that is wrong is not reported
 // here.
+// What their program includes.
+std::string snippets_prelude(const IncludeFolders& include);
+
 std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, Workshop& workshop,
                                                        Diagnostics& diagnostics);
 

@@ -8,6 +8,7 @@
 
 #include "evaluate/compiled_recipe.h"
 #include "evaluate/snippets.h"
+#include "evaluate/warm_header.h"
 
 namespace mjcourse {
 
@@ -25,6 +26,11 @@ Dependencies SnippetsTask::recipe(const Setting& setting) const {
                              snippet->shown, std::to_string(snippet->seconds)});
   }
   return compiled_recipe(setting, "snippets", text, false);
+}
+
+std::vector<std::string> SnippetsTask::warm_roots(const Setting& setting) const {
+  const IncludeFolders include = setting.include_folders();
+  return mjcourse::warm_roots(snippets_prelude(include), include);
 }
 
 bool SnippetsTask::work(Workshop& workshop, Finding& finding) {

@@ -13,6 +13,8 @@ class SnippetsTask : public Task {
 
   std::vector<std::size_t> blocks() const override;
   double effort() const override { return 1; }
+  bool compiles() const override { return true; }
+  std::vector<std::string> warm_roots(const Setting& setting) const override;
   Dependencies recipe(const Setting& setting) const override;
   bool work(Workshop& workshop, Finding& finding) override;
 };

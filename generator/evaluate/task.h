@@ -37,6 +37,10 @@ class Task {
   virtual std::string name() const { return what_; }
   // Must all programs have been run?
   virtual bool quotes() const { return false; }
+  // Is anything compiled?
+  virtual bool compiles() const { return false; }
+  // What it will compile includes these (warm_header.h); known once it was prepared.
+  virtual std::vector<std::string> warm_roots(const Setting&) const { return {}; }
   // Are models drawn?
   virtual bool draws() const { return false; }
   // About how many seconds of work: the longest begins first.

@@ -1,6 +1,7 @@
 #include "evaluate/task_queue.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "evaluate/program_task.h"
@@ -14,15 +15,17 @@ bool is_program(const Task& task) {
 
 }  // namespace
 
-TaskQueue::TaskQueue(const Tasks& tasks, const Blocks& first, std::function<void()> publish)
-    : tasks_(tasks), publish_(std::move(publish)) {
+TaskQueue::TaskQueue(const Tasks& tasks, const Blocks& first, std::size_t headers,
+                     std::function<void()> publish)
+    : tasks_(tasks), publish_(std::move(publish)), headers_(headers) {
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     list_of(tasks[i]->quotes() ? held_ : ready_, i).push_back(i);
     programs_ += is_program(*tasks[i]) ? 1 : 0;
     const bool is_first = first.contains({tasks[i]->lesson().source->path(), tasks[i]->block()});
     weights_.push_back({is_first, tasks[i]->effort()});
   }
-  for (auto* list : {&ready_.drawn, &ready_.others, &held_.drawn, &held_.others}) {
+  for (auto* list : {&ready_.drawn, &ready_.compiled, &ready_.others, &held_.drawn, &held_.compiled,
+                     &held_.others}) {
     std::stable_sort(list->rbegin(), list->rend(),
                      [&](std::size_t a, std::size_t b) { return weights_[a] > weights_[b]; });
   }
@@ -30,25 +33,31 @@ TaskQueue::TaskQueue(const Tasks& tasks, const Blocks& first, std::function<void
 }
 
 std::vector<std::size_t>& TaskQueue::list_of(Ready& tasks, std::size_t task) const {
-  return tasks_[task]->draws() ? tasks.drawn : tasks.others;
+  if (tasks_[task]->draws()) return tasks.drawn;
+  return tasks_[task]->compiles() ? tasks.compiled : tasks.others;
 }
 
 void TaskQueue::release() {
   publish_();
   // What was held back is behind what is ready, and quick: those who wait are few.
   ready_.drawn.insert(ready_.drawn.begin(), held_.drawn.begin(), held_.drawn.end());
+  ready_.compiled.insert(ready_.compiled.begin(), held_.compiled.begin(), held_.compiled.end());
   ready_.others.insert(ready_.others.begin(), held_.others.begin(), held_.others.end());
   held_ = {};
   changed_.notify_all();
 }
 
 std::vector<std::size_t>& TaskQueue::next_list() {
-  auto& [drawn, others] = ready_;
-  if (drawn.empty()) return others;
-  if (others.empty()) return drawn;
-  const bool drawn_first = weights_[drawn.back()].first;
-  if (drawn_first != weights_[others.back()].first) return drawn_first ? drawn : others;
-  return drawing_ == 0 ? drawn : others;
+  // From the best to the one that has to wait for something else.
+  std::vector<std::vector<std::size_t>*> lists{&ready_.drawn, &ready_.compiled, &ready_.others};
+  std::erase_if(lists, [](const auto* list) { return list->empty(); });
+  const auto waits = [&](const auto* list) {
+    return (list == &ready_.drawn && drawing_ > 0) || (list == &ready_.compiled && headers_ > 0);
+  };
+  return **std::ranges::max_element(lists, {}, [&](const auto* list) {
+    const Weight& weight = weights_[list->back()];
+    return std::tuple(weight.first, !waits(list), list == &ready_.drawn, weight.effort);
+  });
 }
 
 std::optional<std::size_t> TaskQueue::next() {
@@ -66,6 +75,11 @@ void TaskQueue::finish(std::size_t task) {
   const std::lock_guard lock(mutex_);
   drawing_ -= tasks_[task]->draws() ? 1 : 0;
   if (is_program(*tasks_[task]) && --programs_ == 0) release();
+}
+
+void TaskQueue::finish_header() {
+  const std::lock_guard lock(mutex_);
+  --headers_;
 }
 
 void TaskQueue::stop() {

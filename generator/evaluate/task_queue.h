@@ -15,15 +15,19 @@ namespace mjcourse {
 // From any thread. Those of the blocks `first` come before all others, and then the one with the
 // most effort; those that quote are held back until all programs are finished. As long as there is
 // anything else to do, one thread draws and the others do not: llvmpipe fills one picture at a
-// time, and has the others wait.
+// time, and has the others wait. And nothing is compiled while headers are made that would have it
+// compiled sooner.
 class TaskQueue {
  public:
-  // `publish` is called once, on one of the threads, before the first task that quotes is given.
-  TaskQueue(const Tasks& tasks, const Blocks& first, std::function<void()> publish);
+  // `headers` are being made, and finish. `publish` is called once, on one of the threads, before
+  // the first task that quotes is given.
+  TaskQueue(const Tasks& tasks, const Blocks& first, std::size_t headers,
+            std::function<void()> publish);
 
   // Waits where there is none yet; nothing where there is none any more.
   std::optional<std::size_t> next();
   void finish(std::size_t task);
+  void finish_header();
   // Something went wrong: nobody gets another.
   void stop();
 
@@ -35,8 +39,8 @@ class TaskQueue {
   };
   // The next one last.
   struct Ready {
-    std::vector<std::size_t> drawn, others;
-    bool empty() const { return drawn.empty() && others.empty(); }
+    std::vector<std::size_t> drawn, compiled, others;
+    bool empty() const { return drawn.empty() && compiled.empty() && others.empty(); }
   };
 
   std::vector<std::size_t>& list_of(Ready& tasks, std::size_t task) const;
@@ -51,6 +55,7 @@ class TaskQueue {
   Ready ready_, held_;
   std::size_t programs_ = 0;  // not finished
   std::size_t drawing_ = 0;   // given, and not finished
+  std::size_t headers_ = 0;   // not finished
 };
 
 }  // namespace mjcourse

@@ -51,7 +51,11 @@ std::optional<Toolchain> Toolchain::find() {
 std::vector<std::string> Toolchain::command(bool optimize, const IncludeFolders& include) const {
   std::vector<std::string> words{compiler, level(optimize)};
   words.insert(words.end(), kFlags.begin(), kFlags.end());
-  for (const std::filesystem::path& folder : include) words.push_back("-I" + folder.string());
+  for (const std::filesystem::path& folder : include) {
+    words.push_back("-I" + folder.string());
+    // What __FILE__ is in a header depends neither on where a course lies nor on a warm header.
+    words.push_back("-fmacro-prefix-map=" + folder.string() + "=examples/include");
+  }
   return words;
 }
 

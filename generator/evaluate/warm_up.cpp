@@ -25,9 +25,11 @@ void warm_up(const Course& course, const Workplace& workplace) {
     }
   }
   if (all.empty()) return;
-  const std::optional<Compiler> compiler = Compiler::find(workplace.helper);
+  const std::optional<Compiler> compiler = Compiler::find(include, workplace.prepared);
   if (!compiler) return;
-  for (const std::vector<std::string>& roots : all) compiler->prepare(roots, examples);
+  for (const std::vector<std::string>& roots : all) {
+    if (!compiler->has_header(roots)) compiler->make_header(roots, Warmth::quick);
+  }
 }
 
 }  // namespace mjcourse

@@ -6,8 +6,9 @@
 
 namespace mjcourse {
 
-// The warm headers (warm_header.h) of the course's programs, where they are not there yet; seconds
-// each. Throws Cancelled when the caller's work is cancelled.
+// The warm headers (warm_objects.h) of the course's programs, where they are not there yet; quick
+// ones, as an author edits one program at a time. Throws Cancelled when the caller's work is
+// cancelled.
 void warm_up(const Course& course, const Workplace& workplace);
 
 }  // namespace mjcourse

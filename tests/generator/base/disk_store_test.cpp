@@ -110,6 +110,18 @@ TEST_F(DiskStoreTest, ForgetsWhatWasNotUsedForLongest) {
   EXPECT_TRUE(fs::is_empty(folder() / "tmp"));
 }
 
+TEST_F(DiskStoreTest, CountsWhatProgramsShare) {
+  write_file(prepared_folder(folder()) / "a/entry/header.pch", std::string(8192, 'a'));
+  write_file(prepared_folder(folder()) / "b/entry/header.pch", std::string(8192, 'b'));
+  for (const char* name : {"a", "b"}) write_file(prepared_folder(folder()) / name / "current", "");
+  age(prepared_folder(folder()) / "a/current", std::chrono::hours(1));
+  const std::uintmax_t all = prune_store(folder(), UINT64_MAX, true)->bytes_left;
+  EXPECT_GE(all, 16384);
+  EXPECT_EQ(prune_store(folder(), all - 1, true)->entries, 1);
+  EXPECT_FALSE(fs::exists(prepared_folder(folder()) / "a"));
+  EXPECT_TRUE(fs::exists(prepared_folder(folder()) / "b/entry/header.pch"));
+}
+
 TEST_F(DiskStoreTest, IsNotPrunedWhileItIsUsed) {
   DiskStore store(folder());
   put_blob(store, "a picture");

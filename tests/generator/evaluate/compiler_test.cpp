@@ -11,6 +11,7 @@
 #include "base/files.h"
 #include "base/subprocess.h"
 #include "base/temporary_folder.h"
+#include "evaluate/warm_header.h"
 
 namespace mjcourse {
 namespace {
@@ -31,10 +32,13 @@ class CompilerTest : public testing::Test {
     write_file(include() / "kit/kit.h", "#pragma once\n#include <stdio.h>\n" + text);
   }
 
-  // Each compiler is a new run's.
-  Compiled compile(const std::string& program, bool with_cache = true, bool optimize = false) {
-    const Compiler compiler(Toolchain::find().value(),
+  // Each compiler is a new run's, which first makes the warm header where there is none.
+  Compiled compile(const std::string& program, bool with_cache = true, bool optimize = false,
+                   Warmth warmth = Warmth::thorough) {
+    const Compiler compiler(Toolchain::find().value(), {include()},
                             with_cache ? std::optional(cache()) : std::nullopt);
+    const std::vector<std::string> roots = warm_roots(program, {include()});
+    if (with_cache && !compiler.has_header(roots)) compiler.make_header(roots, warmth);
     return compile_with(compiler, program, optimize);
   }
   Compiled compile_with(const Compiler& compiler, const std::string& program,
@@ -42,8 +46,7 @@ class CompilerTest : public testing::Test {
     const TemporaryFolder work;
     const fs::path source = work.path() / "a.cpp", binary = work.path() / "a";
     write_file(source, "#line 1 \"a.cpp\"\n" + program);
-    Compiled compiled =
-        compiler.compile(source, folder_.path() / "course/examples", binary, work.path(), optimize);
+    Compiled compiled = compiler.compile(source, binary, work.path(), optimize);
     if (compiled.succeeded) {
       Command command;
       command.arguments = {binary.string()};
@@ -92,6 +95,57 @@ TEST_F(CompilerTest, CompilesTheSameWithAWarmHeaderAndWithout) {
   EXPECT_FALSE(plain.handlers);
   EXPECT_EQ(exit_code_, 14);
   EXPECT_EQ(all_dependencies(warm), all_dependencies(plain));
+}
+
+TEST_F(CompilerTest, CompilesTheSameWithAQuickHeader) {
+  const Compiled quick = compile(kTwice, true, false, Warmth::quick);
+  EXPECT_EQ(quick.raw, "");
+  EXPECT_TRUE(quick.header);
+  EXPECT_FALSE(fs::exists(quick.header->folder / "header.o"));
+  EXPECT_EQ(exit_code_, 14);
+  EXPECT_EQ(all_dependencies(quick), all_dependencies(compile(kTwice, false)));
+}
+
+TEST_F(CompilerTest, WaitsForNoHeader) {
+  const Compiler compiler(Toolchain::find().value(), {include()}, cache());
+  EXPECT_FALSE(compiler.has_header({"kit/kit.h"}));
+  const Compiled compiled = compile_with(compiler, kTwice);
+  EXPECT_FALSE(compiled.header);
+  EXPECT_EQ(exit_code_, 14);
+  EXPECT_TRUE(headers().empty());
+}
+
+// Another checkout has the same headers elsewhere.
+TEST_F(CompilerTest, SharesAHeaderWithACourseThatLiesElsewhere) {
+  ASSERT_TRUE(compile(kTwice).header);
+  const fs::path moved = folder_.path() / "moved/include";
+  fs::create_directory(moved.parent_path());
+  fs::rename(include(), moved);
+  const Compiler compiler(Toolchain::find().value(), {moved}, cache());
+  const Compiled compiled = compile_with(compiler, kTwice);
+  EXPECT_EQ(compiled.raw, "");
+  ASSERT_TRUE(compiled.header);
+  EXPECT_EQ(compiled.header->inputs[0], (moved / "kit/kit.h").string());
+  EXPECT_EQ(compiled.handlers->inputs[0], (moved / "mjcourse/handlers.cpp").string());
+  EXPECT_EQ(exit_code_, 14);
+  EXPECT_EQ(headers().size(), 1U);
+  for (const fs::path& header : headers()) {
+    const std::string bytes = DiskFiles("").read(header.string()).value();
+    EXPECT_EQ(bytes.find(folder_.path().string()), bytes.npos);
+  }
+}
+
+// What a program prints of its place is the same with a warm header, and wherever the course lies.
+TEST_F(CompilerTest, NamesTheFileOfAHeaderAlike) {
+  write_kit(
+      "inline int is_path(const char* path) {\n"
+      "  return __builtin_strcmp(path, \"examples/include/kit/kit.h\") == 0;\n}\n"
+      "inline const char* here() { return __FILE__; }\n");
+  const std::string program = "#include <kit/kit.h>\nint main() { return is_path(here()); }\n";
+  for (const bool warm : {true, false}) {
+    EXPECT_EQ(compile(program, warm).header != nullptr, warm);
+    EXPECT_EQ(exit_code_, 1) << warm;
+  }
 }
 
 TEST_F(CompilerTest, WarmsWhateverOfEigenAProgramIncludes) {
@@ -161,10 +215,14 @@ TEST_F(CompilerTest, SeesThatAHeaderChanged) {
   write_kit("inline int twice(int x) { return 2 * x + 1; }\n");
   EXPECT_TRUE(compile(kTwice).header);
   EXPECT_EQ(exit_code_, 15);
-  EXPECT_EQ(headers().size(), 1U);  // the old one is gone
+  EXPECT_EQ(headers().size(), 2U);
+  write_kit("inline int twice(int x) { return 2 * x; }\n");
+  EXPECT_TRUE(compile(kTwice).header);
+  EXPECT_EQ(exit_code_, 14);
+  EXPECT_EQ(headers().size(), 2U);  // who undoes an edit has the first one again
   write_file(include() / "mjcourse/handlers.cpp", "extern int handled;\nint handled = 8;\n");
   compile(kTwice);
-  EXPECT_EQ(exit_code_, 17);
+  EXPECT_EQ(exit_code_, 16);
 }
 
 TEST_F(CompilerTest, SeesThatAHeaderHidesAnother) {
@@ -221,7 +279,8 @@ TEST_F(CompilerTest, FindsTheToolsHelperHeaderForACourseWithoutOne) {
       "#include <mjcourse/mjcourse.hpp>\n#include <kit/kit.h>\n"
       "extern int handled;\nint main() { return thrice(handled) + twice(1); }\n";
   for (const std::optional<fs::path>& kept : {std::optional(cache()), std::optional<fs::path>()}) {
-    const Compiler compiler(Toolchain::find().value(), kept, helper);
+    const Compiler compiler(Toolchain::find().value(), {include(), helper}, kept);
+    compiler.make_header({"mjcourse/mjcourse.hpp", "kit/kit.h"}, Warmth::quick);
     const Compiled compiled = compile_with(compiler, program);
     EXPECT_EQ(compiled.raw, "");
     EXPECT_EQ(exit_code_, 17);
@@ -241,13 +300,14 @@ TEST_F(CompilerTest, MakesOneHeaderForAllThatWantIt) {
   std::vector<Compiled> compiled(4);
   // Two processes of two threads each, as far as locks are concerned.
   const Toolchain toolchain = Toolchain::find().value();
-  const std::vector<Compiler> compilers{Compiler(toolchain, cache()), Compiler(toolchain, cache())};
+  const std::vector<Compiler> compilers{Compiler(toolchain, {include()}, cache()),
+                                        Compiler(toolchain, {include()}, cache())};
   for (std::size_t i = 0; i < compiled.size(); ++i) {
     threads.emplace_back([&, i] {
       const TemporaryFolder work;
       write_file(work.path() / "a.cpp", kTwice);
-      compiled[i] = compilers[i % 2].compile(work.path() / "a.cpp", include().parent_path(),
-                                             work.path() / "a", work.path());
+      compilers[i % 2].make_header({"kit/kit.h"}, Warmth::thorough);
+      compiled[i] = compilers[i % 2].compile(work.path() / "a.cpp", work.path() / "a", work.path());
     });
   }
   threads.clear();

@@ -20,7 +20,8 @@ class PreparedFilesTest : public testing::Test {
   // The bytes of the entry, which are the input's and `more`; asked for in a new run.
   std::string get(const std::string& request, const std::string& more = "",
                   std::uintmax_t most_bytes = 1000) {
-    PreparedFiles files(cache_, most_bytes);
+    PreparedFiles files(
+        cache_, [](const std::string& name) { return name; }, most_bytes);
     const auto entry = files.get(request, [&](const fs::path&, const fs::path& staging) {
       ++made_;
       write_file(staging / "a", bytes(input_) + more);
@@ -52,6 +53,31 @@ TEST_F(PreparedFilesTest, AreMadeOnceForOneInput) {
   write_file(input_, "2");
   EXPECT_EQ(get("x"), "2");
   EXPECT_EQ(made_, 2);
+}
+
+TEST_F(PreparedFilesTest, AreFoundByWhoDoesNotMakeThem) {
+  EXPECT_FALSE(PreparedFiles(cache_).find("x"));
+  EXPECT_EQ(get("x"), "1");
+  PreparedFiles files(cache_);
+  EXPECT_EQ(bytes(files.find("x")->folder / "a"), "1");
+  write_file(input_, "2");
+  EXPECT_FALSE(PreparedFiles(cache_).find("x"));
+  EXPECT_TRUE(files.find("x"));  // in one run, all is compiled with the same
+}
+
+TEST_F(PreparedFilesTest, AreFoundWhereInputsLieElsewhere) {
+  const PreparedFiles::Make make = [](const fs::path&, const fs::path& staging) {
+    write_file(staging / "a", "");
+    return PreparedFiles::Made{true, {"/virtual/input"}};
+  };
+  const auto find = [&](const fs::path& place) {
+    PreparedFiles files(cache_, [&](const std::string&) { return place.string(); });
+    return files.get("x", make);
+  };
+  EXPECT_EQ(find(input_)->inputs, std::vector{input_.string()});
+  const fs::path moved = folder_.path() / "moved";
+  fs::rename(input_, moved);
+  EXPECT_EQ(find(moved)->inputs, std::vector{moved.string()});
 }
 
 TEST_F(PreparedFilesTest, AreNotTriedAgainWhereTheInputsDoNotGiveThem) {

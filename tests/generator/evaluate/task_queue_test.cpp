@@ -7,7 +7,7 @@
 namespace mjcourse {
 namespace {
 
-enum class Kind { plain, quoting, drawing };
+enum class Kind { plain, quoting, drawing, compiling };
 
 class Work : public Task {
  public:
@@ -15,6 +15,7 @@ class Work : public Task {
       : Task(lesson, 0, block, "work"), effort_(effort), kind_(kind) {}
   bool quotes() const override { return kind_ == Kind::quoting; }
   bool draws() const override { return kind_ == Kind::drawing; }
+  bool compiles() const override { return kind_ == Kind::compiling; }
   double effort() const override { return effort_; }
   Dependencies recipe(const Setting&) const override { return {}; }
   bool work(Workshop&, Finding&) override { return true; }
@@ -30,7 +31,7 @@ class TaskQueueTest : public testing::Test {
     tasks_.push_back(std::make_unique<Work>(*reading_.lesson, tasks_.size(), effort, kind));
   }
   std::vector<std::size_t> order(const Blocks& first = {}) {
-    TaskQueue queue(tasks_, first, [] {});
+    TaskQueue queue(tasks_, first, 0, [] {});
     std::vector<std::size_t> order;
     while (const auto next = queue.next()) order.push_back(*next);
     return order;
@@ -60,7 +61,7 @@ TEST_F(TaskQueueTest, PutsWhatQuotesBehindTheRest) {
 TEST_F(TaskQueueTest, LetsOneThreadDrawAsLongAsThereIsAnythingElse) {
   for (const double effort : {1, 3, 2}) add(effort, Kind::drawing);
   for (const double effort : {4, 5}) add(effort);
-  TaskQueue queue(tasks_, {}, [] {});
+  TaskQueue queue(tasks_, {}, 0, [] {});
   EXPECT_EQ(queue.next(), 1);  // the longest that draws
   EXPECT_EQ(queue.next(), 4);
   queue.finish(1);
@@ -82,6 +83,23 @@ TEST_F(TaskQueueTest, DrawsFirstWhatSomebodyWaitsFor) {
   add(1, Kind::drawing);
   add(2, Kind::drawing);
   EXPECT_EQ(order({{reading_.lesson->source->path(), 1}}), (std::vector<std::size_t>{1, 0, 2}));
+}
+
+TEST_F(TaskQueueTest, CompilesLastWhileAHeaderIsMade) {
+  for (const double effort : {5, 4}) add(effort, Kind::compiling);
+  for (const double effort : {1, 2}) add(effort);
+  TaskQueue queue(tasks_, {}, 1, [] {});
+  EXPECT_EQ(queue.next(), 3);
+  queue.finish_header();
+  EXPECT_EQ(queue.next(), 0);
+  EXPECT_EQ(queue.next(), 1);
+  EXPECT_EQ(queue.next(), 2);
+}
+
+TEST_F(TaskQueueTest, CompilesWithoutAHeaderWhereNothingElseIsToBeDone) {
+  add(1, Kind::compiling);
+  TaskQueue queue(tasks_, {}, 1, [] {});
+  EXPECT_EQ(queue.next(), 0);
 }
 
 }  // namespace
