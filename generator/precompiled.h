@@ -1,4 +1,5 @@
-// What nearly every source of the generator includes of others, compiled once (CMake: MJCOURSE_QUICK).
+// What nearly every source of the generator includes of others, compiled once where CMake's
+// MJCOURSE_QUICK is on.
 //
 // No source includes it, and none relies on it: each names what it uses, and trees without
 // MJCOURSE_QUICK, those of clang-tidy and of a debugger, are built without it.

@@ -1,13 +1,13 @@
 // README's tables name every package that the project installs, and no other; and the lock file
 // names packages, not the registry that some machine took them from.
 //
-//   node tests/dependencies.mjs
+//   node tests/lint/dependencies.mjs
 
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-const read = (name) => readFileSync(new URL(`../${name}`, import.meta.url), "utf8");
+const read = (name) => readFileSync(new URL(`../../${name}`, import.meta.url), "utf8");
 
 // The names in the first column of the tables that begin with `| HEADING | why |`.
 function tableOf(heading) {

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # Every source is formatted, and eslint finds nothing in the scripts.
 #
-#   tests/format.sh NODE
+#   tests/lint/format.sh NODE
 set -uo pipefail
-cd "$(dirname "$0")/.."
+cd "$(dirname "$0")/../.."
 node=$1
 failed=0
 

@@ -1,7 +1,7 @@
 # The arrows between the folders of the generator run one way: a folder includes its own headers, and
 # those of the folders that are named for it here.
 #
-#   cmake -DGENERATOR=generator -P tests/include_direction.cmake
+#   cmake -DGENERATOR=generator -P tests/lint/include_direction.cmake
 cmake_minimum_required(VERSION 3.25)
 
 set(base)

@@ -1,6 +1,6 @@
 // clang-tidy over the generator, by the repository's .clang-tidy.
 //
-//   node tests/tidy/run.mjs BUILD PLUGIN
+//   node tests/lint/tidy/run.mjs BUILD PLUGIN
 //
 //   BUILD    the folder with compile_commands.json
 //   PLUGIN   own_code.cpp, compiled
@@ -13,10 +13,10 @@ import { existsSync, readFileSync } from "node:fs";
 import { availableParallelism } from "node:os";
 import { join, relative, resolve } from "node:path";
 
-import { Stamps } from "../stamps.mjs";
+import { Stamps } from "../../stamps.mjs";
 
 const tidy = "clang-tidy-16";
-const root = resolve(import.meta.dirname, "../..");
+const root = resolve(import.meta.dirname, "../../..");
 const generator = join(root, "generator");
 const [build, plugin] = process.argv.slice(2).map((path) => resolve(path));
 const stamps = new Stamps("tidy");
