@@ -8,18 +8,17 @@
 // A file takes seconds, so one in which nothing was found is not looked at again before it, a
 // header of ours that it includes, its flags or .clang-tidy change.
 
-import { execFile, execFileSync } from "node:child_process";
+import { execFileSync } from "node:child_process";
 import { existsSync, readFileSync } from "node:fs";
-import { availableParallelism } from "node:os";
 import { join, relative, resolve } from "node:path";
 
 import { Stamps } from "../../stamps.mjs";
+import { complaintsOf, lookAt } from "../look.mjs";
 
 const tidy = "clang-tidy-16";
 const root = resolve(import.meta.dirname, "../../..");
 const generator = join(root, "generator");
 const [build, plugin] = process.argv.slice(2).map((path) => resolve(path));
-const stamps = new Stamps("tidy");
 // The flags are g++'s, and may name warnings that clang does not know.
 const flags = ["--quiet", "--extra-arg=-Wno-unknown-warning-option"];
 
@@ -46,32 +45,12 @@ function stampOf({ file, command }) {
   return Stamps.of(tool, command.replaceAll(root, "."), ...texts);
 }
 
-// What clang-tidy says about one file; "" for nothing.
-function findings(file) {
-  return new Promise((resolved) => {
-    execFile(tidy, ["-load", plugin, "-p", build, ...flags, file], (error, stdout, stderr) => {
-      resolved(error ? stdout + stderr : "");
-    });
-  });
-}
-
 const commands = JSON.parse(readFileSync(join(build, "compile_commands.json"), "utf8"));
 const tasks = commands
   .filter(({ file }) => file.startsWith(generator))
-  .map((command) => ({ file: command.file, stamp: stampOf(command) }));
-const waiting = tasks.filter(({ stamp }) => !stamps.has(stamp));
-const looked = waiting.length;
-
-let failed = 0;
-async function work() {
-  for (let task = waiting.shift(); task; task = waiting.shift()) {
-    const found = await findings(task.file);
-    if (found === "") stamps.put(task.stamp, relative(root, task.file));
-    else ++failed;
-    process.stdout.write(found);
-  }
-}
-await Promise.all(Array.from({ length: availableParallelism() }, work));
-
-console.log(`${tasks.length} files, ${looked} looked at, findings in ${failed}`);
-process.exitCode = failed > 0 || tasks.length === 0 ? 1 : 0;
+  .map((command) => ({
+    name: relative(root, command.file),
+    stamp: stampOf(command),
+    look: () => complaintsOf(tidy, ["-load", plugin, "-p", build, ...flags, command.file]),
+  }));
+await lookAt(new Stamps("tidy"), tasks);
