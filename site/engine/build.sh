@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
-# Build MuJoCo for the browser, or take what an earlier run built: build.sh OUT
+# Build MuJoCo for the browser, or take what an earlier run built: build.sh [OUT]
 #
 #   OUT/engine.mjs, OUT/engine.wasm   the engine
 #   OUT/licenses/                     of all that is in it
+#
+# Without OUT it is built for a later run.
 #
 # The key of a result is a hash of everything it is made from, and the result is kept under it in
 # ${XDG_CACHE_HOME:-~/.cache}/mjcourse/engine, the tarballs beside it. Each is made aside and renamed,
@@ -10,7 +12,7 @@
 # tarballs cannot be had, OUT is left empty and a warning says why: labs then stay pictures.
 set -euo pipefail
 
-out=$1
+out=${1:-}
 here=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
 generator=$here/../../generator
 cache=${XDG_CACHE_HOME:-$HOME/.cache}/mjcourse/engine
@@ -24,8 +26,8 @@ give_up() {
 
 lines_of() { sed 's/#.*//; /^[[:space:]]*$/d' "$1"; }
 
-rm -rf "$out"
-mkdir -p "$out" "$cache/tarballs"
+mkdir -p "$cache/tarballs"
+[ -z "$out" ] || { rm -rf "$out" && mkdir -p "$out"; }
 [ -f "$toolchain" ] || give_up "emscripten is not installed"
 exec 8>"$cache/.lock"
 flock 8
@@ -73,4 +75,4 @@ if [ ! -d "$result" ]; then
   done < <(lines_of "$here/licenses.txt")
   mv -T "$work/result" "$result"
 fi
-cp -r "$result/." "$out"
+[ -z "$out" ] || cp -r "$result/." "$out"
