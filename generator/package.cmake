@@ -22,6 +22,6 @@ set(CPACK_DEBIAN_PACKAGE_SECTION education)
 # the compilers in the order in which they are looked for.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
-    "clang-16 | clang-14 | clang | g++, binutils, libmujoco-dev, libeigen3-dev, ffmpeg")
+    "clang-16 | clang-19 | clang-14 | clang | g++, binutils, libmujoco-dev, libeigen3-dev, ffmpeg")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "clang-16, mold, git")
 include(CPack)

@@ -67,7 +67,11 @@ test("the Debian package has the same, and says what it needs", () => {
       needs.join(),
     );
   }
-  for (const wanted of ["clang-16 | clang-14 | clang | g++", "libmujoco-dev", "ffmpeg"]) {
+  for (const wanted of [
+    "clang-16 | clang-19 | clang-14 | clang | g++",
+    "libmujoco-dev",
+    "ffmpeg",
+  ]) {
     assert.ok(needs.includes(wanted), needs.join());
   }
   run("dpkg-deb", "--extract", deb, "extracted");

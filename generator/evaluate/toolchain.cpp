@@ -38,7 +38,7 @@ std::string short_version(const std::string& name, const std::string& line) {
 std::optional<Toolchain> Toolchain::find() {
   std::optional<std::filesystem::path> cache = user_cache_folder();
   if (cache) *cache /= "tools";
-  for (const char* name : {"clang++-16", "clang++-14", "clang++", "g++"}) {
+  for (const char* name : {"clang++-16", "clang++-19", "clang++-14", "clang++", "g++"}) {
     const std::optional<std::string> line = tool_version(name, cache);
     if (!line) continue;
     const std::optional<std::string> mold = tool_version("mold", cache);

@@ -18,7 +18,7 @@ struct Toolchain {
   std::string linker;        // of mold where it is installed, else of the system's
   bool has_mold = false;
 
-  // The first of clang++-16, clang++-14, clang++, g++ that is installed; nothing when none is.
+  // The first of clang++-16, -19 and -14, clang++ and g++ that is installed; nothing when none is.
   static std::optional<Toolchain> find();
 
   bool is_clang() const { return compiler.starts_with("clang"); }
