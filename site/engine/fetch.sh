@@ -2,8 +2,8 @@
 # Bring a file of a Debian source package: fetch.sh PACKAGE FILE FOLDER
 #
 # It comes from wherever the machine's own apt takes its packages, by a private configuration beside
-# the system's: the same sources, asked for source packages. What arrives is not checked here. Fails
-# when apt cannot bring it.
+# the system's: the same sources, asked for source packages, and for those of Debian 12, which has all
+# of sources.txt. What arrives is not checked here. Fails when apt cannot bring it.
 set -euo pipefail
 
 package=$1 file=$2 folder=$3
@@ -21,6 +21,10 @@ for source in "$parts"/*.sources; do
   [ ! -f "$source" ] || sed 's/^Types:.*/Types: deb-src/' "$source" \
     >"$private/sources.list.d/${source##*/}"
 done
+
+# A later release's sources lie where Debian 12's do.
+release=$(sed -n 's/^VERSION_CODENAME=//p' /etc/os-release)
+find "$private" -type f -exec sed -i "s/\b${release:-bookworm}\b/bookworm/g" {} +
 
 export APT_CONFIG=$private/apt.conf
 cat >"$APT_CONFIG" <<CONF
