@@ -24,6 +24,9 @@ constexpr std::array<std::string_view, 12> kSystemFolders{"/usr",    "/lib",  "/
                                                           "/libx32", "/bin",  "/sbin",  "/opt",
                                                           "/etc",    "/proc", "/sys",   "/dev"};
 
+// A device that Mesa 25 tries when a program draws, and does without where it may not.
+constexpr std::string_view kTriedDevice = "/dev/udmabuf";
+
 std::vector<std::string> real_paths(const std::vector<std::string>& paths) {
   std::vector<std::string> real;
   for (const std::string& path : paths) {
@@ -190,6 +193,7 @@ Watcher::Reply Watcher::decide_on_path(const seccomp_notif& question, const Path
   if (looks) return {};
   const bool writes = access == FileAccess::write;
   if (may(normal, writes)) return {};
+  if (normal == kTriedDevice) return {Answer::fail, EACCES};
   return refuse((writes ? "write " : "read ") + *text);
 }
 

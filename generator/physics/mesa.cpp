@@ -10,7 +10,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kCache = "MESA_SHADER_CACHE_DIR";
 constexpr const char* kFolder = "mesa_shader_cache";  // which Mesa makes in it
-constexpr const char* kThreads = "LP_NUM_THREADS";    // besides the one that draws
+// From 24 on it makes that only where it is told to; else it is one file, which cannot be lent.
+constexpr const char* kManyFiles = "MESA_DISK_CACHE_MULTI_FILE";
+constexpr const char* kThreads = "LP_NUM_THREADS";  // besides the one that draws
 
 }  // namespace
 
@@ -18,13 +20,15 @@ void set_up_mesa(const std::optional<fs::path>& cache) {
   setenv(kThreads, "0", 0);
   if (!cache) return;
   setenv(kCache, cache->c_str(), 0);
+  setenv(kManyFiles, "1", 0);
   setenv("MESA_SHADER_CACHE_MAX_SIZE", "64M", 0);
 }
 
 LentShaders lend_shaders_to(const fs::path& folder) {
   LentShaders lent{{},
                    folder / kFolder,
-                   {std::string(kCache) + "=" + folder.string(), std::string(kThreads) + "=0"}};
+                   {std::string(kCache) + "=" + folder.string(), std::string(kManyFiles) + "=1",
+                    std::string(kThreads) + "=0"}};
   fs::create_directories(lent.own);
   const char* kept = std::getenv(kCache);
   std::error_code none;

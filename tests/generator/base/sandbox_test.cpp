@@ -123,6 +123,12 @@ TEST_F(SandboxTest, StopsALinkThatLeadsOutside) {
   }
 }
 
+// Mesa tries this by itself where it draws.
+TEST_F(SandboxTest, DeniesADeviceThatAProgramCanDoWithout) {
+  const Outcome outcome = run(watched("echo x >/dev/udmabuf || echo denied"));
+  EXPECT_EQ(outcome.out, "denied\n") << outcome.refused;
+}
+
 TEST_F(SandboxTest, StopsWhoWritesOutside) {
   const std::string shared = "/dev/shm/" + folder_.path().filename().string();
   for (const std::string& path :
