@@ -81,7 +81,8 @@ std::filesystem::path assets_folder() {
 Workplace workplace_of(const Options& options, const Files& assets, Store* store) {
   Workplace workplace{options.course, assets, store, options.jobs,
                       assets_folder() / "examples" / "include"};
-  if (store != nullptr) workplace.prepared = prepared_folder(store_folder(options.store));
+  const std::filesystem::path folder = store_folder(options.store);
+  if (store != nullptr && !folder.empty()) workplace.prepared = prepared_folder(folder);
   return workplace;
 }
 

@@ -116,6 +116,10 @@ Compiler::Compiler(Toolchain toolchain, IncludeFolders include, std::optional<fs
       include_(std::move(include)),
       warm_(std::make_shared<WarmObjects>(toolchain_, std::move(prepared), include_)) {}
 
+bool Compiler::makes_headers() const {
+  return warm_->makes_headers();
+}
+
 bool Compiler::has_header(const std::vector<std::string>& roots) const {
   return warm_->header(roots) != nullptr;
 }

@@ -57,8 +57,9 @@ class Compiler {
   // the flags (compile_flags).
   const Toolchain& toolchain() const { return toolchain_; }
 
-  // The headers that programs with these roots (warm_header.h) share: is a compiled one at hand,
-  // and make one, which takes a second and up to half a minute.
+  // The headers that programs with these roots (warm_header.h) share: can this compiler make and
+  // keep one, is one at hand, and make one, which takes a second and up to half a minute.
+  bool makes_headers() const;
   bool has_header(const std::vector<std::string>& roots) const;
   void make_header(const std::vector<std::string>& roots, Warmth warmth) const;
 

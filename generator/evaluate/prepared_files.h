@@ -48,6 +48,8 @@ class PreparedFiles {
       std::uintmax_t most_bytes = std::uintmax_t{1} << 30)
       : folder_(std::move(folder)), true_path_(std::move(true_path)), most_bytes_(most_bytes) {}
 
+  bool keeps() const { return folder_.has_value(); }
+
   // The entry, where it was made before, by whomever; null where it was not, or cannot be had. From
   // any thread; waits for nobody who makes it.
   std::shared_ptr<const Entry> find(const std::string& request);

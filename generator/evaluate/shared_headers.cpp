@@ -18,15 +18,14 @@ std::string SharedHeaders::Header::what() const {
 
 SharedHeaders::SharedHeaders(const Setting& setting, const std::vector<const Task*>& waiting)
     : setting_(setting) {
+  if (waiting.empty() || !setting.compiler() || !setting.compiler()->makes_headers()) return;
   std::map<std::vector<std::string>, std::size_t> programs;
   for (const Task* task : waiting) {
     const std::vector<std::string> roots = task->warm_roots(setting);
     if (!roots.empty()) ++programs[roots];
   }
   for (const auto& [roots, count] : programs) {
-    if (count < kFewPrograms || !setting.compiler() || setting.compiler()->has_header(roots)) {
-      continue;
-    }
+    if (count < kFewPrograms || setting.compiler()->has_header(roots)) continue;
     headers_.push_back({roots, count < kManyPrograms ? Warmth::quick : Warmth::thorough, count});
   }
 }

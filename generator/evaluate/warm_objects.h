@@ -39,6 +39,7 @@ class WarmObjects {
 
   const CourseHeaders& headers() const { return headers_; }
 
+  bool makes_headers() const { return toolchain_.is_clang() && prepared_.keeps(); }
   // header.pch of what these includes bring, and of a thorough one header.o; the best that was made
   // before. Null where there is none, and each program compiles it all.
   Entry header(const std::vector<std::string>& roots);

@@ -26,7 +26,7 @@ void warm_up(const Course& course, const Workplace& workplace) {
   }
   if (all.empty()) return;
   const std::optional<Compiler> compiler = Compiler::find(include, workplace.prepared);
-  if (!compiler) return;
+  if (!compiler || !compiler->makes_headers()) return;
   for (const std::vector<std::string>& roots : all) {
     if (!compiler->has_header(roots)) compiler->make_header(roots, Warmth::quick);
   }

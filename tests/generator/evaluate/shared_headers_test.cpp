@@ -63,6 +63,12 @@ TEST_F(SharedHeadersTest, AreThoroughForMany) {
   EXPECT_EQ(headers_for({{{"vector"}, 40}}).at(0).warmth, Warmth::thorough);
 }
 
+TEST_F(SharedHeadersTest, AreNotMadeWhereTheyCannotBeKept) {
+  const Setting setting(*course_.course, folder_.path(), assets_);
+  const ProgramOf program(course_.course->lessons[0], {"vector"});
+  EXPECT_EQ(SharedHeaders(setting, {&program, &program}).size(), 0);
+}
+
 TEST_F(SharedHeadersTest, AreMadeOnce) {
   SharedHeaders headers(setting_, {});
   headers.make({{"vector"}, Warmth::quick, 2});
