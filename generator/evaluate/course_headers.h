@@ -1,9 +1,9 @@
 // CourseHeaders: a course's own headers under names that are the same wherever the course lies.
 //
 // A compiled header knows the path of each file that went into it, so one that was made of a course
-// in one folder would be of no use to the same course in another. A compiler that makes one, and
-// each that uses it, is therefore shown the include folders at a place of ours, by a virtual file
-// system (clang's -ivfsoverlay). There, the headers of two checkouts are the same files.
+// in one folder would be of no use to the same course in another. So the compiler that makes one,
+// and each that uses it, sees the include folders under fixed names, through a virtual file system
+// (clang's -ivfsoverlay). Under these, the headers of two checkouts are the same files.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Progress: who wants to know how far the work is, and how long it took.
+// Progress: what is told of the work as it goes on, and how long each piece of it took.
 #pragma once
 
 #include <cstddef>
