@@ -1,5 +1,6 @@
 #include "evaluate/compiled_recipe.h"
 
+#include "base/sandbox.h"
 #include "evaluate/recipe.h"
 
 namespace mjcourse {
@@ -49,7 +50,10 @@ Dependencies compiled_recipe(const Setting& setting, const std::string& kind,
 void trace_compilation(const Compiled& compiled, const fs::path& folder, Workshop& workshop) {
   Trace& trace = workshop.trace();
   if (!compiled.dependencies) return trace.unknown();
-  trace_files(*compiled.dependencies, folder, trace);
+  // Mostly the system's headers, which are the same hundreds behind each program.
+  std::vector<std::string> files = *compiled.dependencies;
+  std::erase_if(files, [&](const std::string& file) { return is_within(file, folder.string()); });
+  trace.files(files);
   for (const WarmObjects::Entry& entry : {compiled.header, compiled.handlers}) {
     if (entry) trace.files(entry->inputs);
   }
