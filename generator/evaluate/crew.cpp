@@ -6,6 +6,7 @@
 
 #include "base/cancellation.h"
 #include "base/parallel.h"
+#include "evaluate/shared_headers.h"
 
 namespace mjcourse {
 
@@ -39,52 +40,43 @@ void Crew::do_task(Task& task, Workshop& workshop, TaskRecord& record) const {
   task.conclude(workshop, record.finding);
 }
 
-void Crew::look_at_programs(const Tasks& tasks, TaskRecords& records) const {
-  std::vector<std::size_t> programs;
+// Look up all that compiles, and make what is worth sharing among those that are still to be.
+void Crew::prepare_programs(const Tasks& tasks, Workshop& workshop, TaskRecords& records,
+                            TaskQueue& queue, const Stopwatch& stopwatch) {
+  std::vector<const Task*> waiting;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    if (tasks[i]->compiles()) programs.push_back(i);
-  }
-  const std::stop_token stop = cancellation();
-  for_each_index(programs.size(), threads_, [&](std::size_t index, std::size_t) {
-    const Cancellable cancellable(stop);
+    if (!tasks[i]->compiles()) continue;
     end_if_cancelled();
-    Workshop workshop(setting_);
-    look(*tasks[programs[index]], workshop, records[programs[index]]);
-  });
-}
-
-void Crew::make_headers(SharedHeaders& headers, std::size_t thread, const Stopwatch& stopwatch,
-                        TaskQueue& queue) {
-  while (const std::optional<SharedHeaders::Header> header = headers.next()) {
-    const double begin = stopwatch.seconds();
-    progress_.begin(header->what());
-    headers.make(*header);
-    progress_.end(header->what());
-    queue.finish_header();
-    const std::lock_guard lock(mutex_);
-    header_times_.push_back({header->what(), thread, begin, stopwatch.seconds() - begin});
+    look(*tasks[i], workshop, records[i]);
+    if (records[i].waiting) waiting.push_back(tasks[i].get());
   }
+  queue.programs_known();
+  if (effort_ == Effort::looks) waiting.clear();
+  const std::vector<SharedHeader> headers = shared_headers(setting_, waiting);
+  progress_.plan(tasks.size() + headers.size());
+  for (const SharedHeader& header : headers) {
+    const double begin = stopwatch.seconds();
+    progress_.begin(header.what());
+    setting_.compiler()->make_header(header.roots, header.warmth);
+    progress_.end(header.what());
+    header_times_.push_back({header.what(), 0, begin, stopwatch.seconds() - begin});
+  }
+  queue.headers_made();
 }
 
 TaskRecords Crew::run(const Tasks& tasks, const Blocks& first,
                       const std::function<void(const TaskRecords&)>& publish) {
   TaskRecords records(tasks.size());
+  TaskQueue queue(tasks, first, [&] { publish(records); });
+  progress_.plan(tasks.size());
   const Stopwatch stopwatch;
-  look_at_programs(tasks, records);
-  std::vector<const Task*> waiting;
-  for (std::size_t i = 0; i < tasks.size() && effort_ == Effort::all; ++i) {
-    if (records[i].looked && records[i].waiting) waiting.push_back(tasks[i].get());
-  }
-  SharedHeaders headers(setting_, waiting);
-  progress_.plan(tasks.size() + headers.size());
-  TaskQueue queue(tasks, first, headers.size(), [&] { publish(records); });
   const std::stop_token stop = cancellation();
   const std::size_t threads = std::min(threads_, tasks.size());
   for_each_index(threads, threads, [&](std::size_t thread, std::size_t) {
     const Cancellable cancellable(stop);
     try {
-      make_headers(headers, thread, stopwatch, queue);
       Workshop workshop(setting_);
+      if (thread == 0) prepare_programs(tasks, workshop, records, queue, stopwatch);
       while (const std::optional<std::size_t> next = queue.next()) {
         TaskRecord& record = records[*next];
         record.thread = thread;

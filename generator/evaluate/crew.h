@@ -1,23 +1,21 @@
 // Crew: the tasks of a course, worked off on several threads.
 //
 // Steps of a task: it is prepared; its finding is looked up among those that were kept, or else
-// worked out, and kept if it is whole and came without a word; it is concluded. What compiles is
-// looked up first of all, so that it is known which programs are to come, and one thread may make
-// what they share (shared_headers.h). The task with the most work begins first; those that quote
-// programs wait until all programs have been run. A crew
-// that only looks does not work: what was not kept stays open, and with it all that quotes. What
-// always holds: findings do not depend on the number of threads, nor on which of them were kept.
+// worked out, and kept if it is whole and came without a word; it is concluded. One thread first
+// looks up all that compiles, so that it is known which programs are to come, and makes what they
+// share (shared_headers.h). The task with the most work begins first; those that quote programs
+// wait until all programs have been run. A crew that only looks does not work: what was not kept
+// stays open, and with it all that quotes. What always holds: findings do not depend on the number
+// of threads, nor on which of them were kept.
 #pragma once
 
 #include <functional>
-#include <mutex>
 #include <vector>
 
 #include "base/stopwatch.h"
 #include "evaluate/archive.h"
 #include "evaluate/plan.h"
 #include "evaluate/progress.h"
-#include "evaluate/shared_headers.h"
 #include "evaluate/task_queue.h"
 
 namespace mjcourse {
@@ -50,16 +48,14 @@ class Crew {
  private:
   void look(Task& task, Workshop& workshop, TaskRecord& record) const;
   void do_task(Task& task, Workshop& workshop, TaskRecord& record) const;
-  void look_at_programs(const Tasks& tasks, TaskRecords& records) const;
-  void make_headers(SharedHeaders& headers, std::size_t thread, const Stopwatch& stopwatch,
-                    TaskQueue& queue);
+  void prepare_programs(const Tasks& tasks, Workshop& workshop, TaskRecords& records,
+                        TaskQueue& queue, const Stopwatch& stopwatch);
 
   const Setting& setting_;
   Archive* archive_;
   Progress& progress_;
   std::size_t threads_;
   Effort effort_;
-  std::mutex mutex_;  // of the times
   std::vector<TaskTime> header_times_;
 };
 

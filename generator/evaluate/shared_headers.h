@@ -1,4 +1,4 @@
-// SharedHeaders: the warm headers (warm_objects.h) that are worth making for the programs to come.
+// Which warm headers (warm_objects.h) are worth making for the programs to come.
 //
 // A program is compiled plainly where there is no warm header, and at once. To make one pays from
 // the second program on that has the same headers, and a thorough one from some forty on: of the
@@ -7,8 +7,6 @@
 #pragma once
 
 #include <cstddef>
-#include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,28 +15,16 @@
 
 namespace mjcourse {
 
-class SharedHeaders {
- public:
-  struct Header {
-    std::vector<std::string> roots;
-    Warmth warmth = Warmth::quick;
-    std::size_t programs = 0;  // that will be compiled with it
+struct SharedHeader {
+  std::vector<std::string> roots;
+  Warmth warmth = Warmth::quick;
+  std::size_t programs = 0;  // that will be compiled with it
 
-    std::string what() const;  // "compile once what 12 programs include"
-  };
-
-  // `waiting` are the tasks that are to be worked on. `setting` must outlive this.
-  SharedHeaders(const Setting& setting, const std::vector<const Task*>& waiting);
-
-  std::size_t size() const { return headers_.size(); }
-  // One that nobody makes yet; nothing where there is none any more. From any thread.
-  std::optional<Header> next();
-  void make(const Header& header) const;
-
- private:
-  const Setting& setting_;
-  std::mutex mutex_;
-  std::vector<Header> headers_;
+  std::string what() const;  // "compile once what 12 programs include"
 };
+
+// Of the tasks that are `waiting` to be worked on, those that nobody made before.
+std::vector<SharedHeader> shared_headers(const Setting& setting,
+                                         const std::vector<const Task*>& waiting);
 
 }  // namespace mjcourse

@@ -15,9 +15,8 @@ bool is_program(const Task& task) {
 
 }  // namespace
 
-TaskQueue::TaskQueue(const Tasks& tasks, const Blocks& first, std::size_t headers,
-                     std::function<void()> publish)
-    : tasks_(tasks), publish_(std::move(publish)), headers_(headers) {
+TaskQueue::TaskQueue(const Tasks& tasks, const Blocks& first, std::function<void()> publish)
+    : tasks_(tasks), publish_(std::move(publish)) {
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     list_of(tasks[i]->quotes() ? held_ : ready_, i).push_back(i);
     programs_ += is_program(*tasks[i]) ? 1 : 0;
@@ -47,26 +46,42 @@ void TaskQueue::release() {
   changed_.notify_all();
 }
 
-std::vector<std::size_t>& TaskQueue::next_list() {
-  // From the best to the one that has to wait for something else.
-  std::vector<std::vector<std::size_t>*> lists{&ready_.drawn, &ready_.compiled, &ready_.others};
+std::vector<std::size_t>* TaskQueue::next_list() {
+  auto& [drawn, compiled, others] = ready_;
+  std::vector<std::vector<std::size_t>*> lists{&drawn, &others};
+  if (compiling_ != Programs::held) lists.push_back(&compiled);
   std::erase_if(lists, [](const auto* list) { return list->empty(); });
+  if (lists.empty()) return nullptr;
   const auto waits = [&](const auto* list) {
-    return (list == &ready_.drawn && drawing_ > 0) || (list == &ready_.compiled && headers_ > 0);
+    return (list == &drawn && drawing_ > 0) || (list == &compiled && compiling_ != Programs::usual);
   };
-  return **std::ranges::max_element(lists, {}, [&](const auto* list) {
+  return *std::ranges::max_element(lists, {}, [&](const auto* list) {
     const Weight& weight = weights_[list->back()];
-    return std::tuple(weight.first, !waits(list), list == &ready_.drawn, weight.effort);
+    return std::tuple(weight.first, !waits(list), list == &drawn, weight.effort);
   });
+}
+
+void TaskQueue::programs_known() {
+  const std::lock_guard lock(mutex_);
+  compiling_ = Programs::last;
+  changed_.notify_all();
+}
+
+void TaskQueue::headers_made() {
+  const std::lock_guard lock(mutex_);
+  compiling_ = Programs::usual;
 }
 
 std::optional<std::size_t> TaskQueue::next() {
   std::unique_lock lock(mutex_);
-  changed_.wait(lock, [this] { return !ready_.empty() || held_.empty(); });
-  if (ready_.empty()) return std::nullopt;
-  std::vector<std::size_t>& list = next_list();
-  const std::size_t task = list.back();
-  list.pop_back();
+  std::vector<std::size_t>* list = nullptr;
+  changed_.wait(lock, [&] {
+    list = next_list();
+    return list != nullptr || (ready_.empty() && held_.empty());
+  });
+  if (list == nullptr) return std::nullopt;
+  const std::size_t task = list->back();
+  list->pop_back();
   drawing_ += tasks_[task]->draws() ? 1 : 0;
   return task;
 }
@@ -75,11 +90,6 @@ void TaskQueue::finish(std::size_t task) {
   const std::lock_guard lock(mutex_);
   drawing_ -= tasks_[task]->draws() ? 1 : 0;
   if (is_program(*tasks_[task]) && --programs_ == 0) release();
-}
-
-void TaskQueue::finish_header() {
-  const std::lock_guard lock(mutex_);
-  --headers_;
 }
 
 void TaskQueue::stop() {

@@ -15,19 +15,21 @@ namespace mjcourse {
 // From any thread. Those of the blocks `first` come before all others, and then the one with the
 // most effort; those that quote are held back until all programs are finished. As long as there is
 // anything else to do, one thread draws and the others do not: llvmpipe fills one picture at a
-// time, and has the others wait. And nothing is compiled while headers are made that would have it
-// compiled sooner.
+// time, and has the others wait. What compiles is held back until it is known how much of it there
+// is, and while a header is made that would have it compiled sooner, it comes last.
 class TaskQueue {
  public:
-  // `headers` are being made, and finish. `publish` is called once, on one of the threads, before
-  // the first task that quotes is given.
-  TaskQueue(const Tasks& tasks, const Blocks& first, std::size_t headers,
-            std::function<void()> publish);
+  // `publish` is called once, on one of the threads, before the first task that quotes is given.
+  TaskQueue(const Tasks& tasks, const Blocks& first, std::function<void()> publish);
+
+  // What compiles may be given, where there is nothing else.
+  void programs_known();
+  // What compiles is like all else.
+  void headers_made();
 
   // Waits where there is none yet; nothing where there is none any more.
   std::optional<std::size_t> next();
   void finish(std::size_t task);
-  void finish_header();
   // Something went wrong: nobody gets another.
   void stop();
 
@@ -44,7 +46,8 @@ class TaskQueue {
   };
 
   std::vector<std::size_t>& list_of(Ready& tasks, std::size_t task) const;
-  std::vector<std::size_t>& next_list();
+  // The list whose last task is next; null where none is to be had now.
+  std::vector<std::size_t>* next_list();
   void release();
 
   const Tasks& tasks_;
@@ -55,7 +58,7 @@ class TaskQueue {
   Ready ready_, held_;
   std::size_t programs_ = 0;  // not finished
   std::size_t drawing_ = 0;   // given, and not finished
-  std::size_t headers_ = 0;   // not finished
+  enum class Programs { held, last, usual } compiling_ = Programs::held;
 };
 
 }  // namespace mjcourse

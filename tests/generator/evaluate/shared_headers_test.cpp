@@ -24,7 +24,7 @@ class ProgramOf : public Task {
 class SharedHeadersTest : public testing::Test {
  protected:
   // What is worth making for so many programs with these roots.
-  std::vector<SharedHeaders::Header> headers_for(
+  std::vector<SharedHeader> headers_for(
       const std::map<std::vector<std::string>, std::size_t>& programs) {
     std::vector<std::unique_ptr<Task>> tasks;
     std::vector<const Task*> waiting;
@@ -34,10 +34,7 @@ class SharedHeadersTest : public testing::Test {
         waiting.push_back(tasks.back().get());
       }
     }
-    SharedHeaders headers(setting_, waiting);
-    std::vector<SharedHeaders::Header> all;
-    while (auto header = headers.next()) all.push_back(*std::move(header));
-    return all;
+    return shared_headers(setting_, waiting);
   }
 
   TemporaryFolder folder_;
@@ -66,12 +63,11 @@ TEST_F(SharedHeadersTest, AreThoroughForMany) {
 TEST_F(SharedHeadersTest, AreNotMadeWhereTheyCannotBeKept) {
   const Setting setting(*course_.course, folder_.path(), assets_);
   const ProgramOf program(course_.course->lessons[0], {"vector"});
-  EXPECT_EQ(SharedHeaders(setting, {&program, &program}).size(), 0);
+  EXPECT_TRUE(shared_headers(setting, {&program, &program}).empty());
 }
 
 TEST_F(SharedHeadersTest, AreMadeOnce) {
-  SharedHeaders headers(setting_, {});
-  headers.make({{"vector"}, Warmth::quick, 2});
+  setting_.compiler()->make_header({"vector"}, Warmth::quick);
   EXPECT_TRUE(headers_for({{{"vector"}, 100}}).empty());
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "reading_of.h"
 
 namespace mjcourse {
@@ -31,7 +33,7 @@ class TaskQueueTest : public testing::Test {
     tasks_.push_back(std::make_unique<Work>(*reading_.lesson, tasks_.size(), effort, kind));
   }
   std::vector<std::size_t> order(const Blocks& first = {}) {
-    TaskQueue queue(tasks_, first, 0, [] {});
+    TaskQueue queue(tasks_, first, [] {});
     std::vector<std::size_t> order;
     while (const auto next = queue.next()) order.push_back(*next);
     return order;
@@ -61,7 +63,7 @@ TEST_F(TaskQueueTest, PutsWhatQuotesBehindTheRest) {
 TEST_F(TaskQueueTest, LetsOneThreadDrawAsLongAsThereIsAnythingElse) {
   for (const double effort : {1, 3, 2}) add(effort, Kind::drawing);
   for (const double effort : {4, 5}) add(effort);
-  TaskQueue queue(tasks_, {}, 0, [] {});
+  TaskQueue queue(tasks_, {}, [] {});
   EXPECT_EQ(queue.next(), 1);  // the longest that draws
   EXPECT_EQ(queue.next(), 4);
   queue.finish(1);
@@ -85,12 +87,14 @@ TEST_F(TaskQueueTest, DrawsFirstWhatSomebodyWaitsFor) {
   EXPECT_EQ(order({{reading_.lesson->source->path(), 1}}), (std::vector<std::size_t>{1, 0, 2}));
 }
 
-TEST_F(TaskQueueTest, CompilesLastWhileAHeaderIsMade) {
+TEST_F(TaskQueueTest, CompilesLastUntilHeadersAreMade) {
   for (const double effort : {5, 4}) add(effort, Kind::compiling);
-  for (const double effort : {1, 2}) add(effort);
-  TaskQueue queue(tasks_, {}, 1, [] {});
+  for (const double effort : {1, 2, 3}) add(effort);
+  TaskQueue queue(tasks_, {}, [] {});
+  EXPECT_EQ(queue.next(), 4);
+  queue.programs_known();
   EXPECT_EQ(queue.next(), 3);
-  queue.finish_header();
+  queue.headers_made();
   EXPECT_EQ(queue.next(), 0);
   EXPECT_EQ(queue.next(), 1);
   EXPECT_EQ(queue.next(), 2);
@@ -98,8 +102,31 @@ TEST_F(TaskQueueTest, CompilesLastWhileAHeaderIsMade) {
 
 TEST_F(TaskQueueTest, CompilesWithoutAHeaderWhereNothingElseIsToBeDone) {
   add(1, Kind::compiling);
-  TaskQueue queue(tasks_, {}, 1, [] {});
+  TaskQueue queue(tasks_, {}, [] {});
+  queue.programs_known();
   EXPECT_EQ(queue.next(), 0);
+}
+
+TEST_F(TaskQueueTest, WaitsUntilProgramsAreKnown) {
+  add(1, Kind::compiling);
+  TaskQueue queue(tasks_, {}, [] {});
+  std::optional<std::size_t> next;
+  {
+    const std::jthread waits([&] { next = queue.next(); });
+    queue.programs_known();
+  }
+  EXPECT_EQ(next, 0);
+}
+
+TEST_F(TaskQueueTest, LetsThoseGoThatWaitWhereSomethingWentWrong) {
+  add(1, Kind::compiling);
+  TaskQueue queue(tasks_, {}, [] {});
+  std::optional<std::size_t> next = 5;
+  {
+    const std::jthread waits([&] { next = queue.next(); });
+    queue.stop();
+  }
+  EXPECT_EQ(next, std::nullopt);
 }
 
 }  // namespace
