@@ -13,8 +13,6 @@
 namespace mjcourse {
 namespace {
 
-constexpr double kFigureScriptLimit = 5;  // seconds of CPU time for the script
-
 // A part of a state as an example records it, and where a simulation has it.
 struct Part {
   const char* name;
@@ -67,7 +65,7 @@ bool restore(const Figure::Snapshot& from, const Figure& figure, Simulation& sim
 }
 
 bool run_script(const LocatedText& script, Simulation& simulation, const Bench& bench) {
-  World world(bench.workshop().world_bundle(), simulation, kFigureScriptLimit);
+  World world(bench.workshop().world_bundle(), simulation);
   const auto done = world.run(script.text);
   if (!done) return bench.error(done.error(), script);
   simulation.forward();

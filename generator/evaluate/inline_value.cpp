@@ -14,8 +14,6 @@
 namespace mjcourse {
 namespace {
 
-constexpr double kExpressionLimit = 5;  // seconds of CPU time for one expression
-
 bool is_whole(double x) {
   return x == std::floor(x) && std::abs(x) < 1e15;
 }
@@ -59,7 +57,7 @@ class Quotation {
   std::optional<ValueResult> of_model() {
     auto simulation = workshop_.simulate(value_.source, *lesson_.source, diagnostics_);
     if (!simulation) return std::nullopt;
-    World world(workshop_.world_bundle(), *simulation, kExpressionLimit);
+    World world(workshop_.world_bundle(), *simulation);
     const auto found = world.value(value_.expression.text);
     if (!found) {
       diagnostics_.push_back(script_diagnostic(found.error(), value_.expression, *lesson_.source));

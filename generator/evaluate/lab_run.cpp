@@ -11,8 +11,6 @@
 namespace mjcourse {
 namespace {
 
-constexpr double kLabScriptLimit = 5;  // seconds of CPU time for one script
-
 // The script of the author's that makes the control do its work; empty for a slider and a keyframe.
 struct ScriptOf {
   const ControlValue& value;
@@ -53,8 +51,7 @@ struct ValueAtStart {
 }  // namespace
 
 LabRun::Actor::Actor(const LabBench& bench, Simulation loaded)
-    : simulation(std::move(loaded)),
-      world(bench.workshop().world_bundle(), simulation, kLabScriptLimit) {}
+    : simulation(std::move(loaded)), world(bench.workshop().world_bundle(), simulation) {}
 
 std::unique_ptr<LabRun::Actor> LabRun::load(const LabBench& bench, const LocatedText& model) {
   std::optional<Simulation> simulation = bench.simulate(model);

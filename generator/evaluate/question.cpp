@@ -15,8 +15,6 @@
 namespace mjcourse {
 namespace {
 
-constexpr double kQuestionScriptLimit = 5;  // seconds of CPU time for one script
-
 // Binary doubles hold few decimals exactly: numbers this near to each other are the same.
 double rounding(double value) {
   return 1e-12 * std::max(1.0, std::abs(value));
@@ -97,7 +95,7 @@ std::optional<double> Examiner::find_value(const Proof& proof) {
   }
   std::optional<Simulation> simulation = build(proof);
   if (!simulation) return std::nullopt;
-  World world(workshop_.world_bundle(), *simulation, kQuestionScriptLimit);
+  World world(workshop_.world_bundle(), *simulation);
   const auto value = world.number(Program{proof.run.text, proof.seconds, proof.value.text});
   if (value) return *value;
   script_error(value.error(), proof, proof.value);
@@ -142,7 +140,7 @@ bool Examiner::prove_options(const Proof& proof, QuestionResult& result) {
   for (std::size_t i = 0; i < proof.options.size(); ++i) {
     std::optional<Simulation> simulation = build(proof);  // a fresh state for each option
     if (!simulation) return false;
-    World world(workshop_.world_bundle(), *simulation, kQuestionScriptLimit);
+    World world(workshop_.world_bundle(), *simulation);
     const auto holds = world.truth(Program{proof.run.text, proof.seconds, proof.options[i].text});
     if (!holds) return script_error(holds.error(), proof, proof.options[i]);
     if (*holds) holding.push_back(i);
@@ -178,7 +176,7 @@ std::optional<std::vector<double>> Examiner::find_values(const Proof& proof) {
   for (const LocatedText& expression : proof.values) {
     std::optional<Simulation> simulation = build(proof);  // a fresh state for each item
     if (!simulation) return std::nullopt;
-    World world(workshop_.world_bundle(), *simulation, kQuestionScriptLimit);
+    World world(workshop_.world_bundle(), *simulation);
     const auto value = world.number(Program{proof.run.text, proof.seconds, expression.text});
     if (!value) {
       script_error(value.error(), proof, expression);

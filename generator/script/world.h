@@ -36,7 +36,7 @@ class World {
   // `bundle` is the text of script/world.js. The simulation, its model and its data must outlive
   // the world. `time_limit` is in seconds of CPU time and holds for each call; the `seconds` of a
   // Program do not count.
-  World(const std::string& bundle, Simulation& simulation, double time_limit = 10);
+  World(const std::string& bundle, Simulation& simulation, double time_limit = 5);
   ~World();
   World(World&&) noexcept;
   World& operator=(World&&) noexcept;
