@@ -47,17 +47,16 @@ void TaskQueue::release() {
 }
 
 std::vector<std::size_t>* TaskQueue::next_list() {
-  auto& [drawn, compiled, others] = ready_;
-  std::vector<std::vector<std::size_t>*> lists{&drawn, &others};
-  if (compiling_ != Programs::held) lists.push_back(&compiled);
+  std::vector<std::vector<std::size_t>*> lists{&ready_.drawn, &ready_.others};
+  if (compiling_ != Programs::held) lists.push_back(&ready_.compiled);
   std::erase_if(lists, [](const auto* list) { return list->empty(); });
   if (lists.empty()) return nullptr;
-  const auto waits = [&](const auto* list) {
-    return (list == &drawn && drawing_ > 0) || (list == &compiled && compiling_ != Programs::usual);
-  };
-  return *std::ranges::max_element(lists, {}, [&](const auto* list) {
+  return *std::ranges::max_element(lists, {}, [this](const auto* list) {
+    const bool draws = list == &ready_.drawn;
+    const bool compiles = list == &ready_.compiled;
+    const bool waits = (draws && drawing_ > 0) || (compiles && compiling_ != Programs::usual);
     const Weight& weight = weights_[list->back()];
-    return std::tuple(weight.first, !waits(list), list == &drawn, weight.effort);
+    return std::tuple(weight.first, !waits, draws, weight.effort);
   });
 }
 
