@@ -6,6 +6,7 @@ const quiet = [
   "--no-sandbox",
   "--use-angle=swiftshader", // WebGL without a graphics card
   "--enable-unsafe-swiftshader",
+  "--disable-gpu-rasterization", // without a card it is the slower way
   "--disable-quic",
   "--no-first-run",
   "--disable-background-networking",

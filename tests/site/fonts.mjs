@@ -10,8 +10,10 @@ function unfold() {
   for (const details of document.querySelectorAll("details")) details.open = true;
 }
 
-// For each family that a page declares from a file: what became of its faces.
+// For each family that a page declares from a file: what became of its faces. Those that are wanted are
+// asked for in the next frame.
 async function faces() {
+  for (let frame = 0; frame < 2; ++frame) await new Promise(requestAnimationFrame);
   await document.fonts.ready;
   return [...document.fonts].map(({ family, status }) => ({
     family: family.replaceAll('"', ""),
@@ -65,7 +67,6 @@ await testSite(async (visitor) => {
   for (const path of pages) {
     await visitor.visit(path, {}, async (page) => {
       await page.evaluate(unfold);
-      await page.waitForLoadState("networkidle");
       const all = await page.evaluate(faces);
       const loaded = new Set(all.filter((f) => f.status === "loaded").map((f) => f.family));
       for (const selector of ["body", "h1", ".prose p", "pre code", ".katex .mathnormal"]) {
