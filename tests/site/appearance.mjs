@@ -6,13 +6,7 @@
 //
 // Of what differs, the picture and the difference are left in SITE-appearance/.
 
-import {
-  existsSync,
-  mkdirSync,
-  readFileSync,
-  rmSync,
-  writeFileSync,
-} from "node:fs";
+import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 import pixelmatch from "../../site/node_modules/pixelmatch/index.js";
@@ -58,12 +52,10 @@ const looks = {
 };
 
 // It asks for the site's files in the folders above as well (missing.mjs).
-const before = (kind) => (page) =>
-  kind === "missing" && page.removeAllListeners();
+const before = (kind) => (page) => kind === "missing" && page.removeAllListeners();
 
 async function open(page, kind) {
-  if (kind === "finding")
-    await page.locator(".search-result").first().waitFor();
+  if (kind === "finding") await page.locator(".search-result").first().waitFor();
   if (kind !== "search") return;
   await page.keyboard.press("/");
   await page.getByRole("combobox").fill("pendulum");
@@ -73,13 +65,10 @@ async function open(page, kind) {
 // All pictures are there, also those far below, and all fonts; and what another processor computes
 // otherwise, the keys of claims, is not.
 async function complete() {
-  for (const key of document.querySelectorAll(".claim-place code"))
-    key.textContent = "key";
+  for (const key of document.querySelectorAll(".claim-place code")) key.textContent = "key";
   const pictures = [...document.images];
   for (const picture of pictures) picture.loading = "eager";
-  await Promise.all(
-    pictures.map((picture) => picture.decode().catch(() => {})),
-  );
+  await Promise.all(pictures.map((picture) => picture.decode().catch(() => {})));
   await document.fonts.ready;
 }
 
@@ -115,11 +104,7 @@ async function judge(page, name, settings) {
       continue;
     }
     if (wrong !== "") writeFileSync(join(left, `${name}.png`), bytes);
-    if (difference)
-      writeFileSync(
-        join(left, `${name}-difference.png`),
-        PNG.sync.write(difference),
-      );
+    if (difference) writeFileSync(join(left, `${name}-difference.png`), PNG.sync.write(difference));
     return wrong;
   }
 }
@@ -131,8 +116,7 @@ await testSite(
     for (const [kind, path] of Object.entries(kinds)) {
       if (asked.length > 0 && !asked.includes(kind)) continue;
       for (const [look, { media, ...options }] of Object.entries(looks)) {
-        if ((kind === "document") !== (look === "paper") && kind !== "lesson")
-          continue;
+        if ((kind === "document") !== (look === "paper") && kind !== "lesson") continue;
         const name = `${kind}-${look}`;
         const settings = {
           savesData: true, // a lab would wake, and its clock is not ours

@@ -15,23 +15,18 @@ export const folder = resolve(process.argv[2] ?? "build/release/test-site");
 const files = globSync("**/*.html", { cwd: folder })
   .filter((path) => path !== "404.html")
   .sort();
-const leadsOn = (path) =>
-  readFileSync(join(folder, path), "utf8").includes('http-equiv="refresh"');
+const leadsOn = (path) => readFileSync(join(folder, path), "utf8").includes('http-equiv="refresh"');
 // The course as one document, to be printed, if the site has it. It is all lessons once more, and
 // as large, so only those look at it who ask for it.
 export const documents = files.filter((path) => path === "print.html");
 // The paths of all other pages, below the site's root; and of those that lead on to one of them,
 // where nobody can stay.
-export const pages = files.filter(
-  (path) => !leadsOn(path) && !documents.includes(path),
-);
+export const pages = files.filter((path) => !leadsOn(path) && !documents.includes(path));
 export const movedPages = files.filter(leadsOn);
 
 // The pages that hold `text` in their HTML, so that a test need not open all others.
 export const pagesWith = (text) =>
-  pages.filter((path) =>
-    readFileSync(join(folder, path), "utf8").includes(text),
-  );
+  pages.filter((path) => readFileSync(join(folder, path), "utf8").includes(text));
 
 function saveData() {
   Object.defineProperty(Navigator.prototype, "connection", {
@@ -71,12 +66,7 @@ class Visitor {
   // it. For one who saves data, no lab wakes by itself. `before` is given the page while it is empty; all
   // other options are those of a context.
   async visit(path, options, look) {
-    const {
-      width = 1440,
-      scheme = "light",
-      javaScript = true,
-      ...rest
-    } = options;
+    const { width = 1440, scheme = "light", javaScript = true, ...rest } = options;
     const { savesData = false, before, ...others } = rest;
     const context = await this.#browser.newContext({
       viewport: { width, height: 900 },
@@ -98,24 +88,12 @@ class Visitor {
   }
 
   #watch(page, path) {
-    page.on("console", (message) =>
-      this.complain(path, `console: ${message.text()}`),
-    );
-    page.on("pageerror", (error) =>
-      this.complain(path, `script: ${error.stack}`),
-    );
-    page.on("dialog", (dialog) =>
-      this.complain(path, `dialog: ${dialog.message()}`),
-    );
+    page.on("console", (message) => this.complain(path, `console: ${message.text()}`));
+    page.on("pageerror", (error) => this.complain(path, `script: ${error.stack}`));
+    page.on("dialog", (dialog) => this.complain(path, `dialog: ${dialog.message()}`));
     page.on("request", (request) => {
-      const inside =
-        request.url().startsWith(this.#root) ||
-        request.url().startsWith("data:");
-      this.expect(
-        inside,
-        path,
-        `asks for ${request.url()}, which is outside of the site`,
-      );
+      const inside = request.url().startsWith(this.#root) || request.url().startsWith("data:");
+      this.expect(inside, path, `asks for ${request.url()}, which is outside of the site`);
     });
     page.on("requestfailed", (request) => {
       const reason = request.failure()?.errorText;
@@ -123,11 +101,7 @@ class Visitor {
       this.complain(path, `no answer for ${request.url()}: ${reason}`);
     });
     page.on("response", (response) => {
-      this.expect(
-        response.status() < 400,
-        path,
-        `${response.status()} for ${response.url()}`,
-      );
+      this.expect(response.status() < 400, path, `${response.status()} for ${response.url()}`);
     });
   }
 }
