@@ -103,6 +103,11 @@ int count_columns(std::string_view text) {
   return columns;
 }
 
+std::size_t character_start(std::string_view text, std::size_t at) {
+  while (at > 0 && at < text.size() && is_continuation(text[at])) --at;
+  return std::min(at, text.size());
+}
+
 std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = sequence_length(text.substr(at));
@@ -135,6 +140,23 @@ std::string readable(std::string text) {
     at += std::max<std::size_t>(1, length);
   }
   return line;
+}
+
+std::string utf8_of(std::u16string_view text) {
+  const auto is_half = [&](std::size_t at, char16_t first) {
+    return at < text.size() && (text[at] & 0xFC00) == first;
+  };
+  std::string result;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    std::uint32_t point = text[at];
+    if (is_half(at, 0xD800) && is_half(at + 1, 0xDC00)) {
+      point = 0x10000 + ((point - 0xD800) << 10) + (text[++at] - 0xDC00u);
+    } else if (is_half(at, 0xD800) || is_half(at, 0xDC00)) {
+      point = 0xFFFD;
+    }
+    append_utf8(result, point);
+  }
+  return result;
 }
 
 std::string lower_case_utf8(std::string_view text) {

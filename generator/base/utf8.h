@@ -16,6 +16,9 @@ int count_characters(std::string_view text);
 // an accent that goes onto the letter before it.
 int count_columns(std::string_view text);
 
+// Where the character begins that byte `at` of `text` belongs to; the end of `text` for its end.
+std::size_t character_start(std::string_view text, std::size_t at);
+
 // The offset of the first byte that is not well-formed UTF-8 (RFC 3629: no overlong forms, no
 // surrogates, nothing past U+10FFFF), or nothing when all of `text` is.
 std::optional<std::size_t> find_invalid_utf8(std::string_view text);
@@ -32,6 +35,9 @@ inline bool is_word_character(char c) {
 // `text` as one line that any terminal shows: control characters as C has them (`\n`, `\x1b`), and
 // U+FFFD for each byte that is not UTF-8.
 std::string readable(std::string text);
+
+// UTF-16 as UTF-8, with U+FFFD for each half of a surrogate pair that stands alone.
+std::string utf8_of(std::u16string_view text);
 
 // `text`, which is valid UTF-8, in small letters: what matches whatever its case.
 std::string lower_case_utf8(std::string_view text);

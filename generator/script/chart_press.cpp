@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "script/js_value.h"
+
 namespace mjcourse {
 namespace {
 
@@ -35,7 +37,7 @@ tl::expected<ChartDrawings, std::vector<ChartFault>> ChartPress::draw(const std:
     const ScriptError& error = answer.error();
     return tl::unexpected(std::vector{ChartFault{"E-plot-spec", error.message, "", json::array()}});
   }
-  const json result = json::parse(*answer);
+  const json result = json_of(*answer);
   if (const auto faults = result.find("faults"); faults != result.end()) {
     std::vector<ChartFault> found;
     for (const json& fault : *faults) found.push_back(fault_of(fault));

@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "script/engine.h"
+#include "script/js_value.h"
 
 namespace mjcourse {
 
@@ -13,7 +14,7 @@ std::vector<std::size_t> alphabetical(const std::string& bundle, const std::stri
   engine.load(bundle, "collate.js");
   const auto order = engine.call("collate", {language, nlohmann::json(texts).dump()});
   if (!order) throw std::runtime_error("collate.js: " + order.error().message);
-  return nlohmann::json::parse(*order).get<std::vector<std::size_t>>();
+  return json_of(*order).get<std::vector<std::size_t>>();
 }
 
 }  // namespace mjcourse

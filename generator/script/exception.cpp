@@ -98,6 +98,9 @@ ScriptError explain(const Exception& exception, const std::vector<std::string>& 
     error.id = "E-script-name";
     error.message = "`" + name + "` does not exist";
     error.cure = suggest(name, names);
+  } else if (exception.message.starts_with("Maximum call stack size exceeded")) {
+    error.id = "E-script-throw";
+    error.message = "calls or brackets stand in one another too deep";
   } else {
     error.id = "E-script-throw";
     const bool plain = exception.kind.empty() || exception.kind == "Error";

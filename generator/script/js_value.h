@@ -1,11 +1,13 @@
 // JavaScript values as C++ sees them: a thin layer over JavaScriptCore's C API.
 //
-// Strings are UTF-8 on our side and end at their first NUL. A value lives while a JavaScript
-// variable, this stack or a Protected holds it.
+// Strings are UTF-8 on our side and end at their first NUL. A script's need not be whole: whatever
+// comes out of an engine goes through text_of() or json_of(), which see to that. A value lives
+// while a JavaScript variable, this stack or a Protected holds it.
 #pragma once
 
 #include <JavaScriptCore/JavaScript.h>
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 namespace mjcourse {
@@ -43,8 +45,12 @@ class Protected {
 JSValueRef make_text(JSContextRef context, const std::string& text);
 JSObjectRef make_empty_array(JSContextRef context);
 
-// What String(value) gives; "" where that throws.
+// What String(value) gives; "" where that throws. Half of a surrogate pair becomes U+FFFD.
 std::string text_of(JSContextRef context, JSValueRef value);
+
+// What JSON.stringify() gave, again with U+FFFD for half of a pair. Throws
+// nlohmann::json::exception when it is no JSON.
+nlohmann::json json_of(std::string text);
 
 // `object[name]`; undefined where that throws.
 JSValueRef property(JSContextRef context, JSObjectRef object, const std::string& name);

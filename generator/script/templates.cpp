@@ -3,6 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "script/js_value.h"
+
 namespace mjcourse {
 
 Templates::Templates(const std::string& bundle, const std::map<std::string, std::string>& sources,
@@ -27,7 +29,7 @@ tl::expected<std::string, TemplateError> Templates::render(const std::string& na
     known_.keep(key, *answer);
     return *std::move(answer);
   }
-  const auto result = nlohmann::json::parse(*answer);
+  const auto result = json_of(*answer);
   return tl::unexpected(TemplateError{result.at("name"), result.at("message"), result.at("line")});
 }
 

@@ -154,7 +154,7 @@ tl::expected<bool, ScriptError> World::Parts::truth(const CompiledScript& script
 tl::expected<nlohmann::json, ScriptError> World::Parts::json(const CompiledScript& script,
                                                              JSValueRef value) {
   return convert("asJson", script, value).map([&](JSValueRef converted) {
-    return nlohmann::json::parse(text_of(engine.context(), converted));
+    return json_of(text_of(engine.context(), converted));
   });
 }
 

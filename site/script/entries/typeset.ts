@@ -35,13 +35,21 @@ function describe(tex: string, error: ParseError, macros: Record<string, string>
   // a command out of a macro's text is placed in that text, which the author does not see here
   if (unknown !== undefined && !tex.startsWith(unknown, position)) [position, length] = [0, 0];
   return {
-    message: error.rawMessage
+    message: whole(error.rawMessage, tex, position)
       .replace("LaTeX-incompatible input and strict mode is set to 'error': ", "not LaTeX: ")
-      .replace(/ \[\w+\]$/, ""),
+      .replace(/ \[\w+\]$/, "")
+      .replace(/(Unrecognized Unicode character .*) \(\d+\)$/, "$1"),
     offset: bytes(tex.slice(0, position)),
     length: bytes(tex.slice(position, position + length)),
     cure: unknown === undefined ? "" : suggestCommand(unknown, macros),
   };
+}
+
+/** KaTeX names characters beyond U+FFFF by their first half alone. */
+function whole(message: string, tex: string, position: number): string {
+  return message.replace(/\p{Surrogate}/gu, (half) =>
+    tex.startsWith(half, position) ? String.fromCodePoint(tex.codePointAt(position)!) : "\ufffd",
+  );
 }
 
 /** The command that differs by one slip of the fingers. KaTeX has no list of its commands, but it

@@ -75,5 +75,20 @@ TEST(Utf8, SmallLettersAreThoseOfEveryLanguage) {
   EXPECT_EQ(lower_case_utf8("𝔘 漢字 𐐀"), "𝔘 漢字 𐐨");
 }
 
+TEST(Utf8, IsWholeWhateverUtf16Holds) {
+  EXPECT_EQ(utf8_of(u"aé漢😀"), "aé漢😀");
+  const char16_t high = 0xD83D, low = 0xDE00;
+  EXPECT_EQ(utf8_of(std::u16string{high}), "\uFFFD");
+  EXPECT_EQ(utf8_of(std::u16string{'a', low, high, 'b'}), "a\uFFFD\uFFFDb");
+  EXPECT_EQ(utf8_of(std::u16string{high, high, low}), "\uFFFD😀");
+}
+
+TEST(Utf8, KnowsWhereACharacterBegins) {
+  const std::string text = "a漢";
+  EXPECT_EQ(character_start(text, 0), 0u);
+  for (const std::size_t at : {1u, 2u, 3u}) EXPECT_EQ(character_start(text, at), 1u);
+  for (const std::size_t at : {4u, 9u}) EXPECT_EQ(character_start(text, at), 4u);
+}
+
 }  // namespace
 }  // namespace mjcourse

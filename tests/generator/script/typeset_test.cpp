@@ -89,4 +89,16 @@ TEST_F(TypesetterTest, WhatLatexWouldRefuseIsAnError) {
   EXPECT_EQ(error("\\left( x"), "8+0 Expected '\\right', got 'EOF' | ");
 }
 
+// KaTeX's own messages name but a half of them.
+TEST_F(TypesetterTest, NamesCharactersBeyondU10000) {
+  EXPECT_EQ(error("a😀"), "1+4 not LaTeX: Unrecognized Unicode character \"😀\" | ");
+  EXPECT_EQ(error("\\text{𠀀}"), "6+4 not LaTeX: Unrecognized Unicode character \"𠀀\" | ");
+  EXPECT_NE(typesetter_.typeset("𝐱", false).value().find("mathbf\">x"), std::string::npos);
+}
+
+TEST_F(TypesetterTest, RefusesWhatIsTooDeep) {
+  const std::string open(20'000, '{'), close(20'000, '}');
+  EXPECT_EQ(error(open + "a" + close), "0+0 calls or brackets stand in one another too deep | ");
+}
+
 }  // namespace mjcourse

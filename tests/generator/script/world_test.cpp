@@ -105,6 +105,13 @@ TEST_F(WorldTest, GivesTextsAndArraysAsJson) {
       "E-script-value 1:1+8 the value is an object, not a number, a text or an array of these | ");
 }
 
+TEST_F(WorldTest, MakesCharactersWhole) {
+  EXPECT_EQ(world_.value("['😀', '😀'.slice(0, 1), '\\\\ud83d', '😀😀'.slice(1)]").value(),
+            nlohmann::json({"😀", "\uFFFD", "\\ud83d", "\uFFFD😀"}));
+  EXPECT_EQ(shown(world_.run("throw Error('😀'.slice(1))").error()),
+            "E-script-throw 1:7+5 \uFFFD | ");
+}
+
 TEST_F(WorldTest, MathRepeatsInEveryWorld) {
   Simulation other = simulate(robot);
   World second(bundle("world"), other);
