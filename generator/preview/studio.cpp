@@ -138,7 +138,9 @@ SnapshotPtr Studio::snapshot(const SnapshotPtr& former, bool whole, Progress& pr
     }
     made->diagnostics = std::move(reading);
   } catch (const std::exception& error) {
-    made->readable = false;
+    // What is known of a course must be of all its lessons, so nothing is known of none.
+    shelf_->give_back(made->course);
+    *made = Snapshot();
     made->of_work.push_back(error_at({}, "E-preview", error.what()));
   }
   made->diagnostics.insert(made->diagnostics.end(), made->of_work.begin(), made->of_work.end());
