@@ -1,7 +1,8 @@
 #include "cli/lesson_address.h"
 
+#include <re2/re2.h>
+
 #include <optional>
-#include <regex>
 
 #include "base/nearest.h"
 
@@ -42,10 +43,10 @@ AddressOrRefusal in_level(const ListedLevel& level, const LessonNumbers& numbers
 // "forces" or "2.1-forces" in `level`; null: in the level that has such numbers.
 AddressOrRefusal named(const CourseFile& file, const ListedLevel* level, const std::string& name,
                        const LessonNumbers& numbers, const Words& words) {
-  static const std::regex slug("[a-z0-9]+(-[a-z0-9]+)*");
+  static const RE2 slug("[a-z0-9]+(-[a-z0-9]+)*");
   std::optional<LessonName> wanted = read_lesson_name(name);
   if (!wanted && level != nullptr) wanted = numbers.next(*level, name);
-  if (!wanted || !std::regex_match(wanted->slug, slug)) return no_lesson_name(words[0]);
+  if (!wanted || !RE2::FullMatch(wanted->slug, slug)) return no_lesson_name(words[0]);
   if (level == nullptr) level = numbers.level_of(*wanted);
   if (level == nullptr) {
     return wrong_words(
@@ -79,10 +80,9 @@ tl::expected<LessonAddress, Refusal> lesson_address(const CourseFile& file,
     if (const auto good = check_title(words[1]); !good) return tl::unexpected(good.error());
   }
   // As the shell completes it.
-  static const std::regex path(R"((?:content/)?(.*?)(?:/|\.md)?)");
-  std::smatch parts;
-  std::regex_match(words[0], parts, path);
-  const std::string name = parts[1];
+  static const RE2 path(R"((?s)(?:content/)?(.*?)(?:/|\.md)?)", RE2::Latin1);
+  std::string name;
+  RE2::FullMatch(words[0], path, &name);
   if (const ListedLevel* level = file.find_level(name)) return in_level(*level, numbers, words);
   const std::size_t slash = name.find('/');
   if (slash == name.npos) {

@@ -1,5 +1,6 @@
+#include <re2/re2.h>
+
 #include <algorithm>
-#include <regex>
 
 #include "cli/course_file.h"
 #include "cli/new_part.h"
@@ -26,7 +27,7 @@ std::string next_number(const CourseFile& file) {
 // "2-dynamics" with or without a title, or a title alone, which gets the next number.
 tl::expected<Named, Refusal> name_of(const CourseFile& file,
                                      const std::vector<std::string>& words) {
-  static const std::regex folder(R"((\d{1,6}-)?[a-z][a-z0-9]*(-[a-z0-9]+)*)");
+  static const RE2 folder(R"((\d{1,6}-)?[a-z][a-z0-9]*(-[a-z0-9]+)*)");
   if (words.empty()) {
     return wrong_words("new level needs a name", std::string("as in ") + kForm);
   }
@@ -35,13 +36,13 @@ tl::expected<Named, Refusal> name_of(const CourseFile& file,
                        std::string("put a title of several words into quotes: ") + kForm);
   }
   if (const auto good = check_title(words.back()); !good) return tl::unexpected(good.error());
-  if (std::regex_match(words[0], folder)) {
+  if (RE2::FullMatch(words[0], folder)) {
     const std::string slug = words[0].substr(level_number(words[0]).size());
     const std::string title = title_of(slug.starts_with('-') ? slug.substr(1) : slug);
     return Named{words[0], words.size() == 2 ? words[1] : title};
   }
   const std::string slug = slug_of(words[0]);
-  const bool is_slug = std::regex_match(slug, folder);
+  const bool is_slug = RE2::FullMatch(slug, folder);
   const bool is_title = words[0].find_first_of("/_.") == words[0].npos;
   if (words.size() == 1 && is_slug && is_title && level_number(slug).empty()) {
     return Named{next_number(file) + "-" + slug, words[0]};

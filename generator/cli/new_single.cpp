@@ -1,7 +1,8 @@
 // A model and an example: one file each.
+#include <re2/re2.h>
+
 #include <algorithm>
 #include <cctype>
-#include <regex>
 
 #include "base/nearest.h"
 #include "cli/new_part.h"
@@ -24,15 +25,15 @@ tl::expected<std::string, Refusal> name_of(const std::string& kind, const std::s
                                            const std::vector<std::string>& words,
                                            const std::string& form) {
   if (words.empty()) return wrong_words("new " + kind + " needs a name", "as in " + form);
-  static const std::regex good("[a-z][a-z0-9_]*");
+  static const RE2 good("[a-z][a-z0-9_]*");
   std::string name = plain_name(words[0], folder, ending);
-  if (std::regex_match(name, good)) return name;
+  if (RE2::FullMatch(name, good)) return name;
   std::string likely = slug_of(name);
   std::replace(likely.begin(), likely.end(), '-', '_');
   return wrong_words(
       "`" + words[0] + "` is no name for " + (kind == "example" ? "an " : "a ") + kind,
       "small letters, digits and underscores, as in " + form +
-          (std::regex_match(likely, good) ? "; did you mean `" + likely + "`?" : ""));
+          (RE2::FullMatch(likely, good) ? "; did you mean `" + likely + "`?" : ""));
 }
 
 std::vector<std::string> models_of(const Files& course) {

@@ -1,6 +1,7 @@
 #include "cli/skeleton.h"
 
-#include <regex>
+#include <re2/re2.h>
+
 #include <stdexcept>
 
 namespace mjcourse {
@@ -9,20 +10,18 @@ std::string filled_skeleton(const Files& assets, const std::string& path,
                             const std::map<std::string, std::string>& marks) {
   const auto skeleton = assets.read("skeleton/" + path);
   if (!skeleton) throw std::runtime_error("the skeletons are not installed: " + skeleton.error());
-  static const std::regex form("@([a-z_]+)@");
+  static const RE2 form("(?s)(.*?)@([a-z_]+)@");
   std::string filled;
-  auto behind = skeleton->cbegin();
-  for (std::sregex_iterator mark(skeleton->begin(), skeleton->end(), form), end; mark != end;
-       ++mark) {
-    const auto text = marks.find((*mark)[1]);
+  re2::StringPiece rest(*skeleton);
+  for (std::string before, mark; RE2::Consume(&rest, form, &before, &mark);) {
+    const auto text = marks.find(mark);
     if (text == marks.end()) {
-      throw std::runtime_error("skeleton/" + path + " has the mark " + mark->str() +
-                               ", which means nothing");
+      throw std::runtime_error("skeleton/" + path + " has the mark @" + mark +
+                               "@, which means nothing");
     }
-    filled.append(behind, (*mark)[0].first).append(text->second);
-    behind = (*mark)[0].second;
+    filled.append(before).append(text->second);
   }
-  return filled.append(behind, skeleton->cend());
+  return filled.append(rest.data(), rest.size());
 }
 
 }  // namespace mjcourse

@@ -1,16 +1,17 @@
 #include "course/lesson_name.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
 #include <cctype>
-#include <regex>
 
 namespace mjcourse {
 
 std::optional<LessonName> read_lesson_name(const std::string& name) {
-  static const std::regex form(R"((\d+|[A-Z])\.(\d{1,6})-([^/]+))");
-  std::smatch parts;
-  if (!std::regex_match(name, parts, form)) return std::nullopt;
-  return LessonName{parts[1], std::stoi(parts[2]), parts[3]};
+  static const RE2 form(R"((?s)(\d+|[A-Z])\.(\d{1,6})-([^/]+))", RE2::Latin1);
+  LessonName read;
+  if (!RE2::FullMatch(name, form, &read.level, &read.place, &read.slug)) return std::nullopt;
+  return read;
 }
 
 std::string slug_of(const std::string& title) {

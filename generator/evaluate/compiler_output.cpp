@@ -1,20 +1,23 @@
 #include "evaluate/compiler_output.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
-#include <regex>
 #include <sstream>
 
 namespace mjcourse {
 
 std::vector<CompilerMessage> parse_messages(const std::string& said) {
-  static const std::regex form(R"(^(.+?):(\d+):(\d+): (error|fatal error|warning|note): (.*)$)");
+  // Whatever bytes the compiler quotes.
+  static const RE2 form(R"((.+?):(\d+):(\d+): (error|fatal error|warning|note): (.*))",
+                        RE2::Latin1);
   std::vector<CompilerMessage> messages;
   std::istringstream lines(said);
   for (std::string line; std::getline(lines, line);) {
-    std::smatch part;
-    // A line of kilobytes is code that a template printed, and std::regex recurses over it.
-    if (line.size() > 4000 || !std::regex_match(line, part, form)) continue;
-    messages.push_back({part[1], std::stoi(part[2]), std::stoi(part[3]), part[4], part[5]});
+    CompilerMessage message;
+    const bool is_message = RE2::FullMatch(line, form, &message.file, &message.line,
+                                           &message.column, &message.severity, &message.text);
+    if (is_message) messages.push_back(std::move(message));
   }
   return messages;
 }

@@ -1,12 +1,14 @@
 #include "evaluate/records.h"
 
+#include <re2/re2.h>
+
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
+
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -25,6 +27,7 @@ double number_of(const json& value) {
 }
 
 std::vector<double> numbers_of(const json& value) {
+  if (!value.is_array()) throw Unfit("holds what is no list of numbers");
   std::vector<double> numbers;
   for (const json& number : value) numbers.push_back(number_of(number));
   return numbers;
@@ -40,7 +43,10 @@ Table table_of(const json& value) {
   Table columns;
   std::set<std::string> names;
   for (const json& column : value) {
-    columns.push_back({column.at(0).get<std::string>(), numbers_of(column.at(1))});
+    if (!column.is_array() || column.size() != 2 || !column[0].is_string()) {
+      throw Unfit("has a column that is no name with a list of numbers");
+    }
+    columns.push_back({column[0].get<std::string>(), numbers_of(column[1])});
     const auto& [name, values] = columns.back();
     if (!names.insert(name).second) throw Unfit("has two columns \"" + name + "\"");
     const auto& [first, as_long] = columns.front();
@@ -54,11 +60,19 @@ Table table_of(const json& value) {
 }
 
 State snapshot_of(const json& value) {
+  if (!value.is_object()) throw Unfit("is no object of fields");
   State state;
   for (const auto& [field, numbers] : value.items()) {
     state[field] = numbers.is_array() ? numbers_of(numbers) : std::vector{number_of(numbers)};
   }
   return state;
+}
+
+// What a message quotes of a program's words.
+std::string beginning(const std::string& text) {
+  constexpr std::size_t most = 60;
+  if (text.size() <= most) return text;
+  return text.substr(0, most) + "…";
 }
 
 class Reader {
@@ -67,43 +81,42 @@ class Reader {
 
   void read(const std::string& line) {
     const json record = json::parse(line, nullptr, false);
-    if (record.is_object() && record.contains("value")) {
-      if (const auto kind = record.find("result"); kind != record.end()) {
-        return add("result", *kind, record["value"], reported_of, records_.results);
-      }
-      if (const auto kind = record.find("table"); kind != record.end()) {
-        return add("table", *kind, record["value"], table_of, records_.tables);
-      }
-      if (const auto kind = record.find("snapshot"); kind != record.end()) {
-        return add("snapshot", *kind, record["value"], snapshot_of, records_.snapshots);
-      }
-    }
-    faults_.push_back({"", "what the program reported cannot be read: `" + line.substr(0, 60) + "`",
+    const bool known = add("result", record, reported_of, records_.results) ||
+                       add("table", record, table_of, records_.tables) ||
+                       add("snapshot", record, snapshot_of, records_.snapshots);
+    if (known) return;
+    faults_.push_back({"", "what the program reported cannot be read: `" + beginning(line) + "`",
                        "report UTF-8, and from one thread at a time"});
   }
 
   Records take() { return std::move(records_); }
 
  private:
+  // False when `record` is none of this kind.
   template <typename Read, typename Value>
-  void add(const std::string& kind, const std::string& name, const json& value, const Read& read,
+  bool add(const std::string& kind, const json& record, const Read& read,
            std::map<std::string, Value>& into) {
-    static const std::regex form("[A-Za-z_][A-Za-z0-9_]*");
-    const std::string what = "the " + kind + " \"" + name + "\"";
-    if (!std::regex_match(name, form)) {
+    if (!record.is_object() || !record.contains("value")) return false;
+    const auto named = record.find(kind);
+    if (named == record.end() || !named->is_string()) return false;
+    const auto& name = named->get_ref<const std::string&>();
+    const std::string what = "the " + kind + " \"" + beginning(name) + "\"";
+    static const RE2 form("[A-Za-z_][A-Za-z0-9_]*");
+    if (!RE2::FullMatch(name, form)) {
       faults_.push_back({name, what + " has a name that no lesson can write",
                          "use letters, digits and `_`, as `largest_error`"});
     } else if (into.contains(name)) {
       faults_.push_back({name, what + " is reported twice", "give each a name of its own"});
     } else {
       try {
-        into[name] = read(value);
+        into[name] = read(record["value"]);
       } catch (const Unfit& unfit) {
         into.erase(name);
         const std::string message = what + " " + unfit.what();
         faults_.push_back({name, message, "look for how it came about, and report what is sound"});
       }
     }
+    return true;
   }
 
   std::vector<RecordFault>& faults_;

@@ -1,6 +1,7 @@
 #include "evaluate/toolchain.h"
 
-#include <regex>
+#include <re2/re2.h>
+
 #include <utility>
 
 #include "base/cache_folder.h"
@@ -26,9 +27,9 @@ constexpr const char* kLargePages =
 
 // "clang 16.0.6" of what `NAME --version` prints: "Debian clang version 16.0.6 (15~deb12u1)".
 std::string short_version(const std::string& name, const std::string& line) {
-  static const std::regex form(R"(\d+\.\d+(\.\d+)?)");
-  std::smatch part;
-  const std::string number = std::regex_search(line, part, form) ? part[0].str() : "";
+  static const RE2 form(R"((\d+\.\d+(?:\.\d+)?))");
+  std::string number;
+  RE2::PartialMatch(line, form, &number);
   const std::string plain = name.starts_with("clang") ? "clang" : name;
   return number.empty() ? plain : plain + " " + number;
 }

@@ -1,7 +1,8 @@
 #include "evaluate/workshop.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
-#include <regex>
 #include <string_view>
 #include <utility>
 
@@ -15,10 +16,8 @@ namespace {
 // What of `line` a model's error is about: the word that MuJoCo quotes last ("unrecognized
 // attribute: 'poss'"), else the whole line without its indentation.
 Span blamed(std::string_view line, const std::string& message) {
-  static const std::regex quoted(R"(.*'(\w+)'[^']*)");
-  std::smatch part;
-  if (std::regex_match(message, part, quoted)) {
-    const std::string word = part[1];
+  static const RE2 quoted(R"((?s).*'(\w+)'[^']*)");
+  if (std::string word; RE2::FullMatch(message, quoted, &word)) {
     for (std::size_t at = 0; (at = line.find(word, at)) != line.npos; ++at) {
       const std::size_t end = at + word.size();
       const bool begins = at == 0 || !is_word_character(line[at - 1]);

@@ -1,6 +1,7 @@
 #include "lesson/read_value.h"
 
-#include <regex>
+#include <re2/re2.h>
+
 #include <string>
 
 namespace mjcourse {
@@ -12,28 +13,25 @@ constexpr const char* kValueCure =
 
 // The end of the name behind the brace that `code` begins with; 0 where there is none.
 std::size_t end_of_name(std::string_view code) {
-  static const std::regex form(R"(\{[A-Za-z_][\w.-]*)");
-  std::cmatch found;
-  const bool named = std::regex_search(code.data(), code.data() + code.size(), found, form,
-                                       std::regex_constants::match_continuous);
-  return named ? static_cast<std::size_t>(found.length()) : 0;
+  static const RE2 form(R"(\{[A-Za-z_][\w.-]*)");
+  re2::StringPiece rest(code);
+  RE2::Consume(&rest, form);
+  return code.size() - rest.size();
 }
 
 // Where a format such as ` :.4f` begins in `code`; its end where there is none. Of `a ? b :c` only
 // what is a format can be one.
 std::size_t start_of_format(const std::string& code) {
-  static const std::regex format(R"(\s:(\.\d{1,2})?[fegd]$)"), attempt(R"(\s:\S*$)");
-  std::smatch found;
+  static const RE2 format(R"((\s:(?:\.\d{1,2})?[fegd])$)"), attempt(R"((\s:\S*)$)");
   const bool conditional = code.find('?') != code.npos;
-  if (std::regex_search(code, found, conditional ? format : attempt)) {
-    return static_cast<std::size_t>(found.position());
-  }
-  return code.size();
+  std::string found;
+  RE2::PartialMatch(code, conditional ? format : attempt, &found);
+  return code.size() - found.size();
 }
 
 bool is_format(const std::string& text) {
-  static const std::regex form(R"(d|(\.(\d|1[0-7]))?[feg])");
-  return std::regex_match(text, form);
+  static const RE2 form(R"(d|(\.(\d|1[0-7]))?[feg])");
+  return RE2::FullMatch(text, form);
 }
 
 }  // namespace

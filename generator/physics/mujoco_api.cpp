@@ -1,8 +1,9 @@
 #include "physics/mujoco_api.h"
 
+#include <re2/re2.h>
+
 #include <cctype>
 #include <cstdlib>
-#include <regex>
 #include <sstream>
 #include <vector>
 
@@ -27,9 +28,10 @@ Line split(std::string_view line) {
 
 // "------- Main simulation -------" → "Main simulation"; "" for other comments.
 std::string section_in(const std::string& comment) {
-  static const std::regex ruled(R"(-{3,}\s*(.*?)\s*-*)");
-  std::smatch parts;
-  return std::regex_match(comment, parts, ruled) ? parts[1].str() : "";
+  static const RE2 ruled(R"(-{3,}\s*(.*?)\s*-*)");
+  std::string section;
+  RE2::FullMatch(comment, ruled, &section);
+  return section;
 }
 
 bool is_blank(char c) {
@@ -81,13 +83,13 @@ class HeaderReader {
     if (!statement_.empty()) return go_on(raw, line);
     if (line.code.empty()) return read_comment(line);
     if (line.code.starts_with('#')) return read_macro(line);
-    static const std::regex structure(R"(struct (mj\w+?)_ \{)");
-    static const std::regex enumeration(R"(typedef enum (mj\w+?)_ \{)");
-    std::smatch parts;
-    if (std::regex_match(line.code, parts, structure)) {
-      open(parts[1], ApiName::Kind::structure, raw, line);
-    } else if (std::regex_match(line.code, parts, enumeration)) {
-      open(parts[1], ApiName::Kind::enumeration, raw, line);
+    static const RE2 structure(R"(struct (mj\w+?)_ \{)");
+    static const RE2 enumeration(R"(typedef enum (mj\w+?)_ \{)");
+    std::string name;
+    if (RE2::FullMatch(line.code, structure, &name)) {
+      open(name, ApiName::Kind::structure, raw, line);
+    } else if (RE2::FullMatch(line.code, enumeration, &name)) {
+      open(name, ApiName::Kind::enumeration, raw, line);
     } else if (line.code.starts_with("MJAPI ") || line.code.starts_with("typedef ")) {
       go_on(raw, line);
     } else {
@@ -104,11 +106,10 @@ class HeaderReader {
   }
 
   void read_macro(const Line& line) {
-    static const std::regex define(R"(#define\s+(mj\w+)(\([^)]*\))?(\s+.*)?)");
-    std::smatch parts;
-    if (std::regex_match(line.code, parts, define)) {
-      add(parts[1], {ApiName::Kind::macro, closed_up(line.code),
-                     line.has_comment ? line.comment : above_, header_, section_, ""});
+    static const RE2 define(R"(#define\s+(mj\w+)(?:\([^)]*\))?(?:\s+.*)?)");
+    if (std::string name; RE2::FullMatch(line.code, define, &name)) {
+      add(name, {ApiName::Kind::macro, closed_up(line.code),
+                 line.has_comment ? line.comment : above_, header_, section_, ""});
     }
     above_.clear();
   }
@@ -131,11 +132,12 @@ class HeaderReader {
   }
 
   void finish_statement() {
-    static const std::regex api(R"(^MJAPI (extern )?)");
-    static const std::regex function(R"([^(]*?(mj\w+)\([\s\S]*)");
-    static const std::regex pointer(R"([^(]*\(\*\s*(mj\w+)\)[\s\S]*)");
+    static const RE2 api(R"(^MJAPI (extern )?)");
+    static const RE2 function(R"((?s)[^(]*?(mj\w+)\(.*)");
+    static const RE2 pointer(R"((?s)[^(]*\(\*\s*(mj\w+)\).*)");
     const bool exported = statement_.starts_with("MJAPI ");
-    const std::string plain = std::regex_replace(statement_, api, "$1");
+    std::string plain = statement_;
+    RE2::Replace(&plain, api, R"(\1)");
     const std::string declaration(trimmed(plain));
     ApiName found{ApiName::Kind::type,
                   declaration,
@@ -143,15 +145,15 @@ class HeaderReader {
                   header_,
                   section_,
                   ""};
-    std::smatch parts;
-    if (std::regex_match(declaration, parts, pointer)) {
+    std::string name;
+    if (RE2::FullMatch(declaration, pointer, &name)) {
       if (exported) found.kind = ApiName::Kind::variable;
-      return add(parts[1], found);
+      return add(name, found);
     }
     if (exported && !declaration.starts_with("extern ") &&
-        std::regex_match(declaration, parts, function)) {
+        RE2::FullMatch(declaration, function, &name)) {
       found.kind = ApiName::Kind::function;
-      return add(parts[1], found);
+      return add(name, found);
     }
     if (exported) found.kind = ApiName::Kind::variable;
     const bool of_structure = declaration.starts_with("typedef struct ");
@@ -210,13 +212,12 @@ class HeaderReader {
   }
 
   void add_constant(const Line& line) {
-    static const std::regex constant(R"((mj\w+)\s*(=[^,]*)?,?)");
-    std::smatch parts;
-    if (!std::regex_match(line.code, parts, constant)) return;
+    static const RE2 constant(R"((mj\w+)\s*(?:=[^,]*)?,?)");
+    std::string name;
+    if (!RE2::FullMatch(line.code, constant, &name)) return;
     std::string code = closed_up(line.code);
     if (code.ends_with(',')) code.pop_back();
-    add(parts[1],
-        {ApiName::Kind::constant, code, closed_up(line.comment), header_, section_, owner_});
+    add(name, {ApiName::Kind::constant, code, closed_up(line.comment), header_, section_, owner_});
   }
 
   void close() {
@@ -250,11 +251,10 @@ tl::expected<MujocoApi, std::string> read_mujoco_api(const Files& headers) {
   MujocoApi api;
   const auto main = headers.read("mujoco/mujoco.h");
   if (!main) return tl::unexpected(main.error());
-  static const std::regex include(R"(#include <mujoco/(\w+\.h)>)");
+  static const RE2 include(R"(#include <mujoco/(\w+\.h)>)");
   std::vector<std::string> names{"mujoco.h"};
-  for (std::sregex_iterator it(main->begin(), main->end(), include), end; it != end; ++it) {
-    names.push_back((*it)[1]);
-  }
+  re2::StringPiece rest(*main);
+  for (std::string name; RE2::FindAndConsume(&rest, include, &name);) names.push_back(name);
   for (const std::string& name : names) {
     const auto text = headers.read("mujoco/" + name);
     if (!text) return tl::unexpected(text.error());

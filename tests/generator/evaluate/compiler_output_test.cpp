@@ -32,5 +32,18 @@ TEST(CompilerOutput, HasMessagesWithTheirPlaces) {
   EXPECT_EQ(messages[1].text, "no: such");
 }
 
+// What a program has its compiler say with `#line` and `#error`.
+TEST(CompilerOutput, IsPassedOverWhereNoPlaceHasSuchNumbers) {
+  EXPECT_TRUE(parse_messages("//a:99999999999999999999:1: error: x\n").empty());
+  EXPECT_TRUE(parse_messages("a.cpp:1:99999999999: error: x\n").empty());
+  const auto messages = parse_messages("a:9:b.cpp:3:4: error: " + std::string(100'000, 'x') +
+                                       "\na\xff.cpp:5:6: note: \xfe\n");
+  ASSERT_EQ(messages.size(), 2u);
+  EXPECT_EQ(messages[0].file, "a:9:b.cpp");
+  EXPECT_EQ(messages[0].line, 3);
+  EXPECT_EQ(messages[0].text.size(), 100'000u);
+  EXPECT_EQ(messages[1].file, "a\xff.cpp");
+}
+
 }  // namespace
 }  // namespace mjcourse

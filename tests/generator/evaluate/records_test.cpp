@@ -63,6 +63,36 @@ TEST(Records, AreRefusedOneByOne) {
   }
 }
 
+// What a program writes without the helper header.
+TEST(Records, OfTheWrongKindAreRefused) {
+  const std::string unreadable = "` | report UTF-8, and from one thread at a time\n";
+  for (const std::string line :
+       {R"({"result": 5, "value": 1})", R"({"table": [], "value": 1})", R"({"result": "x"})"}) {
+    EXPECT_EQ(faults_of(line),
+              "<> what the program reported cannot be read: `" + line + unreadable);
+  }
+  const std::string cure = " | look for how it came about, and report what is sound\n";
+  EXPECT_EQ(faults_of(R"({"table": "t", "value": [1]})"),
+            "<t> the table \"t\" has a column that is no name with a list of numbers" + cure);
+  EXPECT_EQ(faults_of(R"({"table": "t", "value": [["a", 1]]})"),
+            "<t> the table \"t\" holds what is no list of numbers" + cure);
+  EXPECT_EQ(faults_of(R"({"snapshot": "s", "value": 1})"),
+            "<s> the snapshot \"s\" is no object of fields" + cure);
+  EXPECT_EQ(faults_of(R"({"result": "r", "value": {"a": 1}})"),
+            "<r> the result \"r\" holds what is not a finite number" + cure);
+  const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
+  EXPECT_EQ(faults_of(R"({"result": "d", "value": )" + deep + "}"),
+            "<d> the result \"d\" holds what is not a finite number" + cure);
+}
+
+TEST(Records, OfALongNameAreRefused) {
+  const std::string name(100'000, 'a');
+  EXPECT_EQ(faults_of("{\"result\": \"" + name + "-\", \"value\": 1}"),
+            "<" + name + "-> the result \"" + name.substr(0, 60) +
+                "…\" has a name that no lesson can write | use letters, digits and `_`, as "
+                "`largest_error`\n");
+}
+
 // A program with the course's own helper header.
 EvaluationOf program(const std::string& statements) {
   const std::string code =
