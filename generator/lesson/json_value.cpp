@@ -49,6 +49,9 @@ std::size_t opening_quote(std::string_view text, std::size_t end) {
   return end - 1;
 }
 
+// What reads it goes down into it; no lesson needs a tenth of this.
+constexpr std::size_t kDeepestJson = 200;
+
 int utf8_length(char first) {
   const auto byte = static_cast<std::uint8_t>(first);
   return byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
@@ -133,6 +136,13 @@ class TreeBuilder {
     return true;
   }
   bool open(JsonValue::Kind kind) {
+    if (open_.size() == kDeepestJson) {
+      reading_.error("E-json-depth", text_.span(read_ - 1, read_),
+                     "lists and objects stand in one another here more than " +
+                         std::to_string(kDeepestJson) + " deep",
+                     "is a bracket closed too late?");
+      return false;
+    }
     JsonValue value;
     value.kind = kind;
     value.span = text_.span(read_ - 1, read_);

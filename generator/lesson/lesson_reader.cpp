@@ -38,9 +38,22 @@ void LessonReader::read_document() {
   in_document_ = false;
 }
 
+void LessonReader::refuse_depth(Span span) {
+  reading_.error("E-markdown-depth", span,
+                 "lists, quotes or emphasis stand in one another here a hundred deep",
+                 "give it fewer levels; for such characters as text, write `\\>` or `\\*`");
+}
+
+Document LessonReader::parse(const std::string& text) {
+  return parse_markdown(text, [&](int line) {
+    const std::size_t start = source().line_start(std::max(line, 1));
+    refuse_depth({start, start + 1});
+  });
+}
+
 Document LessonReader::fragment(const LocatedText& text) {
   if (text.text.empty()) return nullptr;
-  Document document = parse_markdown(text.text);
+  Document document = parse_markdown(text.text, [&](int) { refuse_depth(text.span()); });
   const bool outer = std::exchange(in_document_, false);
   Region region{text, 0};
   walk(document.get(), region);

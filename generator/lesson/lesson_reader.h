@@ -21,6 +21,9 @@ class LessonReader {
   // Read the lesson's document, which stands in its source line for line.
   void read_document();
 
+  // The lesson's Markdown, or a part of it with its lines where they are in the source.
+  Document parse(const std::string& text);
+
   // Markdown that stands somewhere inside a block: its formulas and links join the lesson's.
   Document fragment(const LocatedText& text);
 
@@ -37,6 +40,7 @@ class LessonReader {
   void walk(cmark_node* node, Region& region);
   void walk_children(cmark_node* node, Region& region);
   void add(cmark_node* node, Block block);
+  void refuse_depth(Span span);
   void read_code_block(cmark_node* node, Region& region);
   void read_callout(cmark_node* node);
   void read_source_of(cmark_node* quote);

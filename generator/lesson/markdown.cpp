@@ -4,6 +4,7 @@
 
 #include <mutex>
 #include <string_view>
+#include <vector>
 
 #include "lesson/math_syntax.h"
 
@@ -43,9 +44,34 @@ void mend_apostrophes(cmark_node* root) {
   }
 }
 
+// The nodes at the depth where the tree is to end that have children.
+std::vector<cmark_node*> deepest_nodes(cmark_node* root) {
+  std::vector<cmark_node*> deepest;
+  const std::unique_ptr<cmark_iter, decltype(&cmark_iter_free)> walk(cmark_iter_new(root),
+                                                                     cmark_iter_free);
+  int depth = 0;
+  for (cmark_event_type event; (event = cmark_iter_next(walk.get())) != CMARK_EVENT_DONE;) {
+    cmark_node* node = cmark_iter_get_node(walk.get());
+    if (cmark_node_first_child(node) == nullptr) continue;
+    if (event == CMARK_EVENT_EXIT) {
+      --depth;
+    } else if (++depth == kDeepestMarkdown) {
+      deepest.push_back(node);
+    }
+  }
+  return deepest;
+}
+
+void cut(cmark_node* root, const std::function<void(int line)>& too_deep) {
+  for (cmark_node* node : deepest_nodes(root)) {
+    if (too_deep) too_deep(cmark_node_get_start_line(node));
+    while (cmark_node* child = cmark_node_first_child(node)) cmark_node_free(child);
+  }
+}
+
 }  // namespace
 
-Document parse_markdown(const std::string& text) {
+Document parse_markdown(const std::string& text, const std::function<void(int line)>& too_deep) {
   static const bool registered = [] {
     cmark_gfm_core_extensions_ensure_registered();
     return true;
@@ -60,6 +86,7 @@ Document parse_markdown(const std::string& text) {
   cmark_parser_attach_syntax_extension(parser.get(), math_syntax());
   cmark_parser_feed(parser.get(), text.data(), text.size());
   Document document = finish(parser.get());
+  cut(document.get(), too_deep);
   cmark_consolidate_text_nodes(document.get());
   mend_apostrophes(document.get());
   return document;

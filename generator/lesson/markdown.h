@@ -6,6 +6,7 @@
 
 #include <cmark-gfm.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -31,7 +32,11 @@ struct MathText {
 };
 const MathText& math_text(cmark_node* math);
 
-Document parse_markdown(const std::string& text);
+// Whoever walks a tree goes down into it, so it ends where it would be nested deeper than
+// kDeepestMarkdown: such a node loses its children, and `too_deep` is called with its line.
+inline constexpr int kDeepestMarkdown = 200;
+Document parse_markdown(const std::string& text,
+                        const std::function<void(int line)>& too_deep = {});
 
 // What a reader sees of `node` with all markup gone: text, code, and formulas as TeX.
 std::string plain_text(cmark_node* node);

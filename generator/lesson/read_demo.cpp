@@ -31,7 +31,7 @@ void LessonReader::read_demo(cmark_node* node, Fence& fence, Region& region) {
   if (text.find_first_not_of(" \t\n") == std::string::npos) {
     return refuse("E-demo-empty", "this demo shows nothing", "put a piece of a lesson into it");
   }
-  Document document = parse_markdown(std::string(static_cast<std::size_t>(line), '\n') + text);
+  Document document = parse(std::string(static_cast<std::size_t>(line), '\n') + text);
   in_demo_ = true;
   walk(document.get(), region);
   in_demo_ = false;

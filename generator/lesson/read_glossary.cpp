@@ -127,7 +127,7 @@ std::optional<Glossary> read_glossary(std::string bytes, Diagnostics& diagnostic
   if (!front) return std::nullopt;
   LessonReader reader(page, reading);
   page.front = read_title_and_summary(*front, reader);
-  page.document = parse_markdown(without_front_matter(*page.source, *front));
+  page.document = reader.parse(without_front_matter(*page.source, *front));
   refuse_fences(page.document.get(), reading);
   reader.read_document();
   TermCutter(glossary, reading).run();

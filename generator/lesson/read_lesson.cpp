@@ -1,6 +1,7 @@
 #include "lesson/read_lesson.h"
 
-#include <regex>
+#include <re2/re2.h>
+
 #include <string_view>
 #include <utility>
 
@@ -30,23 +31,18 @@ std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
   if (!lesson.source) return std::nullopt;
   Reading reading(*lesson.source, diagnostics);
 
-  static const std::regex name(R"(content/([^/]+)/(((?:\d+|[A-Z])\.\d+)-[^/]+)\.md)");
-  std::smatch parts;
-  if (!std::regex_match(path, parts, name)) {
+  static const RE2 name(R"((?s)content/([^/]+)/(((?:\d+|[A-Z])\.\d+)-[^/]+)\.md)", RE2::Latin1);
+  if (!RE2::FullMatch(path, name, &lesson.folder, &lesson.slug, &lesson.number)) {
     diagnostics.push_back(error_at({path, 0, 0, 1, ""}, "E-lesson-name",
                                    "a lesson's file is named after its number, as `1.2-a-title.md`",
                                    "rename the file; an appendix has a letter: `A.1-a-title.md`"));
     return std::nullopt;
   }
-  lesson.folder = parts[1];
-  lesson.slug = parts[2];
-  lesson.number = parts[3];
-
   const std::optional<Span> front = find_front_matter(reading);
   if (!front) return std::nullopt;
   LessonReader reader(lesson, reading);
   lesson.front = read_front_matter(*front, reader);
-  lesson.document = parse_markdown(without_front_matter(*lesson.source, *front));
+  lesson.document = reader.parse(without_front_matter(*lesson.source, *front));
   reader.read_document();
   lesson.sound = diagnostics.size() == said;
   return lesson;

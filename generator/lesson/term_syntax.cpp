@@ -1,6 +1,8 @@
 #include "lesson/term_syntax.h"
 
+#include <algorithm>
 #include <sstream>
+#include <string_view>
 
 #include "base/utf8.h"
 
@@ -36,14 +38,14 @@ std::optional<Extent> measure(cmark_node* text, std::size_t at) {
       if (!extent.has_bar) extent.name += plain_text(node);
       continue;
     }
-    const std::string literal = cmark_node_get_literal(node);
+    const std::string_view literal = cmark_node_get_literal(node);
     const std::size_t from = node == text ? at + 2 : 0;
-    const std::size_t close = literal.find("]]", from);
-    const std::string piece = literal.substr(from, close == literal.npos ? close : close - from);
-    if (piece.find_first_of("[]") != piece.npos) return std::nullopt;
+    const std::size_t close = std::min(literal.find_first_of("[]", from), literal.size());
+    const std::string_view piece = literal.substr(from, close - from);
     if (!extent.has_bar) extent.name += piece.substr(0, piece.find('|'));
     extent.has_bar = extent.has_bar || piece.find('|') != piece.npos;
-    if (close == literal.npos) continue;
+    if (close == literal.size()) continue;
+    if (!literal.substr(close).starts_with("]]")) return std::nullopt;
     extent.last = node;
     extent.close = close;
     extent.name = with_single_blanks(extent.name);

@@ -41,11 +41,14 @@ std::string message_of(const Diagnostic& diagnostic) {
 
 TextRange range_of(const Place& place, Units units) {
   if (place.line == 0) return {};
-  const std::size_t begin = bytes_of_characters(place.excerpt, place.column - 1);
-  const std::size_t end = bytes_of_characters(place.excerpt, place.column - 1 + place.width);
+  const int index = place.column - place.excerpt_column;
+  const std::size_t begin = bytes_of_characters(place.excerpt, index);
+  const std::size_t end = bytes_of_characters(place.excerpt, index + place.width);
   const std::string_view line = place.excerpt;
-  return {{place.line - 1, count_units(line.substr(0, begin), units)},
-          {place.line - 1, count_units(line.substr(0, end), units)}};
+  // What is cut off counts as ASCII, which so long a line mostly is.
+  const int cut = place.excerpt_column - 1;
+  return {{place.line - 1, cut + count_units(line.substr(0, begin), units)},
+          {place.line - 1, cut + count_units(line.substr(0, end), units)}};
 }
 
 std::string file_of(const Diagnostic& diagnostic) {

@@ -21,8 +21,9 @@ struct Place {
   std::string file;
   int line = 0;
   int column = 0;
-  int width = 1;        // characters to underline; what goes past the line's end is not drawn
-  std::string excerpt;  // the source line
+  int width = 1;           // characters to underline; what goes past the line's end is not drawn
+  std::string excerpt;     // the source line; of one of kilobytes, what is around the column
+  int excerpt_column = 1;  // of its first character
 };
 
 struct Note {

@@ -84,8 +84,9 @@ Shown shown(const Place& place, int room) {
     const int past_end = std::max(0, index - static_cast<int>(characters.size()));
     return starts[static_cast<std::size_t>(index - past_end)] + past_end;
   };
-  const int caret = column_of(place.column - 1);
-  const int end = std::max(caret + 1, column_of(place.column - 1 + std::max(1, place.width)));
+  const int index = place.column - place.excerpt_column;
+  const int caret = column_of(index);
+  const int end = std::max(caret + 1, column_of(index + std::max(1, place.width)));
   const int all = starts.back();
   if (all <= room) return {line, caret, std::max(1, std::min(end, all) - caret)};
 

@@ -145,5 +145,16 @@ TEST(Json, SaysWhatAStringCannotHold) {
       "  cure: in JSON a backslash is written twice: \\\\alpha\n");
 }
 
+TEST(Json, HasADepth) {
+  const auto nested = [](std::size_t depth) {
+    return Parsed(std::string(depth, '[') + std::string(depth, ']'));
+  };
+  EXPECT_TRUE(nested(200).value);
+  EXPECT_EQ(nested(300'000).value, std::nullopt);
+  EXPECT_EQ(nested(201).diagnostics.at(0).message,
+            "lists and objects stand in one another here more than 200 deep");
+  EXPECT_EQ(nested(201).diagnostics.at(0).place.column, 201);
+}
+
 }  // namespace
 }  // namespace mjcourse

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <vector>
+
 namespace mjcourse {
 namespace {
 
@@ -18,6 +21,22 @@ TEST(Markdown, SetsAnApostropheBehindCodeFormulasAndEmphasis) {
   EXPECT_EQ(text_of("`qvel`'s size and the boxes' height"), "qvel’s size and the boxes’ height");
   EXPECT_EQ(text_of("$x$'s and *y*'s and [z](1.2)'s, all the boxes'"),
             "x’s and y’s and z’s, all the boxes’");
+}
+
+TEST(Markdown, EndsWhereItIsTooDeep) {
+  for (const std::string& text : {std::string(100'000, '>') + " a",
+                                  std::string(60'000, '*') + "a" + std::string(60'000, '*')}) {
+    std::vector<int> lines;
+    const Document document =
+        parse_markdown("b\n\n" + text, [&](int line) { lines.push_back(line); });
+    EXPECT_EQ(lines, std::vector<int>{3});
+    EXPECT_EQ(plain_text(document.get()), "b");
+  }
+}
+
+TEST(Markdown, IsWholeBeforeThat) {
+  const auto unexpected = [](int line) { ADD_FAILURE() << "in line " << line; };
+  EXPECT_EQ(plain_text(parse_markdown(std::string(190, '>') + " a", unexpected).get()), "a");
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace mjcourse {
 namespace {
 
@@ -43,6 +45,23 @@ TEST(Concerns, IsAboutItsFileAndThoseOfItsNotes) {
   EXPECT_TRUE(concerns(diagnostic, "models/a.xml"));
   EXPECT_TRUE(concerns(diagnostic, "content/1.1-a.md"));
   EXPECT_FALSE(concerns(diagnostic, "content/1.1"));
+}
+
+TEST(Diagnostic, QuotesNoMoreThanAReaderReads) {
+  const std::string long_word = "é" + std::string(100'000, 'x') + "é";
+  const Diagnostic error = error_at({}, "E-a", "no `" + long_word + "`");
+  EXPECT_EQ(error.message, "no `é" + std::string(994, 'x') + " … " + std::string(997, 'x') + "é`");
+}
+
+// The same line under ten thousand mistakes would fill the memory.
+TEST(PlaceOf, HasOfALongLineWhatIsAroundIt) {
+  const SourceText source("a.md",
+                          "ab\n" + std::string(5'000, 'x') + "é!" + std::string(5'000, 'y'));
+  const Place place = place_of(source, {5'005, 5'006});
+  EXPECT_EQ(place.line, 2);
+  EXPECT_EQ(place.column, 5'002);
+  EXPECT_EQ(place.excerpt_column, 4'603);
+  EXPECT_EQ(place.excerpt, std::string(398, 'x') + "é!" + std::string(399, 'y'));
 }
 
 }  // namespace
