@@ -2,13 +2,31 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 #include <optional>
+#include <string>
+#include <utility>
 
 #include "base/cancellation.h"
 #include "base/parallel.h"
+#include "evaluate/known_scripts.h"
 #include "evaluate/shared_headers.h"
 
 namespace mjcourse {
+namespace {
+
+// What nobody foresaw ends one task, and not the check of all others.
+TaskRecord failure(const Task& task, const std::exception& error) {
+  TaskRecord record;
+  record.looked = true;
+  record.finding.diagnostics.push_back(error_at(
+      task.place(), "E-internal", "mjcourse itself failed at this: " + std::string(error.what()),
+      "is there memory, and room on the disk? Else report it with this block; everything else was "
+      "checked"));
+  return record;
+}
+
+}  // namespace
 
 void Crew::look(Task& task, Workshop& workshop, TaskRecord& record) const {
   record.looked = true;
@@ -40,6 +58,17 @@ void Crew::do_task(Task& task, Workshop& workshop, TaskRecord& record) const {
   task.conclude(workshop, record.finding);
 }
 
+void Crew::attempt(Task& task, std::optional<Workshop>& workshop, TaskRecord& record) const {
+  try {
+    do_task(task, *workshop, record);
+  } catch (const MissingAssets&) {
+    throw;  // no task could do without
+  } catch (const std::exception& error) {
+    record = failure(task, error);
+    workshop.emplace(setting_);  // it may have left anything there
+  }
+}
+
 // Look up all that compiles, and make what is worth sharing among those that are still to be.
 void Crew::prepare_programs(const Tasks& tasks, Workshop& workshop, TaskRecords& records,
                             TaskQueue& queue, const Stopwatch& stopwatch) {
@@ -47,7 +76,11 @@ void Crew::prepare_programs(const Tasks& tasks, Workshop& workshop, TaskRecords&
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (!tasks[i]->compiles()) continue;
     end_if_cancelled();
-    look(*tasks[i], workshop, records[i]);
+    try {
+      look(*tasks[i], workshop, records[i]);
+    } catch (const std::exception&) {
+      records[i] = {};  // it will be looked up again, and say why
+    }
     if (records[i].waiting) waiting.push_back(tasks[i].get());
   }
   queue.programs_known();
@@ -75,16 +108,17 @@ TaskRecords Crew::run(const Tasks& tasks, const Blocks& first,
   for_each_index(threads, threads, [&](std::size_t thread, std::size_t) {
     const Cancellable cancellable(stop);
     try {
-      Workshop workshop(setting_);
-      if (thread == 0) prepare_programs(tasks, workshop, records, queue, stopwatch);
+      std::optional<Workshop> workshop(std::in_place, setting_);
+      if (thread == 0) prepare_programs(tasks, *workshop, records, queue, stopwatch);
       while (const std::optional<std::size_t> next = queue.next()) {
         TaskRecord& record = records[*next];
-        record.thread = thread;
-        record.begin = stopwatch.seconds();
+        const double begin = stopwatch.seconds();
         end_if_cancelled();
-        do_task(*tasks[*next], workshop, record);
+        attempt(*tasks[*next], workshop, record);
         progress_.end(tasks[*next]->what());
-        record.seconds = stopwatch.seconds() - record.begin;
+        record.thread = thread;
+        record.begin = begin;
+        record.seconds = stopwatch.seconds() - begin;
         queue.finish(*next);
       }
     } catch (...) {

@@ -10,6 +10,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "base/stopwatch.h"
@@ -39,8 +40,8 @@ class Crew {
   const std::vector<TaskTime>& header_times() const { return header_times_; }
 
   // `publish` is called once, when all that quotes nothing has been begun and all programs are
-  // done, and before any that quotes begins. Throws what a task threw; Cancelled where the caller's
-  // work is cancelled (base/cancellation.h).
+  // done, and before any that quotes begins. What a task throws is told at its block. Throws
+  // MissingAssets, and Cancelled where the caller's work is cancelled (base/cancellation.h).
   // The blocks `first` come first.
   TaskRecords run(const Tasks& tasks, const Blocks& first,
                   const std::function<void(const TaskRecords&)>& publish);
@@ -48,6 +49,7 @@ class Crew {
  private:
   void look(Task& task, Workshop& workshop, TaskRecord& record) const;
   void do_task(Task& task, Workshop& workshop, TaskRecord& record) const;
+  void attempt(Task& task, std::optional<Workshop>& workshop, TaskRecord& record) const;
   void prepare_programs(const Tasks& tasks, Workshop& workshop, TaskRecords& records,
                         TaskQueue& queue, const Stopwatch& stopwatch);
 

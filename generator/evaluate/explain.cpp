@@ -1,7 +1,6 @@
 #include "evaluate/explain.h"
 
 #include <utility>
-#include <variant>
 
 #include "evaluate/archive.h"
 #include "evaluate/plan.h"
@@ -9,30 +8,6 @@
 
 namespace mjcourse {
 namespace {
-
-struct SpanOf {
-  Span operator()(const InlineValue& value) const { return value.source.span(); }
-  Span operator()(const Math& math) const { return math.tex.span(); }
-  Span operator()(const Image& image) const { return image.file.span(); }
-  Span operator()(const Quiz& quiz) const {
-    return quiz.questions.empty() ? Span{} : quiz.questions.front().span;
-  }
-  template <typename Fence>
-    requires requires(const Fence& fence) { fence.span; }
-  Span operator()(const Fence& fence) const {
-    return fence.span;
-  }
-  template <typename Other>
-  Span operator()(const Other&) const {
-    return {};
-  }
-};
-
-Place place_of_task(const Task& task) {
-  const std::vector<Block>& blocks = task.lesson().blocks;
-  return place_of(*task.lesson().source,
-                  blocks.empty() ? Span{} : std::visit(SpanOf{}, blocks[task.block()]));
-}
 
 class Explainer {
  public:
@@ -69,7 +44,7 @@ class Explainer {
   }
 
   Explanation explain(const Task& task, const TaskRecord& record) {
-    Explanation explanation{task.what(), place_of_task(task), record.reused, record.recipe,
+    Explanation explanation{task.what(), task.place(), record.reused, record.recipe,
                             std::move(before_[&task])};
     Dependencies& now = explanation.now;
     if (record.reused) {

@@ -20,7 +20,7 @@ const KnownScripts::Script& KnownScripts::load(const Files& assets, const std::s
 
 std::string script_bundle(const Files& assets, const std::string& name) {
   tl::expected<std::string, std::string> bytes = assets.read("script/" + name + ".js");
-  if (!bytes) throw std::runtime_error("the site's assets are not built: " + bytes.error());
+  if (!bytes) throw MissingAssets("the site's assets are not built: " + bytes.error());
   return *std::move(bytes);
 }
 

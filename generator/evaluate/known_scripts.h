@@ -3,11 +3,18 @@
 
 #include <map>
 #include <mutex>
+#include <stdexcept>
 #include <string>
 
 #include "base/files.h"
 
 namespace mjcourse {
+
+// The installation lacks what the site's build makes.
+class MissingAssets : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 class KnownScripts {
  public:
@@ -15,7 +22,7 @@ class KnownScripts {
     std::string bytes, hash;
   };
   // The bundle script/NAME.js of `assets`, always the same ones; from any thread. Throws
-  // std::runtime_error when the assets were not built.
+  // MissingAssets.
   const Script& load(const Files& assets, const std::string& name);
 
  private:

@@ -30,6 +30,7 @@ class Task {
   std::size_t page() const { return page_; }
   std::size_t block() const { return block_; }
   const std::string& what() const { return what_; }  // "rehearse the lab …"
+  Place place() const;                               // where the block begins
 
   // All blocks that it finds results of.
   virtual std::vector<std::size_t> blocks() const { return {block_}; }
