@@ -7,6 +7,7 @@ import {
   numberMember,
   strictStruct,
 } from "./strict-struct.js";
+import { boundsOf } from "./writable.js";
 
 /** The struct `label` over `fields`, with the structs inside it. */
 export function structOf(label: string, fields: readonly Field[]): object {
@@ -41,8 +42,6 @@ function innerStruct(path: string, owner: string): string {
 }
 
 function memberOf(field: Field, label: string): PropertyDescriptor {
-  if (!field.scalar) return arrayMember(() => field.view, label);
-  // whole numbers of the structs themselves are sizes and counts
-  const isSize = field.owner === "" && field.integer;
-  return isSize ? computedMember(field, label) : numberMember(field, 0, label);
+  if (!field.scalar) return arrayMember(() => field.view, label, boundsOf(field));
+  return boundsOf(field) === null ? computedMember(field, label) : numberMember(field, 0, label);
 }

@@ -7,6 +7,7 @@ import { Fault } from "./fault.js";
 import type { Field, Native, Numbers } from "./native.js";
 import { strictArray } from "./strict-array.js";
 import { arrayMember, numberMember, strictStruct } from "./strict-struct.js";
+import { boundsOf } from "./writable.js";
 import { suggest } from "./suggest.js";
 
 /** Fields of mjData with a row for each body or joint, which their names do not tell. */
@@ -109,7 +110,11 @@ function rowMembers(native: Native, prefix: string, id: number, label: string) {
     members[member] =
       columns === 1
         ? numberMember(field, id, place)
-        : arrayMember(() => field.view.subarray(id * columns, (id + 1) * columns), place);
+        : arrayMember(
+            () => field.view.subarray(id * columns, (id + 1) * columns),
+            place,
+            boundsOf(field),
+          );
   }
   return members;
 }

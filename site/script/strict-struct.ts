@@ -5,9 +5,10 @@
  * that is not there reaches the prototype, a proxy that throws.
  */
 import { Fault } from "./fault.js";
-import { suggest } from "./suggest.js";
-import { checkWrite, strictArray } from "./strict-array.js";
 import type { Field, Numbers } from "./native.js";
+import { checkWrite, strictArray } from "./strict-array.js";
+import { suggest } from "./suggest.js";
+import { boundsOf, type Bounds } from "./writable.js";
 
 /** `label` is how scripts write the object: "data", "model.opt", "body('box')". */
 export function strictStruct(label: string, members: PropertyDescriptorMap): object {
@@ -36,12 +37,17 @@ export function fixedMember(value: unknown, label: string, why: string): Propert
 }
 
 /** The array that `view` gives, asked for when first read: a model has hundreds of fields. */
-export function arrayMember(view: () => Numbers, label: string): PropertyDescriptor {
+export function arrayMember(
+  view: () => Numbers,
+  label: string,
+  bounds?: Bounds | null,
+): PropertyDescriptor {
   let array: Numbers | undefined;
+  const how = bounds === null ? computed : `it is an array: ${label}[0] = …, or ${label}.set([…])`;
   return {
     enumerable: true,
-    get: () => (array ??= strictArray(view(), label)),
-    set: () => refuseWrite(label, `it is an array: ${label}[0] = …, or ${label}.set([…])`),
+    get: () => (array ??= strictArray(view(), label, bounds)),
+    set: () => refuseWrite(label, how),
   };
 }
 
@@ -51,7 +57,7 @@ export function numberMember(field: Field, index: number, label: string): Proper
     enumerable: true,
     get: () => field.view[index],
     set: (value: unknown) => {
-      checkWrite(field.view, value, label, label);
+      checkWrite(field.view, value, label, label, boundsOf(field));
       field.view[index] = value as number;
     },
   };
@@ -59,9 +65,11 @@ export function numberMember(field: Field, index: number, label: string): Proper
 
 /** A number that MuJoCo computes: read it, never write it. */
 export function computedMember(field: Field, label: string): PropertyDescriptor {
-  const set = () => refuseWrite(label, "MuJoCo computes it from the model");
+  const set = () => refuseWrite(label, computed);
   return { enumerable: true, get: () => field.view[0], set };
 }
+
+const computed = "MuJoCo computes it from the model";
 
 /** The error for a write to `label`: `why` says what to do instead. */
 export function refuseWrite(label: string, why: string): never {

@@ -3,6 +3,7 @@
  * become globals, and every other global that scripts could reach goes.
  */
 import { fieldsOf, type Table } from "../field-table.js";
+import { fixBuiltins } from "../fixed-builtins.js";
 import type { Native } from "../native.js";
 import { asJson, asNumber, asTruth } from "../result.js";
 import { openWorld } from "../world.js";
@@ -27,6 +28,7 @@ function enterWorld(native: Tables): object {
   const fields = { modelFields: fieldsOf(modelTable), dataFields: fieldsOf(dataTable) };
   const scope = openWorld({ ...rest, ...fields });
   const realm = globalThis as Record<string, unknown>;
+  fixBuiltins(realm, allowed);
   for (const name of Object.getOwnPropertyNames(realm)) {
     if (!allowed.has(name)) Reflect.deleteProperty(realm, name);
   }
