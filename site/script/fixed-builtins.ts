@@ -26,10 +26,15 @@ function unnamed(): object[] {
   const typedArrays = Object.getPrototypeOf(Float64Array.prototype) as object;
   const iterators = [[][Symbol.iterator](), new Map().entries(), new Set().values()];
   const strings = [""[Symbol.iterator](), "".matchAll(/x/g)];
-  const generator = (function* () {})();
-  const functions = [() => undefined, function* () {}, async () => {}, async function* () {}];
+  const numbers = function* () {
+    yield 0;
+  };
+  const later = async function* () {
+    yield await Promise.resolve(0);
+  };
+  const functions = [numbers, later, async () => Promise.resolve(0)];
   const errors = [new TypeError(), new RangeError(), new SyntaxError(), new ReferenceError()];
-  const prototypes = [...iterators, ...strings, generator].flatMap(chainOf);
+  const prototypes = [...iterators, ...strings, numbers(), later()].flatMap(chainOf);
   return [
     ...prototypes,
     ...functions,
