@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "base/descriptor.h"
-#include "base/files.h"
 #include "base/folder_size.h"
 #include "base/sha256.h"
 
@@ -21,13 +20,39 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMark = "mjcourse-store 1 ";
-constexpr std::time_t kHour = 3600;  // seconds
+constexpr std::string_view kMark = "mjcourse-store 2 ";
+constexpr off_t kMostBytes = off_t{1} << 30;  // of an entry
+constexpr std::time_t kHour = 3600;           // seconds
 
 void mark_used(const fs::path& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0 || std::time(nullptr) - status.st_mtime < kHour) return;
   utimensat(AT_FDCWD, path.c_str(), nullptr, 0);
+}
+
+// Of the name too, so that no entry can take another's place.
+std::string hash_of_entry(const std::string& name, std::string_view bytes) {
+  return Sha256().add(name).add(bytes).hex();
+}
+
+// The bytes of the file at `path`; nothing where there is none. What is no file of a store (a link,
+// a device, what is too large) is damaged: empty.
+std::optional<std::string> read_entry(const fs::path& path) {
+  const Descriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  if (file.get() < 0) return errno == ELOOP ? std::optional("") : std::nullopt;
+  struct stat status {};
+  if (fstat(file.get(), &status) != 0) return std::nullopt;
+  if (!S_ISREG(status.st_mode) || status.st_size > kMostBytes) return "";
+  std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
+  std::size_t size = 0;
+  while (size < bytes.size()) {
+    const ssize_t count = read(file.get(), bytes.data() + size, bytes.size() - size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    size += static_cast<std::size_t>(count);
+  }
+  bytes.resize(size);
+  return bytes;
 }
 
 // The bytes of the entry `name` whose file holds `bytes`; nothing where it is damaged.
@@ -39,7 +64,7 @@ std::optional<std::string> verified(const std::string& name, std::string bytes) 
   const std::size_t begin = kMark.size() + 64 + 1;
   if (bytes.size() < begin || !bytes.starts_with(kMark)) return std::nullopt;
   const std::string_view all = bytes;
-  if (sha256(all.substr(begin)) != all.substr(kMark.size(), 64)) return std::nullopt;
+  if (hash_of_entry(name, all.substr(begin)) != all.substr(kMark.size(), 64)) return std::nullopt;
   bytes.erase(0, begin);
   return bytes;
 }
@@ -78,7 +103,7 @@ fs::path DiskStore::path_of(const std::string& name) const {
 
 std::optional<std::string> DiskStore::get(const std::string& name) {
   const fs::path path = path_of(name);
-  auto bytes = DiskFiles("").read(path.string());
+  std::optional<std::string> bytes = read_entry(path);
   if (!bytes) return std::nullopt;
   std::optional<std::string> content = verified(name, *std::move(bytes));
   if (content) {
@@ -86,7 +111,7 @@ std::optional<std::string> DiskStore::get(const std::string& name) {
   } else {
     note("the store's entry " + name + " was damaged; it is made again");
     std::error_code ignored;
-    fs::remove(path, ignored);
+    fs::remove_all(path, ignored);
   }
   return content;
 }
@@ -98,7 +123,7 @@ bool DiskStore::put(const std::string& name, std::string_view bytes) {
   if (blob && get(name)) return true;
   try {
     write(path, blob ? std::string(bytes)
-                     : std::string(kMark) + sha256(bytes) + "\n" + std::string(bytes));
+                     : std::string(kMark) + hash_of_entry(name, bytes) + "\n" + std::string(bytes));
   } catch (const std::system_error& error) {
     if (writable_.exchange(false)) {
       note("results are not kept from here on: " + std::string(error.what()));

@@ -1,20 +1,24 @@
 #include "evaluate/file_sets.h"
 
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "base/sha256.h"
+#include "evaluate/stored_json.h"
 
 namespace mjcourse {
 namespace {
 
 using nlohmann::json;
+using FilesWithHashes = std::vector<std::pair<std::string, std::string>>;
 
 constexpr std::string_view kPrefix = "files ";
 
-// The list that is kept at this address; null where there is none.
-json list_at(Store& store, const std::string& address) {
-  const auto bytes = store.get("cas/" + address);
-  return bytes ? json::parse(*bytes, nullptr, false) : json();
+// The list that is kept at this address.
+template <typename List>
+std::optional<List> list_at(Store& store, const std::string& address) {
+  return stored_json<List>(store.get("cas/" + address));
 }
 
 }  // namespace
@@ -34,10 +38,10 @@ std::string FileSets::name_of(const std::vector<std::string>& files) {
 }
 
 std::string FileSets::now(const std::string& name) {
-  const json files = list_at(store_, name.substr(kPrefix.size()));
-  if (!files.is_array()) return kAbsent;
+  const auto files = list_at<std::vector<std::string>>(store_, name.substr(kPrefix.size()));
+  if (!files) return kAbsent;
   json found = json::array();
-  for (const std::string file : files) found.push_back({file, fingerprints_.of(file)});
+  for (const std::string& file : *files) found.push_back({file, fingerprints_.of(file)});
   std::string value = keep(found.dump());
   const std::lock_guard lock(mutex_);
   known_[name] = value;
@@ -55,12 +59,13 @@ std::string FileSets::known(const std::string& name) {
 Dependencies FileSets::one_by_one(const Dependencies& dependencies) {
   Dependencies all;
   for (const Dependency& one : dependencies) {
-    const json files = is_name(one.name) ? list_at(store_, one.value) : json();
-    if (!files.is_array()) {
+    const auto files =
+        is_name(one.name) ? list_at<FilesWithHashes>(store_, one.value) : std::nullopt;
+    if (!files) {
       all.push_back(one);
       continue;
     }
-    for (const json& file : files) all.push_back({file.at(0), file.at(1)});
+    for (const auto& [file, hash] : *files) all.push_back({file, hash});
   }
   return all;
 }

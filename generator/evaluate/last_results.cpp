@@ -1,8 +1,10 @@
 #include "evaluate/last_results.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/sha256.h"
+#include "evaluate/stored_json.h"
 
 namespace mjcourse {
 namespace {
@@ -27,8 +29,8 @@ LastResults::~LastResults() {
 void LastResults::read() {
   if (was_read_) return;
   was_read_ = true;
-  const json known = json::parse(store_.get(name_).value_or("{}"), nullptr, false);
-  if (known.is_object()) results_ = known.get<std::map<std::string, std::string>>();
+  auto known = stored_json<std::map<std::string, std::string>>(store_.get(name_));
+  if (known) results_ = *std::move(known);
 }
 
 std::string LastResults::find(const Task& task) {

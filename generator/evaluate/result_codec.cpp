@@ -170,14 +170,17 @@ std::optional<std::string> ResultCodec::encode(Finding& finding, std::size_t fir
 
 std::optional<Finding> ResultCodec::decode(const std::string& bytes, std::size_t first) const {
   Finding finding;
-  const json all = json::from_cbor(bytes, true, false);
-  if (all.is_discarded()) return std::nullopt;
-  for (const json& one : all.at("results")) {
-    const std::size_t block = first + one.at(0).get<std::size_t>();
-    finding.results[block] = one.at(1).get<Result>();
-    finding.seconds[block] = one.at(2).get<double>();
+  try {
+    const json all = json::from_cbor(bytes);
+    for (const json& one : all.at("results")) {
+      const std::size_t block = first + one.at(0).get<std::size_t>();
+      finding.results[block] = one.at(1).get<Result>();
+      finding.seconds[block] = one.at(2).get<double>();
+    }
+    finding.model_page = all.at("model").get<std::optional<ModelPage>>();
+  } catch (const json::exception&) {
+    return std::nullopt;  // whatever it is, it is no finding
   }
-  finding.model_page = all.at("model").get<std::optional<ModelPage>>();
   change_paths(finding, [&](const fs::path& path) { return root_ / path; });
   return keep_blobs(finding) ? std::optional(std::move(finding)) : std::nullopt;
 }

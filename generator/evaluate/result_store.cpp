@@ -5,11 +5,13 @@
 #include <utility>
 
 #include "base/sha256.h"
+#include "evaluate/stored_json.h"
 
 namespace mjcourse {
 namespace {
 
 using nlohmann::json;
+using Pairs = std::vector<std::pair<std::string, std::string>>;
 
 // Of a model that is changed back and forth, as many versions are remembered.
 constexpr std::size_t kMostLists = 8;
@@ -37,10 +39,7 @@ std::string text_of(const Dependencies& recipe, const Dependencies& traced) {
 }  // namespace
 
 std::vector<ResultStore::Names> ResultStore::looked_at(const std::string& recipe) {
-  const std::optional<std::string> bytes = store_.get(recipe);
-  if (!bytes) return {};
-  const json lists = json::parse(*bytes, nullptr, false);
-  return lists.is_array() ? lists.get<std::vector<Names>>() : std::vector<Names>{};
+  return stored_json<std::vector<Names>>(store_.get(recipe)).value_or(std::vector<Names>{});
 }
 
 Dependencies ResultStore::known(const Names& names) {
@@ -55,10 +54,11 @@ std::optional<ResultStore::Found> ResultStore::find(const Dependencies& recipe) 
   for (const Names& names : looked_at(hash_of_all("recipe", recipe))) {
     Dependencies traced = known(names);
     std::string name = hash_of_all("result", recipe, traced);
-    if (auto entry = store_.get(name)) {
-      entry->erase(0, entry->find('\n') + 1);
-      return Found{std::move(name), *std::move(entry), std::move(traced)};
-    }
+    std::optional<std::string> entry = store_.get(name);
+    const std::string question = text_of(recipe, traced) + "\n";
+    if (!entry || !entry->starts_with(question)) continue;  // of another one, it is no answer
+    entry->erase(0, question.size());
+    return Found{std::move(name), *std::move(entry), std::move(traced)};
   }
   return std::nullopt;
 }
@@ -91,11 +91,10 @@ std::optional<ResultStore::Kept> ResultStore::keep(const Dependencies& recipe, c
 }
 
 Dependencies ResultStore::dependencies_of(const std::string& name) const {
-  const std::string entry = store_.get(name).value_or("[]\n");
+  const std::string entry = store_.get(name).value_or("");
+  const auto known = stored_json<Pairs>(std::string_view(entry).substr(0, entry.find('\n')));
   Dependencies found;
-  for (const json& one : json::parse(entry.substr(0, entry.find('\n')))) {
-    found.push_back({one.at(0), one.at(1)});
-  }
+  for (const auto& [file, value] : known.value_or(Pairs{})) found.push_back({file, value});
   return found;
 }
 

@@ -4,6 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "evaluate/result_fits.h"
+
 namespace mjcourse {
 namespace {
 
@@ -28,26 +30,6 @@ struct NameOf {
 std::string name_of(const Lesson& lesson, std::size_t index) {
   const Block& block = lesson.blocks[index];
   return std::to_string(block.index()) + " " + std::visit(NameOf{lesson, index}, block);
-}
-
-// Writing a block goes through its parts and those of its result together.
-bool fits(const Lab& lab, const LabResult& result) {
-  if (lab.readouts.size() != result.readouts.size() || lab.plots.size() != result.traces.size() ||
-      lab.controls.size() != result.keyframes.size()) {
-    return false;
-  }
-  for (std::size_t i = 0; i < lab.plots.size(); ++i) {
-    if (lab.plots[i].traces.size() != result.traces[i].size()) return false;
-  }
-  return true;
-}
-
-bool fits(const Block& block, const Result& result) {
-  if (const auto* quiz = std::get_if<Quiz>(&block)) {
-    return std::get<QuizResult>(result).questions.size() == quiz->questions.size();
-  }
-  const auto* lab = std::get_if<Lab>(&block);
-  return lab == nullptr || fits(*lab, std::get<LabResult>(result));
 }
 
 bool has_same_text(const Lesson& a, const Lesson& b) {

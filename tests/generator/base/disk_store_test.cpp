@@ -1,8 +1,12 @@
 #include "base/disk_store.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <chrono>
+#include <cstdint>
+#include <functional>
+#include <vector>
 
 #include "base/blob.h"
 #include "base/files.h"
@@ -75,6 +79,40 @@ TEST_F(DiskStoreTest, DropsWhatIsDamagedWithANote) {
   }
   write_file(path_of(blob), "another picture");
   EXPECT_EQ(store.get(put_blob(store, "a picture")), "a picture") << "it was damaged when put";
+}
+
+TEST_F(DiskStoreTest, TakesNoEntryForAnother) {
+  DiskStore store(folder());
+  const std::string other = "ac/" + std::string(64, '7');
+  store.put(kAction, "an answer");
+  store.put(other, "to another question");
+  write_file(path_of(kAction), bytes_of(other));
+  EXPECT_EQ(store.get(kAction), std::nullopt);
+  EXPECT_EQ(store.get(other), "to another question");
+}
+
+TEST_F(DiskStoreTest, ReadsNothingButFilesOfItsOwn) {
+  DiskStore store(folder());
+  const std::string blob = put_blob(store, "a picture");
+  const fs::path elsewhere = folder().parent_path() / "elsewhere";
+  write_file(elsewhere, "a picture");
+  const std::vector<std::function<void(const fs::path&)>> places{
+      [&](const fs::path& path) { fs::create_symlink(elsewhere, path); },
+      [](const fs::path& path) { fs::create_symlink("/dev/zero", path); },
+      [](const fs::path& path) { ASSERT_EQ(mkfifo(path.c_str(), 0600), 0); },
+      [](const fs::path& path) { fs::create_directories(path / "a"); },
+      [](const fs::path& path) {
+        write_file(path, "");
+        fs::resize_file(path, (std::uintmax_t{1} << 30) + 1);
+      }};
+  for (const auto& place : places) {
+    fs::remove_all(path_of(blob));
+    place(path_of(blob));
+    EXPECT_EQ(store.get(blob), std::nullopt);
+    EXPECT_EQ(put_blob(store, "a picture"), blob);
+    EXPECT_EQ(store.get(blob), "a picture");
+  }
+  EXPECT_TRUE(fs::exists(elsewhere));
 }
 
 TEST_F(DiskStoreTest, GoesOnWhereItCannotWrite) {

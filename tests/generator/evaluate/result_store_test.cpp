@@ -58,6 +58,26 @@ TEST_F(ResultStoreTest, FindsByTheRecipeAndWhatWasLookedAt) {
   EXPECT_EQ(found(recipe_), "nothing") << "a file that was looked for is there now";
 }
 
+// Whatever a store gives, also under the right hash.
+TEST_F(ResultStoreTest, TakesNoAnswerForThatOfAnotherQuestion) {
+  write("models/a.xml", "one");
+  trace_.file("models/a.xml");
+  keep(recipe_, "mine");
+  const Dependencies other{{"text", "u"}};
+  keep(other, "another's");
+  const std::string name = results_.find(recipe_)->name;
+  const std::string own = store_.get(name).value();
+  store_.put(name, store_.get(results_.find(other)->name).value());
+  EXPECT_EQ(found(recipe_), "nothing");
+  for (const std::string& odd : {std::string(), std::string("[]\n"), own.substr(0, 9)}) {
+    store_.put(name, odd);
+    EXPECT_EQ(found(recipe_), "nothing") << odd;
+    EXPECT_TRUE(results_.dependencies_of(name).empty()) << odd;
+  }
+  store_.put(name, own);
+  EXPECT_EQ(found(recipe_), "mine");
+}
+
 TEST_F(ResultStoreTest, TakesAnyOtherRecipeForAnother) {
   keep(recipe_, "kept");
   for (std::size_t i = 0; i < recipe_.size(); ++i) {
