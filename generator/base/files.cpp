@@ -1,5 +1,6 @@
 #include "base/files.h"
 
+#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -8,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
+#include <limits>
 #include <string_view>
 #include <system_error>
 
@@ -20,20 +22,13 @@ namespace {
 
 constexpr std::size_t kPiece = 1 << 12;
 
-}  // namespace
+// Of what is read into memory. GitHub takes no file of 100 MB.
+constexpr off_t kMostBytes = 256 << 20;
+constexpr const char* kTooLarge = "is larger than 256 MiB";
 
-tl::expected<std::string, std::string> DiskFiles::read(const std::string& path) const {
-  const fs::path full = root_ / path;
-  const auto refused = [&](int reason) {
-    return tl::unexpected(path + ": " + std::generic_category().message(reason));
-  };
-  struct stat status {};
-  if (stat(full.c_str(), &status) != 0) return refused(errno);
-  if (S_ISDIR(status.st_mode)) return tl::unexpected(path + ": is a folder, not a file");
-  // To open a pipe is to wait for whoever writes into it.
-  if (!S_ISREG(status.st_mode)) return tl::unexpected(path + ": is not a file");
-  const Descriptor file(open(full.c_str(), O_RDONLY | O_CLOEXEC));
-  if (!file.is_open()) return refused(errno);
+tl::expected<std::string, std::string> bytes_of(const Descriptor& file, const struct stat& status,
+                                                off_t most) {
+  if (status.st_size > most) return tl::unexpected(std::string(kTooLarge));
   std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
   std::size_t known = 0;
   // A file may be larger than it says, as those of the kernel are.
@@ -43,28 +38,114 @@ tl::expected<std::string, std::string> DiskFiles::read(const std::string& path) 
     const ssize_t count = told ? ::read(file.get(), bytes.data() + known, bytes.size() - known)
                                : ::read(file.get(), beyond.data(), beyond.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) return refused(errno);
+    if (count < 0) return tl::unexpected(std::generic_category().message(errno));
     if (!told) bytes.append(beyond.data(), static_cast<std::size_t>(count));
     known += static_cast<std::size_t>(count);
+    if (known > static_cast<std::size_t>(most)) return tl::unexpected(std::string(kTooLarge));
     if (count > 0) continue;
     bytes.resize(known);
     return bytes;
   }
 }
 
+struct Named {
+  std::string name;
+  unsigned char type;  // DT_DIR, …
+};
+
+// What is in `folder`, sorted; empty where it cannot be listed.
+std::vector<Named> names_in(const Beneath& beneath, const std::string& folder) {
+  std::vector<Named> names;
+  tl::expected<Descriptor, Unopened> opened = beneath.folder(folder);
+  if (!opened) return names;
+  DIR* const entries = fdopendir(opened->get());
+  if (entries == nullptr) return names;
+  const int number = opened->release();
+  while (const dirent* entry = readdir(entries)) {
+    const std::string name = entry->d_name;
+    if (name == "." || name == ".." || name == ".git") continue;
+    unsigned char type = entry->d_type;
+    struct stat status {};
+    // Some file systems do not tell.
+    if (type == DT_UNKNOWN && fstatat(number, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) {
+      type = IFTODT(status.st_mode);
+    }
+    names.push_back({name, type});
+  }
+  closedir(entries);
+  std::sort(names.begin(), names.end(),
+            [](const Named& a, const Named& b) { return a.name < b.name; });
+  return names;
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> DiskFiles::read(const std::string& path) const {
+  const auto because = [&](const std::string& why) { return tl::unexpected(path + ": " + why); };
+  const tl::expected<Beneath::File, Unopened> file = beneath_.file(path);
+  if (!file) return because(file.error().why);
+  auto bytes = bytes_of(file->descriptor, file->status, kMostBytes);
+  if (!bytes) return because(bytes.error());
+  return *std::move(bytes);
+}
+
 bool DiskFiles::exists(const std::string& path) const {
-  std::error_code error;
-  return fs::is_regular_file(root_ / path, error);
+  const auto status = beneath_.status(path);
+  return status ? !S_ISDIR(status->st_mode) : status.error().is_refused();
+}
+
+bool DiskFiles::is_folder(const std::string& path) const {
+  const auto status = beneath_.status(path);
+  return status && S_ISDIR(status->st_mode);
+}
+
+std::string DiskFiles::refusal(const std::string& path) const {
+  const auto status = beneath_.status(path);
+  if (!status) return status.error().is_refused() ? status.error().why : "";
+  if (S_ISDIR(status->st_mode)) return "";
+  if (!S_ISREG(status->st_mode)) return "is not a file";
+  return status->st_size > kMostBytes ? kTooLarge : "";
 }
 
 std::vector<std::string> DiskFiles::list(const std::string& folder) const {
   std::vector<std::string> names;
-  std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(root_ / folder, error)) {
-    if (entry.is_regular_file(error)) names.push_back(entry.path().filename().string());
+  for (const Named& one : names_in(beneath_, folder)) {
+    const std::string path = folder.empty() ? one.name : folder + "/" + one.name;
+    if (one.type == DT_REG || (one.type != DT_DIR && exists(path))) names.push_back(one.name);
   }
-  std::sort(names.begin(), names.end());
   return names;
+}
+
+std::vector<DiskFiles::Entry> DiskFiles::below(const std::string& folder) const {
+  std::vector<Entry> entries;
+  for (const Named& one : names_in(beneath_, folder)) {
+    const std::string path = folder.empty() ? one.name : folder + "/" + one.name;
+    entries.push_back({path, one.type == DT_DIR});
+    if (one.type != DT_DIR) continue;
+    const std::vector<Entry> inner = below(path);
+    entries.insert(entries.end(), inner.begin(), inner.end());
+  }
+  return entries;
+}
+
+tl::expected<std::string, std::string> read_beneath(const fs::path& root, const fs::path& path) {
+  const auto name = name_beneath(root, path);
+  if (!name) return tl::unexpected(path.string() + ": " + name.error().why);
+  return DiskFiles(root).read(*name);
+}
+
+tl::expected<std::string, std::string> read_file(const fs::path& path) {
+  const auto because = [&](int reason) {
+    return tl::unexpected(path.string() + ": " + std::generic_category().message(reason));
+  };
+  const Descriptor file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  struct stat status {};
+  if (!file.is_open() || fstat(file.get(), &status) != 0) return because(errno);
+  if (S_ISDIR(status.st_mode)) return because(EISDIR);
+  if (!S_ISREG(status.st_mode)) return tl::unexpected(path.string() + ": is not a file");
+  auto bytes = bytes_of(file, status, std::numeric_limits<off_t>::max());
+  if (!bytes) return tl::unexpected(path.string() + ": " + bytes.error());
+  return *std::move(bytes);
 }
 
 tl::expected<std::string, std::string> MemoryFiles::read(const std::string& path) const {

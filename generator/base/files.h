@@ -10,6 +10,8 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "base/beneath.h"
+
 namespace mjcourse {
 
 class Files {
@@ -18,23 +20,39 @@ class Files {
 
   // The file's bytes, or why they cannot be had ("models/x.xml: No such file or directory").
   virtual tl::expected<std::string, std::string> read(const std::string& path) const = 0;
+  // Is there something under this name that is no folder? It may be what read() refuses.
   virtual bool exists(const std::string& path) const = 0;
-  // The names (not paths) of the regular files in `folder`, sorted; empty when there is no such
-  // folder.
+  // The names (not paths) of what is in `folder` and is no folder, sorted; empty when there is no
+  // such folder.
   virtual std::vector<std::string> list(const std::string& folder) const = 0;
+  // Why the file or the folder `path`, which is there, is never read: "leads out of the course". ""
+  // where it is not there, or is read.
+  virtual std::string refusal(const std::string& /*path*/) const { return ""; }
 };
 
-// The files under `root` on the disk.
+// The files under `root` on the disk, and beneath it wherever links lead (beneath.h).
 class DiskFiles : public Files {
  public:
-  explicit DiskFiles(std::filesystem::path root) : root_(std::move(root)) {}
+  explicit DiskFiles(std::filesystem::path root, Beneath::Way way = Beneath::Way::kernel)
+      : beneath_(std::move(root), way) {}
 
   tl::expected<std::string, std::string> read(const std::string& path) const override;
   bool exists(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  std::string refusal(const std::string& path) const override;
+
+  bool is_folder(const std::string& path) const;
+
+  // All that is below `folder`, but in `.git`; a link to a folder is not followed, and is no
+  // folder.
+  struct Entry {
+    std::string path;
+    bool is_folder;
+  };
+  std::vector<Entry> below(const std::string& folder) const;
 
  private:
-  std::filesystem::path root_;
+  Beneath beneath_;
 };
 
 // Files that exist only here: path → bytes.
@@ -49,6 +67,14 @@ class MemoryFiles : public Files {
  private:
   std::map<std::string, std::string> files_;
 };
+
+// The bytes of a plain file that is not of a course: of the system, of the user's cache, of our
+// own. Links are followed wherever they lead.
+tl::expected<std::string, std::string> read_file(const std::filesystem::path& path);
+
+// The file at `path`, which begins with `root`, as DiskFiles of that reads it.
+tl::expected<std::string, std::string> read_beneath(const std::filesystem::path& root,
+                                                    const std::filesystem::path& path);
 
 // Write `bytes` to `path` on the disk, making its folders. Throws std::system_error with the path.
 void write_file(const std::filesystem::path& path, std::string_view bytes);

@@ -4,12 +4,12 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
-#include <cstdlib>
-#include <system_error>
+#include <utility>
 
-#include "base/descriptor.h"
+#include "base/beneath.h"
 #include "base/files.h"
 
 namespace mjcourse {
@@ -17,31 +17,27 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a chain of links ends at, whether it is there or not.
-fs::path target_of(fs::path path) {
-  constexpr int most_links = 40;  // as the kernel follows
-  for (int i = 0; fs::is_symlink(path); ++i) {
-    if (i == most_links) {
-      errno = ELOOP;
-      throw_errno(path);
-    }
-    path = path.parent_path() / fs::read_symlink(path);
-  }
-  return path;
+// A name that nobody else takes: another process has another number.
+std::string name_beside(const std::string& name) {
+  static std::atomic<unsigned> last{0};
+  return "." + name + "." + std::to_string(getpid()) + "-" + std::to_string(++last);
 }
 
-// A file beside `path` that is gone again unless it took its place.
+// A file beside another that is gone again unless it took its place.
 class Beside {
  public:
-  explicit Beside(const fs::path& path)
-      : path_(path),
-        name_((path.parent_path() / ("." + path.filename().string() + ".XXXXXX")).string()),
-        file_(mkostemp(name_.data(), O_CLOEXEC)) {
-    if (file_ < 0) throw_errno(path_);
+  // `called`: the other, in messages.
+  Beside(Beneath::Spot spot, std::string called)
+      : spot_(std::move(spot)), called_(std::move(called)), name_(name_beside(spot_.name)) {
+    // What a killed process of the same number left.
+    unlinkat(spot_.folder.get(), name_.c_str(), 0);
+    file_ = openat(spot_.folder.get(), name_.c_str(),
+                   O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0600);
+    if (file_ < 0) throw_errno(called_);
   }
   ~Beside() {
-    if (file_ >= 0) close(file_);
-    if (!name_.empty()) unlink(name_.c_str());
+    close(file_);
+    if (!name_.empty()) unlinkat(spot_.folder.get(), name_.c_str(), 0);
   }
   Beside(const Beside&) = delete;
   Beside& operator=(const Beside&) = delete;
@@ -49,59 +45,63 @@ class Beside {
   // The owner and the mode of the file that it is to replace, or those of a new file.
   void take_mode() const {
     struct stat old {};
-    if (stat(path_.c_str(), &old) == 0) {
+    if (fstatat(spot_.folder.get(), spot_.name.c_str(), &old, AT_SYMLINK_NOFOLLOW) == 0) {
       // Only root may give a file away; for others it is theirs already, or becomes so.
-      if (fchown(file_, old.st_uid, old.st_gid) != 0 && errno != EPERM) throw_errno(path_);
-      if (fchmod(file_, old.st_mode & 07777) != 0) throw_errno(path_);
+      if (fchown(file_, old.st_uid, old.st_gid) != 0 && errno != EPERM) throw_errno(called_);
+      if (fchmod(file_, old.st_mode & 07777) != 0) throw_errno(called_);
       return;
     }
     const mode_t mask = umask(0);
     umask(mask);
-    if (fchmod(file_, 0666 & ~mask) != 0) throw_errno(path_);
+    if (fchmod(file_, 0666 & ~mask) != 0) throw_errno(called_);
   }
 
   void write_all(std::string_view bytes) {
     while (!bytes.empty()) {
       const ssize_t written = write(file_, bytes.data(), bytes.size());
       if (written < 0 && errno == EINTR) continue;
-      if (written < 0) throw_errno(path_);
+      if (written < 0) throw_errno(called_);
       bytes.remove_prefix(static_cast<std::size_t>(written));
     }
-    if (fsync(file_) != 0) throw_errno(path_);
+    if (fsync(file_) != 0) throw_errno(called_);
   }
 
   void take_its_place() {
-    if (rename(name_.c_str(), path_.c_str()) != 0) throw_errno(path_);
+    const int folder = spot_.folder.get();
+    if (renameat(folder, name_.c_str(), folder, spot_.name.c_str()) != 0) throw_errno(called_);
     name_.clear();
     // The rename itself must reach the disk as well.
-    const int folder = open(path_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (folder < 0) return;
-    fsync(folder);
-    close(folder);
+    const int opened = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (opened < 0) return;
+    fsync(opened);
+    close(opened);
   }
 
  private:
-  fs::path path_;
-  std::string name_;
-  int file_;
+  Beneath::Spot spot_;
+  std::string called_, name_;
+  int file_ = -1;
 };
 
-bool holds(const fs::path& path, const std::optional<std::string>& bytes) {
-  if (!bytes) return !fs::exists(path);
-  const auto now = DiskFiles(path.parent_path()).read(path.filename().string());
+bool holds(const fs::path& folder, const std::string& name,
+           const std::optional<std::string>& bytes) {
+  const DiskFiles files(folder);
+  if (!bytes) return !files.exists(name) && !files.is_folder(name);
+  const auto now = files.read(name);
   return now && *now == *bytes;
 }
 
 }  // namespace
 
-bool replace_file(const fs::path& path, const std::optional<std::string>& before,
-                  std::string_view after) {
-  const fs::path target = target_of(fs::absolute(path));
-  fs::create_directories(target.parent_path());
-  Beside file(target);
+bool replace_file(const fs::path& folder, const std::string& name,
+                  const std::optional<std::string>& before, std::string_view after) {
+  fs::create_directories(folder);
+  auto spot = Beneath(folder).spot(name, Beneath::Missing::is_made);
+  if (!spot) throw_unopened(name, spot.error());
+  Beside file(*std::move(spot), name);
   file.write_all(after);
   file.take_mode();
-  if (!holds(target, before)) return false;
+  if (!holds(folder, name, before)) return false;
   file.take_its_place();
   return true;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "base/beneath.h"
 #include "base/counted.h"
 #include "base/replace_file.h"
 #include "cli/commands.h"
@@ -69,7 +70,7 @@ class Acceptance {
 
   void take(const FileEdit& edit) {
     std::cout << edit_text(edit, wants_colours(STDOUT_FILENO)) << '\n' << std::flush;
-    if (!options_.dry_run && !replace_file(options_.course / edit.file, edit.before, edit.after)) {
+    if (!options_.dry_run && !write(edit)) {
       for (const Diagnostic* cure : edit.cures) {
         refused_.push_back({cure, changed_meanwhile(edit.file)});
       }
@@ -77,6 +78,15 @@ class Acceptance {
     }
     differences_ += edit.cures.size();
     ++files_;
+  }
+
+  bool write(const FileEdit& edit) {
+    try {
+      return replace_file(options_.course, edit.file, edit.before, edit.after);
+    } catch (const RefusedPath& refused) {
+      std::cout << refused.what() << ", so it was not written\n";
+      return false;
+    }
   }
 
   // What is wrong with the lessons that are meant and no edit mends, and what could not be written.

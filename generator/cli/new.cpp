@@ -1,8 +1,8 @@
 // `mjcourse new KIND NAME`. Steps: find the kind; ask it for the files (new_part.h); write all of
 // them, or none; say which.
-#include <filesystem>
 #include <iostream>
 
+#include "base/beneath.h"
 #include "base/nearest.h"
 #include "cli/commands.h"
 #include "cli/course_file.h"
@@ -37,7 +37,11 @@ int make_new(const Options& options) {
   if (const auto written = write_new_files(options.course, part->files); !written) {
     return tell(written.error());
   }
-  if (!part->folder.empty()) std::filesystem::create_directories(options.course / part->folder);
+  if (!part->folder.empty()) {
+    const std::string inside = part->folder + "/.";  // so that it is made itself
+    const auto made = Beneath(options.course).spot(inside, Beneath::Missing::is_made);
+    if (!made && made.error().is_refused()) throw_unopened(part->folder, made.error());
+  }
   tell(part->files);
   std::cout << part->next << '\n';
   return kClean;

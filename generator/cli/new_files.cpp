@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/beneath.h"
 #include "base/replace_file.h"
 #include "cli/run.h"
 
@@ -61,8 +62,13 @@ tl::expected<void, Refusal> write_new_files(const fs::path& root,
   }
   Undo undo(root);
   for (const NewFile& file : files) {
-    if (!replace_file(root / file.path, file.before, file.bytes)) {
-      return tl::unexpected(in_the_way(file));
+    try {
+      if (!replace_file(root, file.path, file.before, file.bytes)) {
+        return tl::unexpected(in_the_way(file));
+      }
+    } catch (const RefusedPath& refused) {
+      return wrong_course(std::string(refused.what()) + ", so nothing was written",
+                          "move the link away, or put a folder there");
     }
     undo.add(file);
   }

@@ -11,6 +11,7 @@
 #include "base/cache_folder.h"
 #include "base/nearest.h"
 #include "cli/commands.h"
+#include "cli/out_place.h"
 #include "cli/size.h"
 #include "course/web_address.h"
 #include "physics/mesa.h"
@@ -234,8 +235,10 @@ int run_named(const NamedCommand& named, const std::vector<std::string>& argumen
       return wrong_usage(argument + " takes " + std::string(option->value) + ", and not " + value);
     }
   }
-  if (options.out.empty()) options.out = options.course / "build" / "site";
+  const bool out_was_named = !options.out.empty();
+  if (!out_was_named) options.out = options.course / "build" / "site";
   options.course = std::filesystem::absolute(options.course);  // tools run in folders of their own
+  if (const auto refused = refused_out(options, named.name, out_was_named)) return tell(*refused);
   set_up_mesa(user_cache_folder());
   return named.command(options);
 }

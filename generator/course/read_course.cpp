@@ -15,11 +15,32 @@
 #include "lesson/reading.h"
 #include "lesson/resting_lesson.h"
 #include "lesson/yaml_map.h"
+#include "report/refused_file.h"
 
 namespace mjcourse {
 namespace {
 
 constexpr const char* kId = "E-course-yaml";
+
+// Tells of the file or folder `path` where it is refused.
+void report_refused(const std::string& path, const Files& files, Diagnostics& diagnostics) {
+  const std::string why = files.refusal(path);
+  if (!why.empty()) diagnostics.push_back(refused_file({path, 0, 0, 1, ""}, path, why));
+}
+
+// What is used without being named: models and headers, of which a compiler would tell that they
+// cannot be opened.
+void report_refused_folders(const Files& files, Diagnostics& diagnostics) {
+  report_refused("models", files, diagnostics);
+  report_refused("examples", files, diagnostics);
+  if (!files.refusal("examples").empty()) return;
+  report_refused("examples/include", files, diagnostics);
+  for (const std::string folder : {"examples/include", "examples/include/mjcourse"}) {
+    for (const std::string& name : files.list(folder)) {
+      report_refused(folder + "/" + name, files, diagnostics);
+    }
+  }
+}
 
 void report_missing(const std::string& message, const std::string& cure, Diagnostics& diagnostics) {
   diagnostics.push_back(error_at({kCoursePath, 0, 0, 1, ""}, kId, message, cure));
@@ -32,6 +53,7 @@ struct Listed {
   std::string path;
   std::optional<Lesson> lesson = {};
   std::string unreadable = {};  // why its bytes cannot be had
+  std::string refusal = {};     // as Files has it
   Diagnostics diagnostics = {};
 };
 
@@ -72,6 +94,7 @@ void read_listed(const Files& files, LessonShelf* shelf, Listed& listed, bool st
   tl::expected<std::string, std::string> bytes = files.read(listed.path);
   if (!bytes) {
     listed.unreadable = bytes.error();
+    listed.refusal = files.refusal(listed.path);
     return;
   }
   if (shelf != nullptr) listed.lesson = shelf->take(listed.path, *bytes);
@@ -89,7 +112,10 @@ void add_listed(const Files& files, Listed& listed, Reading& reading, Course& co
   Level& level = course.levels[listed.level];
   const Span span = listed.entry.span();
   diagnostics.insert(diagnostics.end(), listed.diagnostics.begin(), listed.diagnostics.end());
-  if (!listed.unreadable.empty()) {
+  if (!listed.refusal.empty()) {
+    diagnostics.push_back(
+        refused_file(place_of(reading.source(), span), listed.path, listed.refusal));
+  } else if (!listed.unreadable.empty()) {
     reading.error("E-lesson-missing", span, "cannot read " + listed.unreadable);
   } else if (!listed.lesson && listed.diagnostics.empty()) {
     std::vector<std::string> there;
@@ -129,10 +155,11 @@ void warn_of_unlisted(const Files& files, const Course& course, Diagnostics& dia
   }
 }
 
-// Where there is a file and it cannot be read, that was said; which terms it has is then unknown.
+// Where there is a file and it cannot be read, that is said; which terms it has is then unknown.
 void read_glossary_file(const Files& files, Course& course, Diagnostics& diagnostics) {
   const tl::expected<std::string, std::string> bytes = files.read(kGlossaryPath);
   if (bytes) course.glossary = read_glossary(*bytes, diagnostics);
+  report_refused(kGlossaryPath, files, diagnostics);
 }
 
 void check_terms(const Files& files, const Course& course, Diagnostics& diagnostics) {
@@ -210,6 +237,10 @@ std::vector<const Lesson*> Course::pages() const {
 std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, std::size_t threads,
                                   std::size_t awake, LessonShelf* shelf) {
   const tl::expected<std::string, std::string> bytes = files.read(kCoursePath);
+  if (!bytes && !files.refusal(kCoursePath).empty()) {
+    report_refused(kCoursePath, files, diagnostics);
+    return std::nullopt;
+  }
   if (!bytes) {
     report_missing("cannot read " + bytes.error(),
                    "a course is a folder with content/course.yaml; name it with --course DIR",
@@ -244,6 +275,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
   for (const std::string& name : files.list("models")) {
     if (name.ends_with(".xml")) course.models.push_back(name.substr(0, name.size() - 4));
   }
+  report_refused_folders(files, diagnostics);
   warn_of_unlisted(files, course, diagnostics);
   read_glossary_file(files, course, diagnostics);
   check_references(files, course, diagnostics);

@@ -31,7 +31,7 @@ std::string ClaimSources::model(const std::string& name) {
 std::string ClaimSources::read_model(const std::string& name) {
   const fs::path file = root_ / "models" / (name + ".xml");
   std::vector<std::string> parts{of(file)};
-  if (const auto sources = find_model_sources(file.string())) {
+  if (const auto sources = find_model_sources(root_, "models/" + name + ".xml")) {
     for (const auto* group : {&sources->texts, &sources->assets}) {
       for (const auto& [called, path] : *group) parts.insert(parts.end(), {called, of(path)});
     }

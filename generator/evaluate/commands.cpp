@@ -1,5 +1,6 @@
 #include "evaluate/commands.h"
 
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "base/temporary_folder.h"
 #include "evaluate/containment.h"
 #include "evaluate/judge_run.h"
+#include "report/refused_file.h"
 
 namespace mjcourse {
 namespace {
@@ -19,26 +21,31 @@ namespace fs = std::filesystem;
 // Copies files and folders of a course to the same names in another folder.
 class Copies {
  public:
-  Copies(fs::path to, Workshop& workshop) : to_(std::move(to)), workshop_(workshop) {}
+  Copies(fs::path to, Workshop& workshop)
+      : to_(std::move(to)), workshop_(workshop), files_(workshop.root()) {}
 
+  // What is refused, and why, as Files::refusal() says it.
+  struct Refused {
+    std::string path, why;
+  };
   // False where it cannot be read. A link to another folder may lead in a circle, and stands for an
   // empty one.
   bool add(const std::string& name) {
-    const fs::path& root = workshop_.root();
-    if (!fs::is_directory(root / name)) return add_file(name);
+    if (!files_.is_folder(name)) return add_file(name);
     add_folder(name);
     bool whole = true;
-    for (const auto& entry : fs::recursive_directory_iterator(
-             root / name, fs::directory_options::skip_permission_denied)) {
-      const std::string inside = entry.path().lexically_relative(root).string();
-      if (entry.is_directory()) {
-        add_folder(inside);
+    for (const DiskFiles::Entry& entry : files_.below(name)) {
+      if (entry.is_folder || files_.is_folder(entry.path)) {
+        add_folder(entry.path);
       } else {
-        whole = add_file(inside) && whole;
+        whole = add_file(entry.path) && whole;
       }
     }
     return whole;
   }
+
+  // The first that was refused.
+  const std::optional<Refused>& refused() const { return refused_; }
 
   // Whoever the commands run as may change the copies.
   void open_for_all() const {
@@ -47,13 +54,15 @@ class Copies {
     }
   }
 
-  std::vector<std::string> files() const { return {files_.begin(), files_.end()}; }
+  std::vector<std::string> files() const { return {names_.begin(), names_.end()}; }
 
  private:
   bool add_file(const std::string& name) {
     const auto bytes = workshop_.files().read(name);
     if (bytes) write_file(to_ / name, *bytes);
-    files_.insert(name);
+    names_.insert(name);
+    std::string why = bytes ? "" : files_.refusal(name);
+    if (!why.empty() && !refused_) refused_ = {name, std::move(why)};
     return bytes.has_value();
   }
   void add_folder(const std::string& name) {
@@ -63,7 +72,9 @@ class Copies {
 
   fs::path to_;
   Workshop& workshop_;
-  std::set<std::string> files_;
+  DiskFiles files_;
+  std::set<std::string> names_;
+  std::optional<Refused> refused_;
 };
 
 bool add_all(const Commands& commands, const Lesson& lesson, Copies& copies,
@@ -72,6 +83,11 @@ bool add_all(const Commands& commands, const Lesson& lesson, Copies& copies,
   for (const LocatedText& file : commands.files) {
     if (copies.add(file.text)) continue;
     whole = false;
+    if (const auto& refused = copies.refused()) {
+      diagnostics.push_back(
+          refused_file(place_of(*lesson.source, file.span()), refused->path, refused->why));
+      continue;
+    }
     diagnostics.push_back(error_at(place_of(*lesson.source, file.span()), "E-commands-file",
                                    "the course has no `" + file.text + "`",
                                    "name a file or a folder as seen from the course's folder"));

@@ -1,5 +1,7 @@
 #include "evaluate/containment.h"
 
+#include "base/files.h"
+
 namespace mjcourse {
 
 namespace fs = std::filesystem;
@@ -7,7 +9,9 @@ namespace fs = std::filesystem;
 Sandbox program_sandbox(const fs::path& binary, const fs::path& run, const fs::path& records,
                         const fs::path& root) {
   Sandbox sandbox;
-  sandbox.read = {fs::absolute(binary), fs::absolute(root / "models")};
+  sandbox.read = {fs::absolute(binary)};
+  // A link there would open to the program whatever it leads to.
+  if (DiskFiles(root).is_folder("models")) sandbox.read.push_back(fs::absolute(root / "models"));
   sandbox.write = {fs::absolute(run)};
   if (!records.empty()) sandbox.write.push_back(fs::absolute(records));
   sandbox.file_bytes = kMostProgramBytes;

@@ -46,7 +46,7 @@ std::string CourseHeaders::contents() const {
     for (const fs::directory_entry& file : fs::recursive_directory_iterator(folders_[i], none)) {
       if (!file.is_regular_file(none)) continue;
       const std::string name = file.path().lexically_relative(folders_[i]).string();
-      const auto bytes = DiskFiles(folders_[i]).read(name);
+      const auto bytes = read_file(folders_[i] / name);
       lines.push_back(std::to_string(i) + "/" + name + " " +
                       (bytes ? content_hash(*bytes) : "unreadable") + "\n");
     }

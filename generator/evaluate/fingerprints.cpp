@@ -16,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 using Clock = std::chrono::system_clock;
 
+constexpr const char* kUnreadable = "unreadable";
+
 std::string fingerprint(const fs::path& path, const struct stat& status) {
   if (S_ISDIR(status.st_mode)) {
     std::vector<std::string> names;
@@ -28,10 +30,8 @@ std::string fingerprint(const fs::path& path, const struct stat& status) {
     for (const std::string& name : names) hash.add(name);
     return hash.hex();
   }
-  // Whoever opens a pipe or a device would wait for it.
-  const auto bytes = S_ISREG(status.st_mode) ? DiskFiles("").read(path.string())
-                                             : tl::unexpected(std::string("no regular file"));
-  return bytes ? sha256(*bytes) : "unreadable";
+  const auto bytes = read_file(path);
+  return bytes ? sha256(*bytes) : kUnreadable;
 }
 
 }  // namespace
@@ -51,6 +51,8 @@ std::string Fingerprints::of(const std::string& name) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return kAbsent;
   if (auto known = files_->find(path.string(), status)) return *std::move(known);
+  // Nobody reads it; what a link leads to says nothing of the link.
+  if (!name.starts_with('/') && !DiskFiles(root_).refusal(name).empty()) return kUnreadable;
   std::string found = fingerprint(path, status);
   files_->keep(path.string(), status, found);
   return found;

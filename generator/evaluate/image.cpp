@@ -8,6 +8,7 @@
 #include "base/nearest.h"
 #include "evaluate/image_size.h"
 #include "lesson/image_kinds.h"
+#include "report/refused_file.h"
 
 namespace mjcourse {
 namespace {
@@ -40,6 +41,10 @@ std::optional<ImageResult> evaluate_image(const Image& image, const Lesson& less
     return std::nullopt;
   };
   const DiskFiles files(root);
+  if (const std::string why = files.refusal(path); !why.empty()) {
+    diagnostics.push_back(refused_file(place_of(*lesson.source, image.file.span()), path, why));
+    return std::nullopt;
+  }
   if (!files.exists(path)) {
     const std::vector<std::string> near = images_near(folder, image.file.text, root);
     return error("E-image-missing", "there is no file " + path,

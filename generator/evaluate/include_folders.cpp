@@ -1,11 +1,16 @@
 #include "evaluate/include_folders.h"
 
+#include "base/files.h"
+
 namespace mjcourse {
 
 namespace fs = std::filesystem;
 
 IncludeFolders include_folders_of(const fs::path& examples, const fs::path& helper) {
-  IncludeFolders folders{examples / "include"};
+  IncludeFolders folders;
+  // What leads out of the course is nobody's to compile; read_course() tells of it.
+  const bool ours = DiskFiles(examples.parent_path()).refusal("examples/include").empty();
+  if (ours) folders.push_back(examples / "include");
   const bool has_helper = !folder_with(kHelperHeader, folders).empty();
   if (!has_helper && !helper.empty()) folders.push_back(helper);
   return folders;

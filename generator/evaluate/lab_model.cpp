@@ -17,12 +17,13 @@ std::optional<LabModel> find_lab_model(const LabBench& bench) {
     return refuse("a model inside a lesson cannot name files; this one names " + file,
                   "put the model into a file of its own, models/NAME.xml");
   }
-  const auto path = bench.workshop().root() / "models" / (named.text + ".xml");
-  const tl::expected<ModelSources, std::string> sources = find_model_sources(path.string());
+  const std::filesystem::path& root = bench.workshop().root();
+  const tl::expected<ModelSources, std::string> sources =
+      find_model_sources(root, "models/" + named.text + ".xml");
   if (!sources) return refuse(sources.error(), "rename a file, or leave one out");
   LabModel model{sources->main, {}, {sources->assets.begin(), sources->assets.end()}};
   for (const auto& [name, text_path] : sources->texts) {
-    model.texts[name] = DiskFiles("").read(text_path).value();
+    model.texts[name] = read_beneath(root, text_path).value();
     if (find_invalid_utf8(model.texts[name])) {
       return refuse(name + " is not UTF-8, as the page needs it", "save it as UTF-8");
     }

@@ -108,7 +108,7 @@ std::vector<ModelPage::Keyframe> keyframes_of(const Model& model) {
 // Whoever downloads the model needs these; what lies outside of the course is not handed on.
 std::vector<ModelPage::File> files_of(const fs::path& root, const std::string& main) {
   std::map<std::string, std::string> others;
-  if (const auto sources = find_model_sources((root / main).string())) {
+  if (const auto sources = find_model_sources(root, main)) {
     const auto add = [&](const std::string& path, bool is_text) {
       const std::string below =
           fs::path(path).lexically_normal().lexically_relative(root.lexically_normal()).string();

@@ -7,6 +7,7 @@
 #include "course/reference_picture.h"
 #include "physics/picture_difference.h"
 #include "physics/thumbnail.h"
+#include "report/refused_file.h"
 
 namespace mjcourse {
 namespace {
@@ -48,6 +49,11 @@ class Pin {
     result_.name = pin_.text;
     keep(std::min(kReferenceWidth, picture_.width));
     const Files& files = bench_.workshop().files();
+    if (const std::string why = files.refusal(path_); !why.empty()) {
+      bench_.diagnostics().push_back(
+          refused_file(place_of(*bench_.lesson().source, pin_.span()), path_, why));
+      return result_;
+    }
     if (!files.exists(path_)) {
       report("E-picture-unpinned", "there is no reference picture " + path_ + " yet", kAccept);
       return result_;

@@ -47,7 +47,7 @@ std::string hash_of_file(const fs::path& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0) return "";
   if (auto known = hashed.find(path.string(), status)) return *std::move(known);
-  const auto bytes = DiskFiles(path.parent_path()).read(path.filename().string());
+  const auto bytes = read_file(path);
   if (!bytes) return "";
   std::string hash = content_hash(*bytes);
   hashed.keep(path.string(), status, hash);
@@ -159,7 +159,7 @@ std::shared_ptr<const Entry> PreparedFiles::make_anew(const fs::path& folder, co
     fs::remove_all(staging);
   }
   const auto before = DiskFiles(folder).read(kManifest);
-  replace_file(folder / kManifest, before ? std::optional(*before) : std::nullopt, manifest.text());
+  replace_file(folder, kManifest, before ? std::optional(*before) : std::nullopt, manifest.text());
   return look(folder).entry;
 }
 

@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "base/files.h"
 #include "base/sandbox.h"
 
 namespace mjcourse {
@@ -70,6 +71,7 @@ Gathering models_of(const Outcome& outcome, const Setting& setting) {
   Gathering models;
   const fs::path folder = fs::absolute(setting.root() / "models").lexically_normal();
   models.know(folder, "models");
+  if (!DiskFiles(setting.root()).is_folder("models")) return models;
   if (!outcome.opened) models.add_entries<fs::recursive_directory_iterator>(folder);
   for (const std::string& opened : outcome.opened.value_or(std::vector<std::string>())) {
     // Who lists a folder wants what is in it.

@@ -7,6 +7,7 @@
 #include "evaluate/compiled_recipe.h"
 #include "evaluate/example.h"
 #include "evaluate/warm_header.h"
+#include "report/refused_file.h"
 
 namespace mjcourse {
 
@@ -27,7 +28,14 @@ std::vector<std::string> ProgramTask::warm_roots(const Setting& setting) const {
 }
 
 bool ProgramTask::prepare(Workshop& workshop, Finding& finding) {
-  file_ = DiskFiles(workshop.root()).read(program_.file.text);
+  const DiskFiles files(workshop.root());
+  const std::string& path = program_.file.text;
+  if (const std::string why = files.refusal(path); !why.empty()) {
+    const Place place = place_of(*lesson().source, program_.file.span());
+    finding.diagnostics.push_back(refused_file(place, path, why));
+    return false;
+  }
+  file_ = files.read(path);
   code_ = code_of(program_, workshop.setting().shown().at(program_.file.text), lesson(), file_,
                   finding.diagnostics);
   return code_.has_value();

@@ -149,7 +149,7 @@ fs::path model_file(const Snippet& snippet, const Course& course, const fs::path
   const std::string& name = snippet.model.text;
   if (std::find(course.models.begin(), course.models.end(), name) == course.models.end()) return {};
   const fs::path path = fs::absolute(root / "models" / (name + ".xml"));
-  return load_vetted_file(path.string()) ? path : fs::path();
+  return load_vetted_file(root, "models/" + name + ".xml") ? path : fs::path();
 }
 
 }  // namespace

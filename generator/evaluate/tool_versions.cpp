@@ -43,14 +43,14 @@ std::optional<std::string> tool_version(const std::string& tool,
   if (status.empty()) return std::nullopt;
   if (!cache) return ask(tool);
   const std::string name = sha256(status);
-  if (const auto noted = DiskFiles(*cache).read(name)) return *noted;
+  if (const auto noted = read_file(*cache / name)) return *noted;
   std::optional<std::string> version = ask(tool);
   if (version) {
     std::error_code none;
     fs::create_directories(*cache, none);
     try {
-      replace_file(*cache / name, std::nullopt, *version);
-    } catch (const std::system_error&) {
+      replace_file(*cache, name, std::nullopt, *version);
+    } catch (const std::exception&) {
       // Then it is asked the next time too.
     }
   }

@@ -50,4 +50,9 @@ std::vector<std::string> TracedFiles::list(const std::string& folder) const {
   return files_.list(folder);
 }
 
+std::string TracedFiles::refusal(const std::string& path) const {
+  trace_.file(path);
+  return files_.refusal(path);
+}
+
 }  // namespace mjcourse

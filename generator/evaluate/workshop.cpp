@@ -90,7 +90,7 @@ void Workshop::report_model_file(const ModelError& error, const std::string& pat
 
 void Workshop::trace_model(const std::string& path) {
   if (!trace_.file(path)) return;
-  for (const std::string& file : look_at_model_files((root() / path).string()).files) {
+  for (const std::string& file : look_at_model_files(root(), path).files) {
     trace_.file(file);
   }
 }
@@ -129,7 +129,7 @@ std::optional<Simulation> Workshop::simulate_named(const LocatedText& model,
     return std::nullopt;
   }
   const std::string path = "models/" + model.text + ".xml";
-  tl::expected<Model, ModelError> loaded = setting_.models().file((root() / path).string());
+  tl::expected<Model, ModelError> loaded = setting_.models().file(root(), path);
   if (loaded) {
     trace_model(path);
     return Simulation(*std::move(loaded));

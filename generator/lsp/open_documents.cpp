@@ -90,6 +90,10 @@ bool OpenDocuments::exists(const std::string& path) const {
   return text(path) != nullptr || saved_.exists(path);
 }
 
+std::string OpenDocuments::refusal(const std::string& path) const {
+  return saved_.refusal(path);
+}
+
 std::vector<std::string> OpenDocuments::list(const std::string& folder) const {
   std::vector<std::string> names = saved_.list(folder);
   const std::lock_guard lock(mutex_);

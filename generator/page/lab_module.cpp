@@ -203,7 +203,7 @@ json LabDescription::describe(const std::map<std::string, std::string>& assets) 
 // The site's path of an asset: its own name and a hash of its content, so that two models' files of
 // one name do not meet.
 std::string asset_path(const std::string& name, const std::filesystem::path& file) {
-  const std::string bytes = DiskFiles("").read(file).value();
+  const std::string bytes = read_file(file).value();
   const std::filesystem::path plain(name);
   return "models/" + plain.stem().string() + "-" + content_hash(bytes) + plain.extension().string();
 }

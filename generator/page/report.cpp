@@ -88,7 +88,7 @@ void write_report(const Run& run, const fs::path& assets, const fs::path& out) {
   for (const auto& [name, path] : manifest.items()) {
     const std::string file = path;
     if (file.ends_with(".css") || file.ends_with(".woff2") || file.ends_with(".svg")) {
-      directory.copy(assets / "public" / file, file);
+      directory.copy_own(assets / "public" / file, file);
     }
   }
   Findings findings = findings_of(run);

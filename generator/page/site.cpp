@@ -16,7 +16,7 @@ namespace mjcourse {
 void write_site(const Course& course, const Evaluation& evaluation, const SitePaths& paths,
                 LastChanges changes) {
   const ThemedAssets assets(paths.assets, {paths.course / kThemeTemplates});
-  SiteDirectory directory(paths.out);
+  SiteDirectory directory(paths.out, paths.course);
   SitePages pages(course, evaluation, paths.course, assets, directory, false, std::move(changes));
   // Made on the thread that works with it, at its first page.
   std::vector<std::unique_ptr<PressEngines>> engines(paths.threads);
@@ -29,7 +29,7 @@ void write_site(const Course& course, const Evaluation& evaluation, const SitePa
   });
   pages.write_others(engines_of(0));
   for (const auto& entry : std::filesystem::directory_iterator(paths.assets / "public")) {
-    directory.copy(entry.path(), entry.path().filename().string());
+    directory.copy_own(entry.path(), entry.path().filename().string());
   }
   write_edition(directory.folder(), course, assets, paths.threads);
   if (paths.compress) precompress(directory.folder(), paths.threads);

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -9,6 +10,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 #include "base/descriptor.h"
 #include "base/files.h"
@@ -25,7 +27,8 @@ fs::path beside(const fs::path& site, const std::string& suffix) {
 
 }  // namespace
 
-SiteDirectory::SiteDirectory(const fs::path& site) : site_(fs::weakly_canonical(site)) {
+SiteDirectory::SiteDirectory(const fs::path& site, fs::path course)
+    : site_(fs::weakly_canonical(site)), course_(std::move(course)) {
   if (site_.filename().empty()) site_ = site_.parent_path();
   staging_ = beside(site_, ".building");
   if (fs::exists(site_) && !fs::exists(site_ / kMark) &&
@@ -36,7 +39,7 @@ SiteDirectory::SiteDirectory(const fs::path& site) : site_(fs::weakly_canonical(
   }
   fs::create_directories(site_.parent_path());
   const fs::path lock = beside(site_, ".lock");
-  lock_ = open(lock.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
+  lock_ = open(lock.c_str(), O_CREAT | O_RDWR | O_NOFOLLOW | O_CLOEXEC, 0644);
   if (lock_ < 0) throw_errno(lock);
   if (flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     close(lock_);
@@ -44,7 +47,8 @@ SiteDirectory::SiteDirectory(const fs::path& site) : site_(fs::weakly_canonical(
   }
   // Under the lock nobody else writes here: this is what a killed build left.
   fs::remove_all(staging_);
-  fs::create_directories(staging_);
+  // Made here, and no link that somebody put there.
+  if (mkdir(staging_.c_str(), 0777) != 0) throw_errno(staging_);
   write_file(staging_ / kMark, "");
 }
 
@@ -68,11 +72,20 @@ void SiteDirectory::write(const std::string& path,
   if (!file) throw std::system_error(errno ? errno : EIO, std::generic_category(), path);
 }
 
+bool SiteDirectory::is_new(const std::string& path) {
+  const std::lock_guard guard(mutex_);
+  return copied_.insert(path).second;
+}
+
 void SiteDirectory::copy(const fs::path& from, const std::string& path) {
-  {
-    const std::lock_guard guard(mutex_);
-    if (!copied_.insert(path).second) return;
-  }
+  if (!is_new(path)) return;
+  const auto bytes = read_beneath(course_, from);
+  if (!bytes) throw std::runtime_error(bytes.error());
+  write_file(staging_ / path, *bytes);
+}
+
+void SiteDirectory::copy_own(const fs::path& from, const std::string& path) {
+  if (!is_new(path)) return;
   fs::create_directories((staging_ / path).parent_path());
   fs::copy(from, staging_ / path, fs::copy_options::recursive);
 }

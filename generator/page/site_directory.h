@@ -21,7 +21,8 @@ class SiteDirectory : public SiteFiles {
  public:
   // Throws std::runtime_error when `site` holds something that no build made, or when another build
   // is at work on it; std::system_error where the disk fails.
-  explicit SiteDirectory(const std::filesystem::path& site);
+  // What is copied is read beneath `course`.
+  explicit SiteDirectory(const std::filesystem::path& site, std::filesystem::path course = {});
   ~SiteDirectory() override;
   SiteDirectory(const SiteDirectory&) = delete;
   SiteDirectory& operator=(const SiteDirectory&) = delete;
@@ -30,13 +31,17 @@ class SiteDirectory : public SiteFiles {
   void write(const std::string& path, std::string_view bytes) override;
   void write(const std::string& path, const std::function<void(std::ostream&)>& writer) override;
   void copy(const std::filesystem::path& from, const std::string& path) override;
+  // A file or a folder of our own.
+  void copy_own(const std::filesystem::path& from, const std::string& path);
 
   // Where it is until commit().
   const std::filesystem::path& folder() const { return staging_; }
   void commit();
 
  private:
-  std::filesystem::path site_, staging_;
+  bool is_new(const std::string& path);
+
+  std::filesystem::path site_, staging_, course_;
   int lock_ = -1;
   std::mutex mutex_;
   std::set<std::string> copied_;  // paths

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "base/nearest.h"
+#include "report/refused_file.h"
 
 namespace mjcourse {
 namespace {
@@ -80,11 +81,19 @@ Diagnostics check_theme(const Files& course, const Files& assets) {
     if (const auto name = template_name(file)) known.push_back(*name);
   }
   std::set<std::string> used(known.begin(), known.end());
+  const auto check = [&](const std::string& path) {
+    const std::string why = course.refusal(path);
+    if (!why.empty()) diagnostics.push_back(refused_file({path, 0, 0, 1, ""}, path, why));
+    return why.empty();
+  };
+  if (!check("theme")) return diagnostics;
+  check(kThemeTemplates);
   const std::vector<std::string> files = course.list(kThemeTemplates);
   for (const std::string& file : files) {
     used.merge(partials_in(course.read(std::string(kThemeTemplates) + "/" + file).value_or("")));
   }
   for (const std::string& file : files) {
+    if (!check(std::string(kThemeTemplates) + "/" + file)) continue;
     const auto name = template_name(file);
     if (name && used.contains(*name)) continue;
     diagnostics.push_back(stray(std::string(kThemeTemplates) + "/" + file,
@@ -93,7 +102,7 @@ Diagnostics check_theme(const Files& course, const Files& assets) {
                                 name ? suggest(*name, known) : ""));
   }
   for (const std::string& file : course.list("theme")) {
-    if ("theme/" + file == kThemeStyle) continue;
+    if (!check("theme/" + file) || "theme/" + file == kThemeStyle) continue;
     diagnostics.push_back(stray("theme/" + file, "a theme has no such file",
                                 "its styles are `style.css`, its templates `templates/NAME.hbs`"));
   }

@@ -14,6 +14,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/beneath.h"
+#include "base/files.h"
+
 namespace mjcourse {
 namespace {
 
@@ -45,22 +48,33 @@ std::string lower_case(std::string text) {
   return text;
 }
 
-// MJCF that a person wrote; an asset may be larger.
-bool is_small_file(const fs::path& path) {
-  std::error_code error;
-  constexpr std::uintmax_t most = 16 << 20;
-  return fs::is_regular_file(path, error) && fs::file_size(path, error) <= most;
+constexpr off_t kMostMjcf = 16 << 20;  // that a person wrote; an asset may be larger
+
+// What is known of the file at `path` beneath `root`; nothing where it is not there or refused.
+std::optional<struct stat> status_in(const fs::path& root, const fs::path& path) {
+  const auto name = name_beneath(root, path);
+  const auto status = name ? Beneath(root).status(*name) : tl::unexpected(name.error());
+  return status && S_ISREG(status->st_mode) ? std::optional(*status) : std::nullopt;
+}
+
+// MJCF beneath `root`; "" where it cannot be had.
+std::string small_text(const fs::path& root, const fs::path& path) {
+  const auto status = status_in(root, path);
+  if (!status || status->st_size > kMostMjcf) return "";
+  return read_beneath(root, path).value_or("");
 }
 
 // Reads MJCF in document order, with each include in its place.
 class SourceWalk {
  public:
-  explicit SourceWalk(fs::path folder) : folder_(std::move(folder)) {}
+  // `folder` lies in `root`, beneath which all is read.
+  SourceWalk(fs::path root, fs::path folder) : root_(std::move(root)), folder_(std::move(folder)) {}
 
   void enter(const std::string& path) {
     if (std::find(texts_.begin(), texts_.end(), path) != texts_.end()) return;  // in a circle
     XMLDocument document;
-    if (!is_small_file(path) || document.LoadFile(path.c_str()) != tinyxml2::XML_SUCCESS) return;
+    const std::string text = small_text(root_, path);
+    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) return;
     texts_.push_back(path);
     const std::string outer = std::exchange(current_, path);
     walk_document(document);
@@ -121,8 +135,7 @@ class SourceWalk {
     std::vector<std::string> paths;
     for (const Name& name : named_) {
       const fs::path path = path_of_asset(name);
-      std::error_code error;
-      if (fs::is_regular_file(path, error)) paths.push_back(path.string());
+      if (status_in(root_, path)) paths.push_back(path.string());
     }
     return paths;
   }
@@ -150,6 +163,7 @@ class SourceWalk {
     }
   }
 
+  fs::path root_;
   fs::path folder_;  // of the main file, for includes too
   fs::path meshes_, textures_;
   bool strip_ = false;
@@ -161,37 +175,46 @@ class SourceWalk {
 
 // What is wrong with a file that a model in `folder` names; "" where it is one of them, or not
 // there, of which MuJoCo tells.
-std::string why_foreign(const fs::path& path, const fs::path& folder, bool is_mjcf) {
-  std::error_code error;
-  const fs::path real = fs::weakly_canonical(path, error);
-  const std::string below = real.lexically_relative(fs::weakly_canonical(folder)).string();
-  if (error || below.empty() || below.starts_with("..")) {
-    return "lies outside of the folder of the model";
-  }
-  if (!fs::exists(real, error)) return "";
-  if (!fs::is_regular_file(real, error)) return "is not a file";
-  if (is_mjcf && !is_small_file(real)) return "is larger than 16 MiB";
+std::string why_foreign(const fs::path& path, const fs::path& root, const fs::path& folder,
+                        bool is_mjcf) {
+  const char* const outside = "lies outside of the folder of the model";
+  const Beneath beneath(root);
+  const auto name = name_beneath(root, path), inside = name_beneath(root, folder);
+  if (!name || !inside) return outside;
+  const auto real = beneath.target(*name), real_folder = beneath.target(*inside);
+  if (!real) return real.error().is_refused() ? outside : "";
+  if (!real_folder || !name_beneath("/" + *real_folder, "/" + *real)) return outside;
+  const auto status = beneath.status(*name);
+  if (!status) return status.error().is_refused() ? status.error().why : "";
+  if (!S_ISREG(status->st_mode)) return "is not a file";
+  if (is_mjcf && status->st_size > kMostMjcf) return "is larger than 16 MiB";
   return "";
 }
 
 std::optional<ModelError> find_foreign(const SourceWalk& walk, const std::string& main,
-                                       const fs::path& folder) {
-  if (const std::string why = why_foreign(main, folder, true); !why.empty()) {
+                                       const fs::path& root, const fs::path& folder) {
+  const auto refuse_main = [&](const std::string& why) {
     return ModelError{main, 0, 0, "the model's file " + why, "write it into the models' folder"};
+  };
+  const auto beneath = name_beneath(root, main);
+  const std::string refusal = beneath ? DiskFiles(root).refusal(*beneath) : "";
+  if (!refusal.empty()) return refuse_main(refusal);
+  if (const std::string why = why_foreign(main, root, folder, true); !why.empty()) {
+    return refuse_main(why);
   }
   const auto refuse = [](const SourceWalk::Name& name, const std::string& why) {
     return ModelError{name.by, name.line, 0, "the file '" + name.file + "' " + why,
                       "put it beside the model, or into a folder there"};
   };
   for (const SourceWalk::Name& name : walk.includes()) {
-    const std::string why = why_foreign(walk.path_of_include(name), folder, true);
+    const std::string why = why_foreign(walk.path_of_include(name), root, folder, true);
     if (!why.empty()) return refuse(name, why);
     if (!name.again) continue;
     return ModelError{name.by, name.line, 0, "the file '" + name.file + "' is included again",
                       "MuJoCo includes a file once"};
   }
   for (const SourceWalk::Name& name : walk.named()) {
-    const std::string why = why_foreign(walk.path_of_asset(name), folder, false);
+    const std::string why = why_foreign(walk.path_of_asset(name), root, folder, false);
     if (!why.empty()) return refuse(name, why);
   }
   return std::nullopt;
@@ -222,7 +245,7 @@ std::string add(const std::vector<std::string>& paths, std::map<std::string, std
 
 SourceWalk walk_text(const std::string& mjcf) {
   XMLDocument document;
-  SourceWalk walk{fs::path()};
+  SourceWalk walk{fs::path(), fs::path()};
   if (document.Parse(mjcf.data(), mjcf.size()) == tinyxml2::XML_SUCCESS) {
     walk.walk_document(document);
   }
@@ -236,8 +259,10 @@ std::optional<SourceWalk::Name> first_name_in(const SourceWalk& walk) {
 
 }  // namespace
 
-tl::expected<ModelSources, std::string> find_model_sources(const std::string& path) {
-  SourceWalk walk(fs::path(path).parent_path());
+tl::expected<ModelSources, std::string> find_model_sources(const fs::path& root,
+                                                           const std::string& name) {
+  const std::string path = (root / name).string();
+  SourceWalk walk(root, fs::path(path).parent_path());
   walk.enter(path);
   ModelSources sources;
   sources.main = last_part(path);
@@ -253,13 +278,14 @@ tl::expected<ModelSources, std::string> find_model_sources(const std::string& pa
   return sources;
 }
 
-NamedFiles look_at_model_files(const std::string& path) {
-  const fs::path folder = fs::absolute(path).parent_path();
+NamedFiles look_at_model_files(const fs::path& course, const std::string& name) {
+  const fs::path root = fs::absolute(course);
+  const std::string path = (root / name).string();
+  const fs::path folder = fs::path(path).parent_path();
   NamedFiles found;
-  // An include outside is walked as well, if it is XML: it is not loaded, and nobody hears of it.
-  SourceWalk walk(folder);
-  walk.enter(fs::absolute(path).string());
-  found.foreign = find_foreign(walk, path, folder);
+  SourceWalk walk(root, folder);
+  walk.enter(path);
+  found.foreign = find_foreign(walk, path, root, folder);
   found.infinite = walk.infinite();
   found.files = files_of(walk);
   return found;
@@ -276,12 +302,6 @@ NamedFiles look_at_model_text(const std::string& mjcf) {
                    "put the model into a file of its own, models/NAME.xml"};
   }
   return found;
-}
-
-std::vector<std::string> files_of_model(const std::string& path) {
-  SourceWalk walk(fs::path(path).parent_path());
-  walk.enter(path);
-  return files_of(walk);
 }
 
 std::string file_named_in(const std::string& mjcf) {

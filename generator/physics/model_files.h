@@ -4,6 +4,7 @@
 // include, mesh, hfield, texture and skin, and what the compiler's settings do to their paths.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <optional>
 #include <string>
@@ -22,9 +23,11 @@ struct ModelSources {
   std::map<std::string, std::string> assets;  // meshes, height fields, textures, skins
 };
 
-// Of the model in the file at `path`, which compiles; a file that it names and does not need is
-// left out. An error where it has two files of one name, or more than MuJoCo can hold in memory.
-tl::expected<ModelSources, std::string> find_model_sources(const std::string& path);
+// Of the model in the file `name` beneath `root`, which compiles; a file that it names and does not
+// need is left out. An error where it has two files of one name, or more than MuJoCo can hold in
+// memory.
+tl::expected<ModelSources, std::string> find_model_sources(const std::filesystem::path& root,
+                                                           const std::string& name);
 
 // The files that a model reads, and the first of them that it must not.
 struct NamedFiles {
@@ -34,10 +37,10 @@ struct NamedFiles {
   std::optional<ModelError> infinite;
 };
 
-// Of the model in the file at `path`, which need not compile. Foreign is what lies outside of the
-// folder of `path`, is no file but a device or a pipe, is MJCF of many megabytes, or is included
-// twice.
-NamedFiles look_at_model_files(const std::string& path);
+// Of the model in the file `name` beneath `root`, which need not compile. Foreign is what lies
+// outside of the folder of that file or of `root`, by its name or by a link, is no file but a
+// device or a pipe, is MJCF of many megabytes, or is included twice.
+NamedFiles look_at_model_files(const std::filesystem::path& root, const std::string& name);
 
 // The same of MJCF without a file of its own, which may name none.
 NamedFiles look_at_model_text(const std::string& mjcf);

@@ -43,10 +43,13 @@ std::optional<std::string> status_of(const std::vector<std::string>& files) {
 
 }  // namespace
 
-tl::expected<Model, ModelError> ModelShelf::file(const std::string& path) {
-  const auto load = [&] { return load_vetted_file(path); };
-  const std::optional<std::string> status = status_of(look_at_model_files(path).files);
-  return status ? get("file " + path + "\n" + *status, load) : load();
+tl::expected<Model, ModelError> ModelShelf::file(const std::filesystem::path& root,
+                                                 const std::string& name) {
+  const auto load = [&] { return load_vetted_file(root, name); };
+  const NamedFiles named = look_at_model_files(root, name);
+  // Of one that is refused, another run may find another.
+  const std::optional<std::string> status = named.foreign ? std::nullopt : status_of(named.files);
+  return status ? get("file " + (root / name).string() + "\n" + *status, load) : load();
 }
 
 tl::expected<Model, ModelError> ModelShelf::text(const std::string& mjcf) {

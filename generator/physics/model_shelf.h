@@ -5,6 +5,7 @@
 // A model is compiled again when one of its files has changed. Any thread may ask.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <future>
 #include <list>
@@ -19,7 +20,7 @@ namespace mjcourse {
 class ModelShelf {
  public:
   // As load_vetted_file() and load_vetted_text() (vetted_model.h), to the bit.
-  tl::expected<Model, ModelError> file(const std::string& path);
+  tl::expected<Model, ModelError> file(const std::filesystem::path& root, const std::string& name);
   tl::expected<Model, ModelError> text(const std::string& mjcf);
 
  private:

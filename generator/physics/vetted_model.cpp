@@ -129,10 +129,11 @@ std::string key_of(const std::vector<std::string>& files) {
 
 }  // namespace
 
-Loaded load_vetted_file(const std::string& path) {
+Loaded load_vetted_file(const fs::path& root, const std::string& name) {
   install_mujoco_guard();
-  NamedFiles named = look_at_model_files(path);
+  NamedFiles named = look_at_model_files(root, name);
   if (named.foreign) return tl::unexpected(*std::move(named.foreign));
+  const std::string path = (root / name).string();
   const auto load = [&] { return load_model_file(path); };
   if (auto wrong = try_once(key_of(named.files), path, load)) {
     return tl::unexpected(*std::move(wrong));

@@ -7,6 +7,7 @@
 // do.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <tl/expected.hpp>
 
@@ -14,8 +15,9 @@
 
 namespace mjcourse {
 
-// The model at `path`; all its files lie in the folder of that.
-tl::expected<Model, ModelError> load_vetted_file(const std::string& path);
+// The model in the file `name` beneath `root`; all its files lie in the folder of that.
+tl::expected<Model, ModelError> load_vetted_file(const std::filesystem::path& root,
+                                                 const std::string& name);
 
 // The model that `mjcf` describes; it names no files.
 tl::expected<Model, ModelError> load_vetted_text(const std::string& mjcf);

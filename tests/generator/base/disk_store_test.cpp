@@ -28,7 +28,7 @@ class DiskStoreTest : public testing::Test {
     return folder() / name.substr(0, hash) / name.substr(hash, 2) / name.substr(hash + 2);
   }
   std::string bytes_of(const std::string& name) const {
-    return DiskFiles("").read(path_of(name).string()).value();
+    return read_file(path_of(name).string()).value();
   }
   static void age(const fs::path& path, std::chrono::hours hours) {
     fs::last_write_time(path, fs::file_time_type::clock::now() - hours);

@@ -5,6 +5,7 @@
 
 #include <system_error>
 
+#include "base/beneath.h"
 #include "base/files.h"
 #include "base/temporary_folder.h"
 
@@ -38,7 +39,7 @@ class ReplaceFile : public testing::Test {
 TEST_F(ReplaceFile, KeepsTheMode) {
   write("a", "old");
   fs::permissions(path("a"), fs::perms(0640));
-  EXPECT_TRUE(replace_file(path("a"), "old", "new"));
+  EXPECT_TRUE(replace_file(folder_.path() / "course", "a", "old", "new"));
   EXPECT_EQ(read("a"), "new");
   EXPECT_EQ(fs::status(path("a")).permissions(), fs::perms(0640));
   EXPECT_EQ(files(), 1u);
@@ -46,7 +47,7 @@ TEST_F(ReplaceFile, KeepsTheMode) {
 
 TEST_F(ReplaceFile, MakesAFileAndItsFolders) {
   const mode_t mask = umask(022);
-  EXPECT_TRUE(replace_file(path("b/c"), std::nullopt, "new"));
+  EXPECT_TRUE(replace_file(folder_.path() / "course", "b/c", std::nullopt, "new"));
   umask(mask);
   EXPECT_EQ(read("b/c"), "new");
   EXPECT_EQ(fs::status(path("b/c")).permissions(), fs::perms(0644));
@@ -54,18 +55,18 @@ TEST_F(ReplaceFile, MakesAFileAndItsFolders) {
 
 TEST_F(ReplaceFile, LeavesAFileThatChangedMeanwhile) {
   write("a", "newer");
-  EXPECT_FALSE(replace_file(path("a"), "old", "new"));
-  EXPECT_FALSE(replace_file(path("a"), std::nullopt, "new"));
+  EXPECT_FALSE(replace_file(folder_.path() / "course", "a", "old", "new"));
+  EXPECT_FALSE(replace_file(folder_.path() / "course", "a", std::nullopt, "new"));
   EXPECT_EQ(read("a"), "newer");
   fs::remove(path("a"));
-  EXPECT_FALSE(replace_file(path("a"), "old", "new"));
+  EXPECT_FALSE(replace_file(folder_.path() / "course", "a", "old", "new"));
   EXPECT_EQ(files(), 0u);
 }
 
 TEST_F(ReplaceFile, ReplacesWhatALinkLeadsTo) {
   write("there/a", "old");
   fs::create_symlink("there/a", path("link"));
-  EXPECT_TRUE(replace_file(path("link"), "old", "new"));
+  EXPECT_TRUE(replace_file(folder_.path() / "course", "link", "old", "new"));
   EXPECT_TRUE(fs::is_symlink(path("link")));
   EXPECT_EQ(read("there/a"), "new");
   EXPECT_FALSE(fs::is_symlink(path("there/a")));
@@ -73,9 +74,10 @@ TEST_F(ReplaceFile, ReplacesWhatALinkLeadsTo) {
 
 TEST_F(ReplaceFile, TellsWhatItCannotDoAndLeavesNothingBehind) {
   write("a", "no folder");
-  EXPECT_THROW(replace_file(path("a/b"), std::nullopt, "new"), std::system_error);
+  EXPECT_THROW(replace_file(folder_.path() / "course", "a/b", std::nullopt, "new"),
+               std::system_error);
   fs::create_symlink("loop", path("loop"));
-  EXPECT_THROW(replace_file(path("loop"), "old", "new"), std::system_error);
+  EXPECT_THROW(replace_file(folder_.path() / "course", "loop", "old", "new"), RefusedPath);
   EXPECT_EQ(files(), 2u);
 }
 

@@ -130,7 +130,7 @@ TEST_F(CompilerTest, SharesAHeaderWithACourseThatLiesElsewhere) {
   EXPECT_EQ(exit_code_, 14);
   EXPECT_EQ(headers().size(), 1U);
   for (const fs::path& header : headers()) {
-    const std::string bytes = DiskFiles("").read(header.string()).value();
+    const std::string bytes = read_file(header).value();
     EXPECT_EQ(bytes.find(folder_.path().string()), bytes.npos);
   }
 }

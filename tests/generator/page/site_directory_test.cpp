@@ -54,7 +54,7 @@ TEST_F(SiteDirectoryTest, WritesANewSite) {
   {
     SiteDirectory directory(site_);
     directory.write("1-a/x.html", "x");
-    directory.copy(folder_.path() / "assets", "assets");
+    directory.copy_own(folder_.path() / "assets", "assets");
     EXPECT_FALSE(fs::exists(site_));
     directory.commit();
   }
@@ -162,11 +162,35 @@ TEST_F(SiteDirectoryTest, WritesWhatIsNotInMemoryAsAWhole) {
 
 TEST_F(SiteDirectoryTest, CopiesOnceWhatIsCopiedTwice) {
   write_file(folder_.path() / "x", "x");
-  SiteDirectory directory(site_);
+  SiteDirectory directory(site_, folder_.path());
   directory.copy(folder_.path() / "x", "y");
   directory.copy(folder_.path() / "x", "y");
   directory.commit();
   EXPECT_EQ(files(), (Texts{{"y", "x"}}));
+}
+
+TEST_F(SiteDirectoryTest, CopiesNothingFromOutsideOfTheCourse) {
+  write_file(folder_.path() / "secret", "a secret");
+  write_file(folder_.path() / "course" / "x", "x");
+  fs::create_symlink("../secret", folder_.path() / "course" / "link");
+  SiteDirectory directory(site_, folder_.path() / "course");
+  EXPECT_THROW(directory.copy(folder_.path() / "course" / "link", "a"), std::runtime_error);
+  EXPECT_THROW(directory.copy(folder_.path() / "secret", "b"), std::runtime_error);
+  directory.copy(folder_.path() / "course" / "x", "c");
+  directory.commit();
+  EXPECT_EQ(files(), (Texts{{"c", "x"}}));
+}
+
+TEST_F(SiteDirectoryTest, DoesNotWriteThroughALinkInTheWay) {
+  fs::create_directories(site_.parent_path());
+  fs::create_directory(folder_.path() / "elsewhere");
+  fs::create_symlink(folder_.path() / "elsewhere" / "lock", site_.parent_path() / ".site.lock");
+  EXPECT_NE(refusal(), "");
+  fs::remove(site_.parent_path() / ".site.lock");
+  fs::create_symlink(folder_.path() / "elsewhere", site_.parent_path() / ".site.building");
+  build("new");
+  EXPECT_EQ(files(), (Texts{{"page.html", "new"}}));
+  EXPECT_TRUE(fs::is_empty(folder_.path() / "elsewhere"));
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST_F(MesaTest, LendsAProgramShadersThatItCanReadAndAPlaceForItsOwn) {
   EXPECT_EQ(lent.variables, (std::vector<std::string>{
                                 std::string(kCache) + "=" + (folder_.path() / "lent").string(),
                                 "MESA_DISK_CACHE_MULTI_FILE=1", "LP_NUM_THREADS=0"}));
-  EXPECT_EQ(DiskFiles(lent.own).read("1c/38e2"), "a shader");
+  EXPECT_EQ(read_file(lent.own / "1c/38e2"), "a shader");
   EXPECT_FALSE(fs::exists(lent.own / "1c" / "3f0a.tmp"));
   EXPECT_FALSE(fs::exists(lent.own / "index"));
   write_file(lent.own / "1c" / "4d67", "its own");

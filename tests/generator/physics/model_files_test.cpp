@@ -33,7 +33,7 @@ class ModelSourcesTest : public testing::Test {
     const std::string main = write("models/main.xml", "<mujoco>" + mjcf + "</mujoco>");
     const auto model = load_model_file(main);
     EXPECT_TRUE(model) << model.error().message;
-    const auto sources = find_model_sources(main);
+    const auto sources = find_model_sources(folder_.path(""), "models/main.xml");
     if (!sources) return sources.error();
     EXPECT_EQ(sources->main, "main.xml");
     return shown(sources->texts, folder_) + "| " + shown(sources->assets, folder_);

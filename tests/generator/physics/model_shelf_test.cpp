@@ -59,14 +59,14 @@ TEST(ModelShelf, CompilesAFileAgainWhenItChanges) {
   write_file(part, "<mujoco><worldbody><geom size='1'/></worldbody></mujoco>");
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   ModelShelf shelf;
-  EXPECT_EQ(shelf.file(path).value()->geom_size[0], 1);
-  EXPECT_EQ(shelf.file(path).value()->geom_size[0], 1);
+  EXPECT_EQ(shelf.file(folder.path(), "a.xml").value()->geom_size[0], 1);
+  EXPECT_EQ(shelf.file(folder.path(), "a.xml").value()->geom_size[0], 1);
   write_file(part, "<mujoco><worldbody><geom size='2'/></worldbody></mujoco>");
-  EXPECT_EQ(shelf.file(path).value()->geom_size[0], 2);
+  EXPECT_EQ(shelf.file(folder.path(), "a.xml").value()->geom_size[0], 2);
   write_file(part, "<mujoco><worldbody><geom size='3'/></worldbody></mujoco>");
-  EXPECT_EQ(shelf.file(path).value()->geom_size[0], 3) << "within the same tick";
+  EXPECT_EQ(shelf.file(folder.path(), "a.xml").value()->geom_size[0], 3) << "within the same tick";
   std::filesystem::remove(path);
-  EXPECT_FALSE(shelf.file(path));
+  EXPECT_FALSE(shelf.file(folder.path(), "a.xml"));
 }
 
 TEST(ModelShelf, GivesTheErrorEachTime) {

@@ -20,9 +20,13 @@ class VettedModelTest : public testing::Test {
   std::string model(const std::string& mjcf) {
     return folder_.write("models/main.xml", "<mujoco>\n" + mjcf + "\n</mujoco>");
   }
+  // The course is the folder, and `path` lies in it.
+  tl::expected<Model, ModelError> load(const std::string& path) {
+    return load_vetted_file(folder_.path(""), fs::path(path).lexically_relative(folder_.path("")));
+  }
   // "models/main.xml:2: message", of a model that is not loaded.
   std::string refused(const std::string& path) {
-    const auto loaded = load_vetted_file(path);
+    const auto loaded = load(path);
     if (loaded) return "nothing";
     return fs::path(loaded.error().file).lexically_relative(folder_.path("")).string() + ":" +
            std::to_string(loaded.error().line) + ": " + loaded.error().message;
@@ -35,7 +39,7 @@ TEST_F(VettedModelTest, LoadsWhatDoesNoHarm) {
   folder_.write("models/part.xml",
                 "<mujoco><worldbody><body><freejoint/><geom size='1'/></body>"
                 "</worldbody></mujoco>");
-  const auto loaded = load_vetted_file(model("<include file='part.xml'/>"));
+  const auto loaded = load(model("<include file='part.xml'/>"));
   ASSERT_TRUE(loaded) << loaded.error().message;
   EXPECT_EQ((*loaded)->nq, 7);
   EXPECT_TRUE(load_vetted_text("<mujoco/>"));

@@ -1,0 +1,84 @@
+// Opening what lies beneath a folder, and nothing that only seems to: a course is often somebody
+// else's, and a link in it may lead to what only its reader may read, or a pipe lie in it that
+// nobody ever writes into.
+//
+// A link is followed as long as each step of its way stays beneath the folder; nothing in `.git` is
+// opened. Names are resolved one by one from descriptors, so what is swapped meanwhile leads
+// nowhere else. Where a path has no link, which is nearly always, the kernel does all of it in one
+// call.
+#pragma once
+
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "base/descriptor.h"
+
+namespace mjcourse {
+
+// Why something was not opened.
+struct Unopened {
+  int reason;       // as errno has it; 0 where it is there and is refused
+  std::string why;  // "leads out of the course"
+
+  bool is_refused() const { return reason == 0; }
+};
+
+// Thrown where something would have been written that is refused: "build leads out of the course".
+class RefusedPath : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+// Throws what kept from writing `path`: RefusedPath, or std::system_error.
+[[noreturn]] void throw_unopened(const std::string& path, const Unopened& unopened);
+
+class Beneath {
+ public:
+  // By hand: without the kernel's openat2, which is not everywhere.
+  enum class Way { kernel, by_hand };
+
+  // `root` itself may be a link. It is looked up at each call.
+  explicit Beneath(std::filesystem::path root, Way way = Way::kernel)
+      : root_(std::move(root)), way_(way) {}
+
+  const std::filesystem::path& root() const { return root_; }
+
+  // What a file is opened with and what is known of it.
+  struct File {
+    Descriptor descriptor;
+    struct stat status;
+  };
+  // A plain file, to be read. Whoever opens a pipe does not wait.
+  tl::expected<File, Unopened> file(const std::string& path) const;
+  // A folder, to be listed. "" and "." are the root.
+  tl::expected<Descriptor, Unopened> folder(const std::string& path) const;
+  // Of whatever a path leads to, which is not opened.
+  tl::expected<struct stat, Unopened> status(const std::string& path) const;
+
+  // Where something may be written: the folder, and the name in it, which is no link. The name may
+  // not be there yet.
+  struct Spot {
+    Descriptor folder;
+    std::string name;
+  };
+  enum class Missing { fails, is_made };
+  // The folders on the way are made where they are `missing`.
+  tl::expected<Spot, Unopened> spot(const std::string& path, Missing missing) const;
+
+  // The path beneath the root at which `path` ends, without links; it need not be there.
+  tl::expected<std::string, Unopened> target(const std::string& path) const;
+
+ private:
+  std::filesystem::path root_;
+  Way way_;
+};
+
+// The part of `path` beneath `root`, where the one begins with the other; not resolved. Nothing for
+// any other path.
+tl::expected<std::string, Unopened> name_beneath(const std::filesystem::path& root,
+                                                 const std::filesystem::path& path);
+
+}  // namespace mjcourse

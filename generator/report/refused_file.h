@@ -1,0 +1,13 @@
+// What is told of a file that a course names and that is never read (base/beneath.h).
+#pragma once
+
+#include <string>
+
+#include "report/diagnostic.h"
+
+namespace mjcourse {
+
+// `why` is what Files::refusal() says of `path`.
+Diagnostic refused_file(Place place, const std::string& path, const std::string& why);
+
+}  // namespace mjcourse
