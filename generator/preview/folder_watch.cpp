@@ -11,6 +11,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/beneath.h"
 #include "base/descriptor.h"
 
 namespace mjcourse {
@@ -53,7 +54,9 @@ FolderWatch::~FolderWatch() {
 }
 
 bool FolderWatch::is_ours(const fs::path& path) const {
-  return std::ranges::any_of(folders_, [&](const fs::path& folder) { return is_in(path, folder); });
+  return std::ranges::any_of(folders_,
+                             [&](const fs::path& folder) { return is_in(path, folder); }) ||
+         std::ranges::any_of(targets_, [&](const auto& link) { return is_in(path, link.second); });
 }
 
 void FolderWatch::watch(const fs::path& folder) {
@@ -76,9 +79,27 @@ void FolderWatch::watch_below(const fs::path& folder) {
   for (; !gone && entries != fs::recursive_directory_iterator(); entries.increment(gone)) {
     const bool is_folder = entries->is_directory(gone) && !entries->is_symlink(gone);
     if (!is_litter(entries->path().filename().string())) {
+      if (entries->is_symlink(gone)) watch_target(entries->path());
       if (is_folder) watch(entries->path());
     } else if (is_folder) {
       entries.disable_recursion_pending();
+    }
+  }
+}
+
+void FolderWatch::watch_target(const fs::path& link) {
+  for (const fs::path& folder : folders_) {
+    if (!is_in(link, folder)) continue;
+    const fs::path course = folder.parent_path();
+    const auto name = Beneath(course).target(link.lexically_relative(course).string());
+    const fs::path target = name ? course / *name : fs::path();
+    if (!name || targets_[link] == target) continue;
+    targets_[link] = target;
+    std::error_code gone;
+    if (fs::is_directory(target, gone)) {
+      watch_below(target);
+    } else {
+      watch(target.parent_path());
     }
   }
 }
@@ -98,6 +119,8 @@ void FolderWatch::forget_below(const fs::path& folder) {
 void FolderWatch::watch_all() {
   for (const fs::path& folder : folders_) {
     watch(folder.parent_path());
+    std::error_code gone;
+    if (fs::is_symlink(folder, gone)) watch_target(folder);
     watch_below(folder);
   }
 }
@@ -115,6 +138,17 @@ bool FolderWatch::poll_for(int milliseconds, const std::stop_token& stop) const 
   return false;
 }
 
+void FolderWatch::add(const fs::path& path) {
+  changed_.insert(path);
+  for (const auto& [link, target] : targets_) {
+    if (path == target) {
+      changed_.insert(link);
+    } else if (is_in(path, target)) {
+      changed_.insert(link / path.lexically_relative(target));
+    }
+  }
+}
+
 void FolderWatch::take(unsigned mask, const fs::path& path) {
   const bool is_folder = (mask & IN_ISDIR) != 0;
   if (is_folder && (mask & (IN_CREATE | IN_MOVED_TO)) != 0 && is_ours(path)) {
@@ -123,6 +157,8 @@ void FolderWatch::take(unsigned mask, const fs::path& path) {
   }
   if (is_folder && (mask & (IN_MOVED_FROM | IN_DELETE)) != 0) forget_below(path);
   if (!is_ours(path)) return;
+  std::error_code unlinked;
+  if (fs::is_symlink(path, unlinked)) watch_target(path);
   // A file that is created is told again when it is closed; a link is complete at once.
   std::error_code gone;
   const bool unwritten = mask == IN_CREATE && fs::is_regular_file(fs::symlink_status(path, gone)) &&
@@ -133,7 +169,7 @@ void FolderWatch::take(unsigned mask, const fs::path& path) {
   } else {
     gone_.erase(path);
   }
-  changed_.insert(path);
+  add(path);
 }
 
 void FolderWatch::read_events() {

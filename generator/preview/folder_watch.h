@@ -2,7 +2,8 @@
 //
 // Editors save in many ways: they write the file, or write another and rename it, or move the old
 // one away first; a checkout changes hundreds of files. Whatever comes within a few milliseconds is
-// one change. A file that is gone gets a moment longer to come back.
+// one change. What a link leads to is watched as well, where that lies beside the folders, and told
+// under the link's name. A file that is gone gets a moment longer to come back.
 #pragma once
 
 #include <filesystem>
@@ -35,11 +36,15 @@ class FolderWatch {
   void watch_all();
   bool poll_for(int milliseconds, const std::stop_token& stop) const;
   void read_events();
+  // Where `link` leads to, as long as that is in the course.
+  void watch_target(const std::filesystem::path& link);
+  void add(const std::filesystem::path& path);
   void take(unsigned mask, const std::filesystem::path& path);
 
   std::vector<std::filesystem::path> folders_;
   int notify_;
-  std::map<int, std::filesystem::path> watched_;  // by the kernel's number
+  std::map<std::filesystem::path, std::filesystem::path> targets_;  // by the links to them
+  std::map<int, std::filesystem::path> watched_;                    // by the kernel's number
   std::set<std::filesystem::path> changed_, gone_;
 };
 

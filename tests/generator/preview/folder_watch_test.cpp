@@ -52,6 +52,28 @@ TEST_F(FolderWatchTest, TellsAFileThatIsWritten) {
             Paths{"content/deep/two.md"});
 }
 
+TEST_F(FolderWatchTest, TellsWhatALinkLeadsToUnderTheLinksName) {
+  write_file(root_ / "real/three.md", "three");
+  write_file(root_ / "shared/four.md", "four");
+  write_file(folder_.path() / "elsewhere/five.md", "five");
+  fs::create_symlink("../real", root_ / "content/folder");
+  fs::create_symlink("../shared/four.md", root_ / "content/four.md");
+  fs::create_symlink("../../elsewhere", root_ / "content/out");
+  watch_.emplace(std::vector<fs::path>{root_ / "content", root_ / "models"});
+  EXPECT_EQ(told([&] { write_file(root_ / "real/three.md", "3"); }),
+            (Paths{"content/folder/three.md", "real/three.md"}));
+  EXPECT_EQ(told([&] { write_file(root_ / "shared/four.md", "4"); }),
+            (Paths{"content/four.md", "shared/four.md"}));
+  EXPECT_EQ(told([&] { write_file(folder_.path() / "elsewhere/five.md", "5"); }), Paths{});
+}
+
+TEST_F(FolderWatchTest, TellsWhatALinkLeadsToThatCameLater) {
+  write_file(root_ / "real/three.md", "three");
+  told([&] { fs::create_symlink("../real", root_ / "content/folder"); });
+  EXPECT_EQ(told([&] { write_file(root_ / "real/three.md", "3"); }),
+            (Paths{"content/folder/three.md", "real/three.md"}));
+}
+
 TEST_F(FolderWatchTest, TellsAllOfOneSaveAtOnce) {
   // As vim does it.
   const fs::path file = root_ / "content/one.md";
