@@ -37,8 +37,9 @@ rlim_t cpu_seconds(double seconds) {
 }  // namespace
 
 Confinement::Confinement(const Sandbox* sandbox, bool watch, double seconds)
-    : confines_(sandbox != nullptr), watch_(watch && sandbox_level().watch) {
-  if (watch_) filter_ = &syscall_filter({false, true, true});
+    : confines_(sandbox != nullptr),
+      asked_(sandbox_level().watch && (watch || (confines_ && sandbox->processes))) {
+  if (asked_) filter_ = &syscall_filter({.watch = true, .asked = true});
   if (!confines_) return;
   level_ = sandbox_level();
   const rlim_t cpu = cpu_seconds(seconds), tasks = most_tasks(level_);
@@ -56,7 +57,13 @@ Confinement::Confinement(const Sandbox* sandbox, bool watch, double seconds)
   for (const std::string& path : sandbox->read) rules_.push_back({path, false});
   for (const std::string& path : sandbox->write) rules_.push_back({path, true});
   owned_ = sandbox->write;
-  if (level_.filter) filter_ = &syscall_filter({true, sandbox->processes, watch_});
+  if (level_.filter) {
+    filter_ = &syscall_filter({.confine = true,
+                               .processes = sandbox->processes,
+                               .watch = asked_ && watch,
+                               .asked = asked_,
+                               .scoped = level_.landlock >= kLandlockScopes});
+  }
 }
 
 bool Confinement::set_limits() const {
@@ -90,7 +97,7 @@ int Confinement::enter(int& listener) const {
   if (filter_ == nullptr && !confines_) return 0;
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0) return errno;
   if (ruleset >= 0 && !enter_ruleset(ruleset)) return errno;
-  if (filter_ != nullptr && watch_) {
+  if (filter_ != nullptr && asked_) {
     listener = enter_filter_with_listener(*filter_);
     if (listener < 0) return errno;
   } else if (filter_ != nullptr && !enter_filter(*filter_)) {

@@ -19,8 +19,9 @@ namespace mjcourse {
 
 class Confinement {
  public:
-  // `sandbox` may be null, for a program that is trusted, and that may be watched all the same.
-  // `seconds` is what its wall clock allows.
+  // `sandbox` may be null, for a program that is trusted, and that may be watched all the same. Who
+  // may start others has a watcher too, who decides what Landlock leaves open. `seconds` is what
+  // its wall clock allows.
   Confinement(const Sandbox* sandbox, bool watch, double seconds);
 
   // In the child. 0, or errno. `listener` becomes the descriptor on which the watcher is asked; it
@@ -45,7 +46,7 @@ class Confinement {
   std::vector<LandlockRule> rules_;
   std::vector<std::string> owned_;
   const SyscallFilter* filter_ = nullptr;
-  bool watch_;
+  bool asked_;
 };
 
 }  // namespace mjcourse

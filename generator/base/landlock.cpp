@@ -31,7 +31,7 @@ struct RulesetAttributes {
 };
 
 std::size_t size_of_attributes(int abi) {
-  if (abi >= 6) return sizeof(RulesetAttributes);
+  if (abi >= kLandlockScopes) return sizeof(RulesetAttributes);
   return abi >= 4 ? offsetof(RulesetAttributes, scopes) : offsetof(RulesetAttributes, network);
 }
 

@@ -15,6 +15,9 @@ struct LandlockRule {
   bool write;        // else read and execute
 };
 
+// The ABI from which on signals stay among those that are confined together.
+inline constexpr int kLandlockScopes = 6;
+
 // 0 where the kernel has none, or does not let us.
 int landlock_abi();
 

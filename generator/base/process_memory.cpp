@@ -47,11 +47,13 @@ tl::expected<std::string, int> read_text(pid_t process, std::uint64_t address) {
   return tl::unexpected(EFAULT);  // longer than any path
 }
 
+bool read_memory(pid_t process, std::uint64_t address, std::span<char> into) {
+  return read_bytes(process, address, into.data(), into.size()) == std::ssize(into);
+}
+
 std::optional<std::uint64_t> read_number(pid_t process, std::uint64_t address) {
   std::array<char, sizeof(std::uint64_t)> bytes{};
-  if (read_bytes(process, address, bytes.data(), bytes.size()) != ssize_t{sizeof bytes}) {
-    return std::nullopt;
-  }
+  if (!read_memory(process, address, bytes)) return std::nullopt;
   std::uint64_t number = 0;
   std::memcpy(&number, bytes.data(), sizeof number);
   return number;
@@ -63,6 +65,11 @@ std::optional<std::string> absolute_path(pid_t process, int folder, const std::s
   auto base = link_at(links + (folder == AT_FDCWD ? "/cwd" : "/fd/" + std::to_string(folder)));
   if (!base || path.empty()) return base;
   return *base + "/" + path;
+}
+
+bool shares_process(pid_t thread, pid_t other) {
+  std::error_code none;
+  return fs::exists("/proc/" + std::to_string(other) + "/task/" + std::to_string(thread), none);
 }
 
 int count_threads(pid_t process) {

@@ -37,8 +37,9 @@ int try_layers(bool root, const SyscallFilter& plain, const SyscallFilter* watch
 SandboxLevel find_level() {
   SandboxLevel level;
   level.landlock = landlock_abi();
-  const SyscallFilter& plain = syscall_filter({true, true, false});
-  const SyscallFilter* watching = can_watch() ? &syscall_filter({false, true, true}) : nullptr;
+  const SyscallFilter& plain = syscall_filter({.confine = true, .processes = true});
+  const SyscallFilter* watching =
+      can_watch() ? &syscall_filter({.watch = true, .asked = true}) : nullptr;
   const bool root = may_change_user();
   const pid_t child = fork();
   if (child == 0) _exit(try_layers(root, plain, watching));

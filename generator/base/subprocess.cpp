@@ -56,7 +56,7 @@ class Keeper {
     } else if (outcome_.end == End::exited) {
       outcome_.code = WEXITSTATUS(status_);
     }
-    if (watched_) outcome_.opened = watcher_.opened();
+    if (watched_ && command_.record_opened) outcome_.opened = watcher_.opened();
     return std::move(outcome_);
   }
 

@@ -2,7 +2,8 @@
 //
 // What it denies is what no program of a lesson needs and what reaches beyond it: other processes,
 // the network, mounts, namespaces, keys, kernel interfaces with a long record of holes, memory and
-// queues that outlive a process. Calls that name a file are put to a watcher, where there is one.
+// queues that outlive a process; and every call that is newer than the list, of which nobody knows
+// what it may reach. Calls that name a file are put to a watcher, where there is one.
 #pragma once
 
 #include <linux/filter.h>
@@ -14,9 +15,11 @@ namespace mjcourse {
 using SyscallFilter = std::vector<sock_filter>;
 
 struct FilterKind {
-  bool confine;    // deny what reaches beyond the program
-  bool processes;  // but let it start others
-  bool watch;      // ask the watcher about files, and where else an argument decides
+  bool confine = false;    // deny what reaches beyond the program
+  bool processes = false;  // but let it start others
+  bool watch = false;      // tell the watcher of files
+  bool asked = false;      // is there a watcher, who decides where an argument does?
+  bool scoped = false;     // does Landlock keep signals among those that are confined together?
 };
 
 // Does the kernel know of watchers at all? Else no filter for one can be made.

@@ -12,6 +12,7 @@
 #include <new>
 #include <utility>
 
+#include "base/file_change.h"
 #include "base/process_memory.h"
 
 namespace mjcourse {
@@ -65,6 +66,11 @@ struct Exchange {
   Exchange& operator=(const Exchange&) = delete;
 };
 
+bool is_scheduling(int number) {
+  return number == SCMP_SYS(sched_setaffinity) || number == SCMP_SYS(sched_setscheduler) ||
+         number == SCMP_SYS(sched_setparam) || number == SCMP_SYS(sched_setattr);
+}
+
 bool calls_path(int number) {
   const auto calls = path_calls();
   return std::any_of(calls.begin(), calls.end(),
@@ -91,20 +97,22 @@ void Watcher::answer(int listener) {
   const Reply reply = decide(*exchange.question);
   if (reply.answer == Answer::stop) return;
   exchange.response->id = exchange.question->id;
-  exchange.response->error = reply.answer == Answer::fail ? -reply.error : 0;
+  exchange.response->error = reply.answer == Answer::give ? -reply.error : 0;
   if (reply.answer == Answer::go_on) exchange.response->flags = SECCOMP_USER_NOTIF_FLAG_CONTINUE;
   seccomp_notify_respond(listener, exchange.response);
 }
 
 Watcher::Reply Watcher::decide(const seccomp_notif& question) {
   const int call = question.data.nr;
-  if (calls_path(call)) {
+  const bool confined = sandbox_ != nullptr;
+  // Of commands, a change that they may not make fails, and does not end them.
+  if (calls_path(call) && !(confined && sandbox_->processes && is_file_change(call))) {
     for (const PathCall& known : path_calls()) {
       if (known.number != call) continue;
       const Reply reply = decide_on_path(question, known);
       if (reply.answer != Answer::go_on) return reply;
     }
-    return {};
+    if (!confined || !is_file_change(call)) return {};
   }
   if (call == SCMP_SYS(execve) || call == SCMP_SYS(execveat)) {
     if (std::exchange(begun_, true)) return refuse("start another program");
@@ -113,11 +121,10 @@ Watcher::Reply Watcher::decide(const seccomp_notif& question) {
   if (call == SCMP_SYS(clone)) return decide_on_clone(question);
   if (call == SCMP_SYS(fork) || call == SCMP_SYS(vfork)) return refuse("start another process");
   if (call == SCMP_SYS(socket)) return refuse("open a network connection");
-  if (call == SCMP_SYS(fchmod)) {
-    const auto path = absolute_path(program_, static_cast<int>(question.data.args[0]), "");
-    return path && !may(*path, true) ? Reply{Answer::fail, EPERM} : Reply{};
+  if (is_file_change(call)) {
+    return {Answer::give, change_file(question, {writable_, sandbox_->file_bytes})};
   }
-  return decide_on_signal(question);
+  return decide_on_thread(question);
 }
 
 Watcher::Reply Watcher::refuse(std::string what) {
@@ -127,17 +134,17 @@ Watcher::Reply Watcher::refuse(std::string what) {
 
 Watcher::Reply Watcher::decide_on_clone(const seccomp_notif& question) {
   if ((question.data.args[0] & CLONE_THREAD) == 0) return refuse("start another process");
-  if (count_threads(program_) >= kMostThreads) return {Answer::fail, EAGAIN};
+  if (count_threads(program_) >= kMostThreads) return {Answer::give, EAGAIN};
   return {};
 }
 
-Watcher::Reply Watcher::decide_on_signal(const seccomp_notif& question) {
+// A signal, or the scheduler's rule, for whoever has the number of the first argument.
+Watcher::Reply Watcher::decide_on_thread(const seccomp_notif& question) {
   const auto target = static_cast<pid_t>(question.data.args[0]);
-  const bool to_thread = question.data.nr == SCMP_SYS(tkill);
-  const bool own =
-      target == program_ || (to_thread && fs::exists("/proc/" + std::to_string(program_) +
-                                                     "/task/" + std::to_string(target)));
-  return own ? Reply{} : refuse("send a signal to another process");
+  if (target > 0 && shares_process(target, static_cast<pid_t>(question.pid))) return {};
+  const bool is_rule = is_scheduling(question.data.nr);
+  if (is_rule || sandbox_->processes) return {Answer::give, EPERM};
+  return refuse("send a signal to another process");
 }
 
 FileAccess Watcher::access_of(const seccomp_notif& question, const PathCall& call) {
@@ -193,7 +200,7 @@ Watcher::Reply Watcher::decide_on_path(const seccomp_notif& question, const Path
   if (looks) return {};
   const bool writes = access == FileAccess::write;
   if (may(normal, writes)) return {};
-  if (normal == kTriedDevice) return {Answer::fail, EACCES};
+  if (normal == kTriedDevice) return {Answer::give, EACCES};
   return refuse((writes ? "write " : "read ") + *text);
 }
 

@@ -36,16 +36,16 @@ class Watcher {
   std::optional<std::vector<std::string>> opened() const;
 
  private:
-  enum class Answer { go_on, fail, stop };
+  enum class Answer { go_on, give, stop };
   struct Reply {
     Answer answer = Answer::go_on;
-    int error = 0;
+    int error = 0;  // that the call gives; 0 for done
   };
 
   Reply decide(const seccomp_notif& question);
   Reply decide_on_path(const seccomp_notif& question, const PathCall& call);
   Reply decide_on_clone(const seccomp_notif& question);
-  Reply decide_on_signal(const seccomp_notif& question);
+  Reply decide_on_thread(const seccomp_notif& question);
   Reply refuse(std::string what);
   FileAccess access_of(const seccomp_notif& question, const PathCall& call);
   bool may(const std::string& path, bool write) const;
