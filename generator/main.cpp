@@ -1,5 +1,6 @@
 #include <csignal>
 
+#include "base/guardian.h"
 #include "cli/run.h"
 
 // Read by jemalloc before main(). In large pages, memory that is new costs a short run less; what
@@ -12,5 +13,7 @@ const char* malloc_conf = "thp:always,oversize_threshold:0";
 int main(int argc, char** argv) {
   // A launcher may have it ignored, and then nobody learns how a program ended.
   std::signal(SIGCHLD, SIG_DFL);
+  // While we are small, and alone.
+  mjcourse::Guardian::instance();
   return mjcourse::run_command({argv + 1, argv + argc});
 }

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "base/descriptor.h"
+#include "base/guardian.h"
 #include "base/launch.h"
 
 namespace mjcourse {
@@ -76,6 +77,7 @@ int ChildProcess::end() {
     ended_one = waitpid(-id_, &status, __WALL);
     if (ended_one == id_) status_ = status;
   }
+  Guardian::instance().forget(id_);
   id_ = -1;
   gone_.release();
   return status_;

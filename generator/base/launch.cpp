@@ -30,6 +30,7 @@ Launch::Launch(const Command& command, Ends ends)
       confinement_(command.sandbox ? &*command.sandbox : nullptr, command.record_opened,
                    command.seconds),
       parent_(getpid()),
+      guardian_(Guardian::instance()),
       ends_(std::move(ends)) {
   if (command.sandbox) {
     fixed_ = {"HOME=" + command.folder, "TMPDIR=" + command.folder, "LC_ALL=C.UTF-8",
@@ -74,6 +75,8 @@ void Launch::become() const {
   // A generator that is killed takes its programs along; one that never ends would go on for ever.
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent_) _exit(127);
+  // Nor does what it starts itself.
+  guardian_.watch(getpid());
   const int news = ends_.news.get();
   tell_id(news, getpid());
   const int nothing = open("/dev/null", O_RDONLY);

@@ -12,6 +12,7 @@
 
 #include "base/confinement.h"
 #include "base/descriptor.h"
+#include "base/guardian.h"
 #include "base/subprocess.h"
 
 namespace mjcourse {
@@ -37,6 +38,7 @@ class Launch {
   const Command& command_;
   Confinement confinement_;
   pid_t parent_;
+  const Guardian& guardian_;
   Ends ends_;
   std::vector<std::string> fixed_;
   std::vector<char*> arguments_, environment_;  // as execvpe takes them

@@ -11,6 +11,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "base/guardian.h"
+
 namespace mjcourse {
 namespace {
 
@@ -34,7 +36,10 @@ Diagnostic no_bundler() {
 Stylesheet::~Stylesheet() {
   to_.reset();  // it ends when nobody can ask it any more
   if (from_ != nullptr) std::fclose(from_);
-  if (process_ > 0) waitpid(process_, nullptr, 0);
+  if (process_ <= 0) return;
+  waitpid(process_, nullptr, 0);
+  kill(-process_, SIGKILL);  // the bundler that it has started
+  Guardian::instance().forget(process_);
 }
 
 bool Stylesheet::start() {
@@ -61,6 +66,7 @@ bool Stylesheet::start() {
     process_ = -1;
     return false;
   }
+  Guardian::instance().watch(process_);
   from_ = fdopen(fcntl(ours.get(), F_DUPFD_CLOEXEC, 0), "r");
   to_ = std::move(ours);
   return from_ != nullptr;

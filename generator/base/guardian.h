@@ -1,0 +1,31 @@
+// A small process that ends what we started, when we have ended and could not.
+//
+// A generator that is killed, or that crashes, takes its programs along: the kernel kills a child
+// whose parent ends. Of what that child has started itself, the kernel knows nothing. So each
+// program tells its process group, which a confined one cannot leave, to a process of ours that
+// does nothing but wait for our end.
+#pragma once
+
+#include <sys/types.h>
+
+namespace mjcourse {
+
+class Guardian {
+ public:
+  // Of this process; begun by the first who asks. A copy of us as we are then, so a program asks
+  // before it has taken much memory and begun threads.
+  static const Guardian& instance();
+
+  // Both are async-signal-safe, and do nothing where no guardian could be begun.
+  void watch(pid_t group) const;
+  // Call it when nothing of the group is left: from then on another may get its number.
+  void forget(pid_t group) const;
+
+ private:
+  Guardian();
+  void tell(pid_t group) const;
+
+  int socket_ = -1;
+};
+
+}  // namespace mjcourse
