@@ -30,6 +30,7 @@ std::string status_of(const fs::path& path) {
 std::optional<std::string> ask(const std::string& tool) {
   Command command;
   command.arguments = {tool, "--version"};
+  command.sandbox = Sandbox{};  // it reads itself, and writes nothing
   const Outcome outcome = run(command);
   if (outcome.end != Outcome::End::exited || outcome.code != 0) return std::nullopt;
   return outcome.out.substr(0, outcome.out.find('\n'));

@@ -11,6 +11,8 @@
 namespace mjcourse {
 namespace {
 
+namespace fs = std::filesystem;
+
 // A repository whose course lies in a folder of it.
 class LastChanged : public testing::Test {
  protected:
@@ -97,6 +99,77 @@ TEST(LastChangedWithoutGit, IsUnknown) {
   const TemporaryFolder folder;
   write_file(folder.path() / "content/a.md", "a");
   EXPECT_TRUE(last_changed(folder.path(), "content").empty());
+}
+
+// Whatever a repository says that git starts, it starts nothing.
+class HostileRepository : public LastChanged {
+ protected:
+  HostileRepository() {
+    const fs::path script = folder_.path() / "script";
+    write("script", "#!/bin/sh\ntouch '" + mark_.string() + "'\ncat\n");
+    fs::permissions(script, fs::perms(0755));
+    settings_ =
+        "[core]\n\trepositoryformatversion = 0\n\tfsmonitor = " + script.string() +
+        "\n\tsshCommand = " + script.string() + "\n\tpager = " + script.string() +
+        "\n\thooksPath = " + folder_.path().string() + "\n[diff]\n\texternal = " + script.string() +
+        "\n[diff \"x\"]\n\ttextconv = " + script.string() + "\n\tcommand = " + script.string() +
+        "\n[filter \"x\"]\n\tclean = " + script.string() + "\n[alias]\n\tlog = !" +
+        script.string() + "\n\tls-files = !" + script.string() + "\n";
+    write("course/content/1/a.md", "a");
+    write("course/content/1/b.md", "b");
+  }
+  bool started() const { return fs::exists(mark_); }
+
+  // Beside what would be seen as a file of the course.
+  TemporaryFolder elsewhere_;
+  const fs::path mark_ = elsewhere_.path() / "started";
+  std::string settings_;
+};
+
+TEST_F(HostileRepository, StartsNothing) {
+  commit("2026-03-03T12:00:00Z");
+  fs::permissions(elsewhere_.path(), fs::perms::all);
+  write(".git/config", settings_);
+  write(".git/info/attributes", "*.md filter=x diff=x\n");
+  write("course/content/1/b.md", "c");  // as long as before
+  const LastChanges found = changes();
+  EXPECT_FALSE(started());
+  EXPECT_EQ(found.at("content/1/a.md").day, "2026-03-03");
+  EXPECT_FALSE(found.at("content/1/b.md").committed());
+}
+
+// A folder with these names in it is a repository for git, unless it is told of another.
+TEST_F(HostileRepository, IsNotTheCourseItself) {
+  write("course/config", settings_ + "[core]\n\tbare = false\n\tworktree = .\n");
+  write("course/HEAD", "ref: refs/heads/main\n");
+  write("course/objects/a", "");
+  write("course/refs/a", "");
+  commit("2026-03-03T12:00:00Z");
+  fs::permissions(elsewhere_.path(), fs::perms::all);
+  const LastChanges found = changes();
+  EXPECT_FALSE(started());
+  EXPECT_EQ(found.at("content/1/a.md").day, "2026-03-03");
+}
+
+TEST_F(LastChanged, IsKnownInAnotherWorkTree) {
+  write("course/content/1/a.md", "a");
+  commit("2026-03-03T12:00:00Z");
+  const TemporaryFolder other;
+  git({"worktree", "add", "--quiet", (other.path() / "tree").string()});
+  const LastChanges found = last_changed(other.path() / "tree" / "course", "content");
+  EXPECT_EQ(found.at("content/1/a.md").day, "2026-03-03");
+}
+
+// What a user has set up changes nothing.
+TEST_F(LastChanged, IsTheSameForEveryUser) {
+  write("course/content/1/a.md", "a");
+  commit("2026-03-03T12:00:00Z");
+  const TemporaryFolder home;
+  write_file(home.path() / "config", "[log]\n\tshowRoot = false\n\tdate = raw\n");
+  setenv("GIT_CONFIG_GLOBAL", (home.path() / "config").c_str(), 1);
+  const LastChanges found = changes();
+  unsetenv("GIT_CONFIG_GLOBAL");
+  EXPECT_EQ(found.at("content/1/a.md").day, "2026-03-03");
 }
 
 }  // namespace

@@ -1,0 +1,95 @@
+#include "course/git.h"
+
+#include <sstream>
+#include <string_view>
+#include <utility>
+
+#include "base/files.h"
+#include "base/subprocess.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostOutput = 64 << 20;  // bytes; the log of some hundred thousand changes
+constexpr double kSeconds = 60;
+
+// The first line of a file; "" where there is none.
+std::string line_of(const fs::path& file) {
+  const auto text = DiskFiles(file.parent_path()).read(file.filename().string());
+  return text ? text->substr(0, text->find('\n')) : "";
+}
+
+// Of a folder's `.git`, which names the repository where it lies elsewhere, as of a work tree or a
+// submodule.
+fs::path repository_at(const fs::path& folder) {
+  constexpr std::string_view key = "gitdir: ";
+  const fs::path place = folder / ".git";
+  std::error_code none;
+  if (fs::is_directory(place, none)) return place;
+  const std::string line = line_of(place);
+  return line.starts_with(key) ? folder / line.substr(key.size()) : fs::path();
+}
+
+// Where other repositories keep objects of this one.
+void add_alternates(const fs::path& objects, std::vector<std::string>& read) {
+  std::istringstream lines(DiskFiles(objects).read("info/alternates").value_or(""));
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty()) read.push_back((objects / line).lexically_normal().string());
+  }
+}
+
+}  // namespace
+
+std::optional<Git> Git::find(const fs::path& folder) {
+  std::error_code none;
+  const fs::path real = fs::canonical(folder, none);
+  for (fs::path above = real; !above.empty(); above = above.parent_path()) {
+    const fs::path own = repository_at(above);
+    if (!own.empty()) {
+      const std::string shared = line_of(own / "commondir");
+      const fs::path common = (shared.empty() ? own : own / shared).lexically_normal();
+      Git git;
+      git.folder_ = real;
+      git.work_tree_ = above;
+      git.own_ = own;
+      git.read_ = {above.string(), own.string(), common.string()};
+      add_alternates(common / "objects", git.read_);
+      return git;
+    }
+    if (above == above.root_path()) break;
+  }
+  return std::nullopt;
+}
+
+std::string Git::ask(const std::vector<std::string>& arguments) const {
+  Command command;
+  // Where we are root, git is not, and would mind who owns the repository.
+  command.arguments = {"git"};
+  for (const char* setting :
+       {"safe.directory=*", "safe.bareRepository=explicit", "core.quotePath=false",
+        "core.hooksPath=/dev/null", "core.fsmonitor=false", "core.pager=cat",
+        "core.packedGitLimit=1g", "log.showSignature=false", "log.showRoot=true"}) {
+    command.arguments.insert(command.arguments.end(), {"-c", setting});
+  }
+  command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
+  command.folder = folder_.string();
+  command.environment = {"TZ=UTC",
+                         "GIT_DIR=" + own_.string(),
+                         "GIT_WORK_TREE=" + work_tree_.string(),
+                         "GIT_CONFIG_NOSYSTEM=1",
+                         "GIT_CONFIG_GLOBAL=/dev/null",
+                         "GIT_ATTR_NOSYSTEM=1",
+                         "GIT_OPTIONAL_LOCKS=0",
+                         "GIT_TERMINAL_PROMPT=0"};
+  command.seconds = kSeconds;
+  command.output_bytes = kMostOutput;
+  command.sandbox = Sandbox{read_, {}};
+  command.sandbox->open_files = 1024;  // one for each pack
+  Outcome outcome = run(command);
+  const bool done = outcome.end == Outcome::End::exited && outcome.code == 0;
+  return done ? std::move(outcome.out) : "";
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,31 @@
+// git, of a repository that somebody else may have made.
+//
+// What lies in a repository can have git start programs: its settings name hooks, filters, pagers
+// and tools for differences, and a folder of a course may look like a repository of its own. So we
+// find the repository, git is told which it is, reads that and nothing else, and starts nothing.
+// Nor does what a user has set up for git change what it prints.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mjcourse {
+
+class Git {
+ public:
+  // The repository that `folder` lies in; nothing where it lies in none.
+  static std::optional<Git> find(const std::filesystem::path& folder);
+
+  // What git prints, run in the folder; "" where it fails.
+  std::string ask(const std::vector<std::string>& arguments) const;
+
+ private:
+  std::filesystem::path folder_, work_tree_;
+  // Its own folder, and all that it keeps elsewhere.
+  std::filesystem::path own_;
+  std::vector<std::string> read_;
+};
+
+}  // namespace mjcourse
