@@ -1,5 +1,6 @@
 // Courses that mean harm (tests/courses/hostile/): each says what it should, and nothing of them
-// survives: no process, and no file. As we are, and where we are root, as an ordinary user as well.
+// survives: no process, and no file. As we are, and where we are root, as an ordinary user as well;
+// and with Landlock as older kernels have it, down to none, where nothing is run.
 //
 //   node tests/hostile.mjs MJCOURSE
 //
@@ -44,23 +45,40 @@ function processesIn(folder) {
   });
 }
 
-function run(name, user, home) {
-  const who = user === undefined ? "as we are" : "as an ordinary user";
+// `landlock` is the newest ABI that the generator may see; undefined for the kernel's own.
+function run(name, user, home, landlock) {
+  const who =
+    (user === undefined ? "as we are" : "as an ordinary user") +
+    (landlock === undefined ? "" : `, Landlock ${landlock}`);
   const temporary = mkdtempSync(join(home, "tmp-"));
   const cache = mkdtempSync(join(home, "cache-")); // empty, so that everything is run
-  const course = join(temporary, "..", `${name}-${user ?? "own"}`);
+  const course = join(temporary, "..", `${name}-${user ?? "own"}-${landlock ?? "own"}`);
   cpSync(join(courses, name), course, { recursive: true });
   if (user !== undefined) for (const own of [temporary, cache]) chownSync(own, user, user);
   const { status, stdout, stderr } = spawnSync(mjcourse, ["check", "--course", course], {
     encoding: "utf8",
     cwd: "/",
-    env: { PATH: process.env.PATH, TMPDIR: temporary, XDG_CACHE_HOME: cache },
+    env: {
+      PATH: process.env.PATH,
+      TMPDIR: temporary,
+      XDG_CACHE_HOME: cache,
+      ...(landlock === undefined ? {} : { MJCOURSE_LANDLOCK: String(landlock) }),
+    },
     ...(user === undefined ? {} : { uid: user, gid: user }),
   });
   const level = /^sandbox: (.*)$/m.exec(stdout)?.[1] ?? "";
   console.log(`${name}, ${who}: ${level === "" ? "no program was run" : level}`);
-  const said = stdout.replace(/\d+\.\d s$/m, "N.N s").replace(/^sandbox: .*\n/m, "");
-  const expected = readFileSync(join(courses, name, "expected.txt"), "utf8");
+  const said = stdout.replace(/\d+\.\d s$/m, "N.N s").replace(/^sandbox[:,] .*\n/gm, "");
+  const file = landlock === 0 ? "expected-without-landlock.txt" : "expected.txt";
+  const expected = readFileSync(join(courses, name, file), "utf8");
+  const weak = /^sandbox, weaker than on the newest kernels: (.*)$/m.exec(stdout)?.[1];
+  const weaknesses = {
+    1: "seccomp alone keeps programs from the network; seccomp alone keeps signals from others",
+    5: "seccomp alone keeps signals from others",
+  };
+  if (landlock !== undefined) {
+    expect(weak === weaknesses[landlock], `${name}, ${who}: its weakness is ${weak}`);
+  }
   expect(`${stderr}${said}exit ${status}\n` === expected, `${name}, ${who}:\n${stderr}${stdout}`);
   expect(processesIn(temporary).length === 0, `${name}, ${who}: processes were left`);
   expect(readdirSync(temporary).length === 0, `${name}, ${who}: files were left`);
@@ -78,9 +96,16 @@ try {
   rmSync(outside, { force: true });
   const names = readdirSync(courses).filter((name) => `hostile/${name}` !== without);
   for (const name of names) run(name, undefined, home);
+  const run_by_it = ["programs", "commands"];
+  for (const landlock of [0, 1, 5]) {
+    for (const name of run_by_it) run(name, undefined, home, landlock);
+  }
   if (process.getuid() !== 0) console.log("not as another user: we are an ordinary one");
   else if (!isOpen(ordinary)) console.log("not as an ordinary user: nobody else can read this");
-  else for (const name of names) run(name, ordinary, home);
+  else {
+    for (const name of names) run(name, ordinary, home);
+    for (const name of run_by_it) run(name, ordinary, home, 5);
+  }
 } finally {
   rmSync(home, { recursive: true });
 }

@@ -25,8 +25,7 @@ const env = { ...process.env, TMPDIR: temporary };
 
 function writeLesson(course, fence, examples) {
   const files = {
-    "content/course.yaml":
-      "title: T\nlevels:\n  - {folder: 1-a, title: A, lessons: [1.1-b]}\n",
+    "content/course.yaml": "title: T\nlevels:\n  - {folder: 1-a, title: A, lessons: [1.1-b]}\n",
     "content/1-a/1.1-b.md": `---\ntitle: B\n---\n\n${fence}`,
     ...examples,
   };
@@ -77,17 +76,11 @@ const failures = [];
 async function endsWithItsCommands(signal) {
   const deaf = `(trap '' TERM HUP INT; while :; do sleep 1; done) & # ${home} ${signal}\n`;
   const fence = `\`\`\`sh run timeout=60\nexec >/dev/null 2>&1\n${deaf.repeat(3)}wait\n\`\`\`\n`;
-  const generator = spawn(
-    mjcourse,
-    writeLesson(`commands-${signal}`, fence, {}),
-    {
-      env,
-      stdio: ["ignore", "pipe", "ignore"],
-    },
-  );
-  const closed = new Promise((resolve) =>
-    generator.stdout.on("close", () => resolve(true)),
-  );
+  const generator = spawn(mjcourse, writeLesson(`commands-${signal}`, fence, {}), {
+    env,
+    stdio: ["ignore", "pipe", "ignore"],
+  });
+  const closed = new Promise((resolve) => generator.stdout.on("close", () => resolve(true)));
   generator.stdout.resume();
   // The shell, three that it starts, and what each of these does.
   if (!(await eventually(() => processesOfCommands().length >= 7))) {
@@ -95,11 +88,8 @@ async function endsWithItsCommands(signal) {
   }
   generator.kill(signal);
   if (!(await eventually(() => processesOfCommands().length === 0))) {
-    failures.push(
-      `${signal}: ${processesOfCommands().length} processes run on`,
-    );
-    for (const left of processesOfCommands())
-      process.kill(Number(left.split("/")[2]), "SIGKILL");
+    failures.push(`${signal}: ${processesOfCommands().length} processes run on`);
+    for (const left of processesOfCommands()) process.kill(Number(left.split("/")[2]), "SIGKILL");
   }
   // Nothing that is left holds what the generator prints to.
   if (!(await Promise.race([closed, sleep(2000, false)])))
@@ -117,11 +107,9 @@ try {
   const generator = spawn(mjcourse, endless, { env, stdio: "ignore" });
   if (!(await eventually(programRuns))) failures.push("the program never ran");
   generator.kill("SIGKILL");
-  if (!(await eventually(() => !programRuns())))
-    failures.push("the program runs on");
+  if (!(await eventually(() => !programRuns()))) failures.push("the program runs on");
 
-  if (readdirSync(temporary).length === 0)
-    failures.push("the test is no good: nothing was left");
+  if (readdirSync(temporary).length === 0) failures.push("the test is no good: nothing was left");
   // No other run of this test has left a result for it.
   const short = writeCourse("short", `int main() {\n  // ${home}\n}\n`);
   // And by a launcher that does not care for its children's end, as some do.

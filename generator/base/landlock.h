@@ -17,8 +17,12 @@ struct LandlockRule {
 
 // The ABI from which on signals stay among those that are confined together.
 inline constexpr int kLandlockScopes = 6;
+// And the one from which on it knows TCP.
+inline constexpr int kLandlockNetwork = 4;
 
-// 0 where the kernel has none, or does not let us.
+// 0 where the kernel has none, or does not let us. MJCOURSE_LANDLOCK=N, which is for tests of what
+// holds on older kernels, makes it N where it is more: it never makes it more than it is. It is
+// read from our own environment, of which a course sets nothing.
 int landlock_abi();
 
 // Both only for a child between fork and exec; async-signal-safe. A descriptor, or -1.

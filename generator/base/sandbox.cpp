@@ -72,6 +72,23 @@ std::string SandboxLevel::text() const {
   return text;
 }
 
+std::string SandboxLevel::weakness() const {
+  std::vector<std::string> weak;
+  if (landlock == 0) weak.emplace_back("no Landlock keeps programs from files");
+  if (!filter) weak.emplace_back("no seccomp keeps programs from system calls");
+  if (landlock > 0 && landlock < kLandlockNetwork) {
+    weak.emplace_back("seccomp alone keeps programs from the network");
+  }
+  if (landlock > 0 && landlock < kLandlockScopes) {
+    weak.emplace_back("seccomp alone keeps signals from others");
+  }
+  if (!watch) weak.emplace_back("nobody sees which files a program names");
+  if (user == User::same && geteuid() == 0) weak.emplace_back("programs run as root");
+  std::string text;
+  for (const std::string& one : weak) text += (text.empty() ? "" : "; ") + one;
+  return text;
+}
+
 const SandboxLevel& sandbox_level() {
   static const SandboxLevel level = find_level();
   return level;

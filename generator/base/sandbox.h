@@ -40,6 +40,9 @@ struct SandboxLevel {
   std::optional<uid_t> user_for(pid_t pid) const;
   // "rlimits, no_new_privs, seccomp, Landlock 7, a user id for each run"
   std::string text() const;
+  // What the newest kernels would hold and this one does not, as "no Landlock, ..."; empty where it
+  // holds all.
+  std::string weakness() const;
 };
 
 // Found out by trying, once in a process.

@@ -105,12 +105,14 @@ Sign site(const fs::path& assets) {
 
 Sign sandbox() {
   const SandboxLevel& level = sandbox_level();
-  // Either of the two keeps programs from files that are not theirs.
-  if (level.watch || (level.filter && level.landlock > 0))
-    return {"sandbox", Grade::good, level.text(), ""};
-  return {"sandbox", Grade::slow, level.text() + ": lessons of strangers may read your files",
-          level.filter ? "a kernel from 5.13 on, with Landlock"
-                       : "a machine or container that allows seccomp"};
+  if (level.landlock == 0) {
+    return {"sandbox", Grade::missing, level.text() + ": nothing of a course is run",
+            "a kernel from 5.13 on that has Landlock turned on (`lsm=landlock,...`)"};
+  }
+  const std::string weakness = level.weakness();
+  if (weakness.empty()) return {"sandbox", Grade::good, level.text(), ""};
+  return {"sandbox", Grade::slow, level.text() + "; weaker than on the newest kernels: " + weakness,
+          level.filter ? "a newer kernel" : "a machine or container that allows seccomp"};
 }
 
 Sign cache(const fs::path& store) {

@@ -34,6 +34,7 @@ struct Options {
   std::uintmax_t keep = kMostKept;  // bytes that a pruned store keeps
   std::optional<int> port;          // of the preview; nothing: the first that is free
   bool open = false;                // the preview in a browser
+  bool without_landlock = false;    // run a course's programs where the kernel has none
   std::string link = "vscode://file{file}:{line}:{column}";  // how a page opens an editor
 };
 

@@ -119,6 +119,12 @@ constexpr Option kLink{"--link", "an address with {file} in it",
                          return value.find("{file}") != value.npos;
                        }};
 
+constexpr Option kWithoutLandlock{"--unsafe-without-landlock", "",
+                                  [](Options& options, const std::string&) {
+                                    options.without_landlock = true;
+                                    return true;
+                                  }};
+
 struct NamedCommand {
   std::string_view name;
   int (*command)(const Options&);
@@ -128,18 +134,21 @@ struct NamedCommand {
 
 const std::vector<NamedCommand>& commands() {
   static const std::vector<NamedCommand> all{
-      {"accept", accept, {kCourse, kDryRun, kStore, kJobs}, true},
+      {"accept", accept, {kCourse, kDryRun, kStore, kJobs, kWithoutLandlock}, true},
       {"build",
        build,
-       {kCourse, kOut, kBaseUrl, kCompress, kReport, kStore, kJobs, kTimings, kTrace}},
-      {"check", check, {kCourse, kReport, kStrict, kFormat, kStore, kJobs, kTimings, kTrace}},
+       {kCourse, kOut, kBaseUrl, kCompress, kReport, kStore, kJobs, kTimings, kTrace,
+        kWithoutLandlock}},
+      {"check",
+       check,
+       {kCourse, kReport, kStrict, kFormat, kStore, kJobs, kTimings, kTrace, kWithoutLandlock}},
       {"doctor", doctor, {kStore}},
       {"explain", explain, {kCourse, kStore}, true},
       {"init", init, {}, true},
       {"list", list, {kCourse, kStore, kJobs}},
-      {"lsp", lsp, {kCourse, kStore, kJobs}},
+      {"lsp", lsp, {kCourse, kStore, kJobs, kWithoutLandlock}},
       {"new", make_new, {kCourse}, true},
-      {"preview", preview, {kCourse, kPort, kOpen, kLink, kStore, kJobs}},
+      {"preview", preview, {kCourse, kPort, kOpen, kLink, kStore, kJobs, kWithoutLandlock}},
       {"store", store, {kStore, kKeep}, true}};
   return all;
 }
@@ -189,6 +198,9 @@ constexpr std::string_view kHelp =
     "  --open         preview opens a browser\n"
     "  --link FORM    how a previewed page opens your editor, with {file}, {line}, {column}\n"
     "                 (default: vscode://file{file}:{line}:{column})\n"
+    "  --unsafe-without-landlock\n"
+    "                 run a course's programs where the kernel has no Landlock to keep them from\n"
+    "                 your files: for courses whose every program you trust\n"
     "  --keep SIZE    how much store prune leaves, as 500MB (default: 2GB)\n"
     "\n"
     "Exit code: 0 clean, 1 the course has errors (after accept: those that it cannot mend),\n"

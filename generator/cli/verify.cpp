@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/counted.h"
+#include "base/sandbox.h"
 #include "base/stopwatch.h"
 #include "cli/progress_bar.h"
 #include "cli/tally_text.h"
@@ -81,6 +82,7 @@ std::filesystem::path assets_folder() {
 Workplace workplace_of(const Options& options, const Files& assets, Store* store) {
   Workplace workplace{options.course, assets, store, options.jobs,
                       assets_folder() / "examples" / "include"};
+  workplace.without_landlock = options.without_landlock;
   const std::filesystem::path folder = store_folder(options.store);
   if (store != nullptr && !folder.empty()) workplace.prepared = prepared_folder(folder);
   return workplace;
@@ -157,6 +159,8 @@ Verified verify_course(const Options& options) {
       << counted(errors, "error") << ", " << time << '\n';
   const std::string& sandbox = verified.evaluation.sandbox;
   if (!sandbox.empty()) out << "sandbox: " << sandbox << '\n';
+  const std::string weakness = sandbox.empty() ? "" : sandbox_level().weakness();
+  if (!weakness.empty()) out << "sandbox, weaker than on the newest kernels: " << weakness << '\n';
   if (options.timings) out << timings_table(verified.evaluation.times);
   if (!options.trace.empty()) write_trace(verified.evaluation.times, options.trace);
   if (!options.report.empty()) {

@@ -108,6 +108,11 @@ std::string without_folder(std::string text, const std::string& folder) {
 
 std::optional<ExampleResult> evaluate_commands(const Commands& commands, const Lesson& lesson,
                                                Workshop& workshop, Diagnostics& diagnostics) {
+  if (auto why = workshop.setting().why_nothing_runs()) {
+    why->place = place_of(*lesson.source, commands.span);
+    diagnostics.push_back(*std::move(why));
+    return std::nullopt;
+  }
   const TemporaryFolder folder;
   const fs::path script = folder.path() / "commands.sh", place = folder.path() / "course";
   write_file(script, commands.code.text);

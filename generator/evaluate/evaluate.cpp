@@ -78,7 +78,7 @@ class Evaluator {
         workplace_(workplace),
         progress_(progress),
         setting_(course, workplace.root, workplace.assets, workplace.helper, workplace.prepared,
-                 workplace.known_scripts),
+                 workplace.known_scripts, workplace.without_landlock),
         fingerprints_(workplace.root, workplace.known_files) {
     if (workplace.store != nullptr)
       archive_.emplace(*workplace.store, workplace.root, fingerprints_);
@@ -91,7 +91,9 @@ class Evaluator {
     const Tasks tasks = plan_tasks(course_);
     const bool compiles = has_any<ProgramTask, SnippetsTask>(tasks) && setting_.compiler();
     if (compiles) evaluation_.versions.compiler = setting_.compiler()->version();
-    if (compiles || has_any<CommandsTask>(tasks)) evaluation_.sandbox = sandbox_level().text();
+    if ((compiles || has_any<CommandsTask>(tasks)) && !setting_.why_nothing_runs()) {
+      evaluation_.sandbox = sandbox_level().text();
+    }
     Crew crew(setting_, archive_ ? &*archive_ : nullptr, progress_, workplace_.threads,
               workplace_.stand_in ? Effort::looks : Effort::all);
     gather(tasks, crew.run(tasks, workplace_.first, [&](const TaskRecords& records) {

@@ -61,7 +61,8 @@ struct Workplace {
   std::shared_ptr<KnownScripts> known_scripts = std::make_shared<KnownScripts>();
   // Given, nothing is worked out: what the store does not have stays open, with a stand-in.
   StandIn stand_in = {};
-  Blocks first = {};  // what somebody waits for: begun before all else
+  Blocks first = {};              // what somebody waits for: begun before all else
+  bool without_landlock = false;  // run programs even where the kernel has none
 };
 
 // Throws Cancelled when the caller's work is cancelled. The diagnostics begin with what reading the

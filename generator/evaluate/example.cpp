@@ -94,6 +94,7 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
     diagnostics.push_back(std::move(wrong));
     return std::nullopt;
   };
+  if (auto why = workshop.setting().why_nothing_runs()) return report(*std::move(why));
   const std::optional<Compiler>& compiler = workshop.setting().compiler();
   if (!compiler) return report(no_compiler());
   const fs::path& root = workshop.root();

@@ -21,10 +21,12 @@ class Setting {
  public:
   // `root` is the course's folder on the disk; `assets` holds script/*.js; `helper` is where the
   // helper header is for a course without one; `prepared` is where what programs share is kept, and
-  // without it nothing is. All must outlive this.
+  // without it nothing is. Programs run `without_landlock` only where that is true. All must
+  // outlive this.
   Setting(const Course& course, std::filesystem::path root, const Files& assets,
           std::filesystem::path helper = {}, std::optional<std::filesystem::path> prepared = {},
-          std::shared_ptr<KnownScripts> scripts = std::make_shared<KnownScripts>());
+          std::shared_ptr<KnownScripts> scripts = std::make_shared<KnownScripts>(),
+          bool without_landlock = false);
 
   const Course& course() const { return course_; }
   const std::filesystem::path& root() const { return root_; }
@@ -34,6 +36,9 @@ class Setting {
 
   // Nothing when none is installed. Looked for when first asked for.
   const std::optional<Compiler>& compiler() const;
+
+  // Why no program, and no command, of the course may be run or compiled here; without a place.
+  std::optional<Diagnostic> why_nothing_runs() const;
 
   // Shared by all threads.
   ModelShelf& models() const { return models_; }
@@ -53,6 +58,7 @@ class Setting {
   std::filesystem::path helper_;
   std::optional<std::filesystem::path> prepared_;
   std::shared_ptr<KnownScripts> scripts_;
+  bool without_landlock_;
   ShownPrograms shown_;
   Reports reports_;
   mutable ModelShelf models_;

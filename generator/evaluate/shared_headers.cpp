@@ -17,7 +17,8 @@ std::string SharedHeader::what() const {
 
 std::vector<SharedHeader> shared_headers(const Setting& setting,
                                          const std::vector<const Task*>& waiting) {
-  if (waiting.empty() || !setting.compiler() || !setting.compiler()->makes_headers()) return {};
+  if (waiting.empty() || setting.why_nothing_runs()) return {};
+  if (!setting.compiler() || !setting.compiler()->makes_headers()) return {};
   std::map<std::vector<std::string>, std::size_t> programs;
   for (const Task* task : waiting) {
     const std::vector<std::string> roots = task->warm_roots(setting);

@@ -165,8 +165,10 @@ std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, Wor
   const std::vector<Placed> snippets = snippets_of(lesson);
   const fs::path& root = workshop.root();
   const std::optional<Compiler>& compiler = workshop.setting().compiler();
-  if (!compiler) {
-    diagnostics.push_back(no_compiler());
+  std::optional<Diagnostic> why = workshop.setting().why_nothing_runs();
+  if (!why && !compiler) why = no_compiler();
+  if (why) {
+    diagnostics.push_back(*std::move(why));
     diagnostics.back().place = place_of(*lesson.source, snippets.front().snippet->span);
     return {};
   }

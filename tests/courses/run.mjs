@@ -44,7 +44,7 @@ function check(name) {
       ["check", "--course", join(here, name), ...moreArguments(name)],
       (error, stdout, stderr) => {
         const exit = error?.signal ?? process.exitCode;
-        const summary = stdout.replace(/\d+\.\d s$/m, "N.N s").replace(/^sandbox: .*\n/m, "");
+        const summary = stdout.replace(/\d+\.\d s$/m, "N.N s").replace(/^sandbox[:,] .*\n/gm, "");
         resolved(`${stderr}${summary}exit ${exit}\n`);
       },
     );
@@ -53,7 +53,9 @@ function check(name) {
 
 function difference(expected, actual) {
   const labels = ["--label", "expected", "--label", "actual"];
-  return spawnSync("diff", ["-u", ...labels, expected, "-"], { input: actual }).stdout.toString();
+  return spawnSync("diff", ["-u", ...labels, expected, "-"], {
+    input: actual,
+  }).stdout.toString();
 }
 
 async function runCase(name) {

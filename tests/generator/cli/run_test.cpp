@@ -107,18 +107,19 @@ TEST(Run, NeedsOptionsThatThereAre) {
             "mjcourse: check has no option --corse; did you mean `--course`?");
   EXPECT_EQ(usage_error({"check", "--out", "x"}),
             "mjcourse: check has no option --out; known: --course, --report, --strict, --format, "
-            "--store, --jobs, --timings, --trace");
+            "--store, --jobs, --timings, --trace, --unsafe-without-landlock");
   EXPECT_EQ(usage_error({"build", "--outt", "x"}),
             "mjcourse: build has no option --outt; did you mean `--out`?");
   EXPECT_EQ(
       usage_error({"check", "1.2"}),
       "mjcourse: check has no option 1.2; known: --course, --report, --strict, --format, --store, "
-      "--jobs, --timings, --trace");
+      "--jobs, --timings, --trace, --unsafe-without-landlock");
   EXPECT_EQ(usage_error({"accept", "1.2", "--dry-runn"}),
             "mjcourse: accept has no option --dry-runn; did you mean `--dry-run`?");
   EXPECT_EQ(usage_error({"build", "--strict"}),
             "mjcourse: build has no option --strict; known: --course, --out, --base-url, "
-            "--compress, --report, --store, --jobs, --timings, --trace");
+            "--compress, --report, --store, --jobs, --timings, --trace, "
+            "--unsafe-without-landlock");
   EXPECT_EQ(usage_error({"check", "--course"}), "mjcourse: --course needs a folder");
   EXPECT_EQ(usage_error({"build", "--course", "x", "--out"}), "mjcourse: --out needs a folder");
   EXPECT_EQ(usage_error({"check", "--jobs", "0"}),
