@@ -11,6 +11,7 @@
 #include "base/cache_folder.h"
 #include "base/nearest.h"
 #include "cli/commands.h"
+#include "cli/log_guard.h"
 #include "cli/out_place.h"
 #include "cli/size.h"
 #include "course/web_address.h"
@@ -252,6 +253,8 @@ int run_named(const NamedCommand& named, const std::vector<std::string>& argumen
   options.course = std::filesystem::absolute(options.course);  // tools run in folders of their own
   if (const auto refused = refused_out(options, named.name, out_was_named)) return tell(*refused);
   set_up_mesa(user_cache_folder());
+  // What other programs read is whole as it is.
+  const LogGuard guard(options.format == Format::text && named.command != lsp);
   return named.command(options);
 }
 

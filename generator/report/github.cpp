@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "base/utf8.h"
 #include "report/other_tools.h"
 
 namespace mjcourse {
@@ -19,7 +20,7 @@ std::string property(std::string_view name, std::string_view value) {
 std::string annotation(const Diagnostic& diagnostic, const std::string& folder) {
   const Place& place = diagnostic.place;
   std::string line = diagnostic.severity == Severity::error ? "::error " : "::warning ";
-  line += property("file", course_path(folder, place.file));
+  line += property("file", readable(course_path(folder, place.file)));
   if (place.line > 0) line += "," + property("line", std::to_string(place.line));
   if (place.column > 0) {
     line += "," + property("col", std::to_string(place.column));

@@ -43,7 +43,7 @@ class DiagnosticWriter {
 
   // "file:line:column: "
   void location(const Place& place) {
-    std::string text = place.file;
+    std::string text = readable(place.file);
     if (place.line > 0) text += ":" + std::to_string(place.line);
     if (place.column > 0) text += ":" + std::to_string(place.column);
     coloured(kBold, text + ": ");
@@ -76,6 +76,9 @@ std::vector<std::string_view> characters_of(std::string_view text) {
 Shown shown(const Place& place, int room) {
   std::string line = place.excerpt;
   std::replace(line.begin(), line.end(), '\t', ' ');
+  // One column each, as the caret counts them.
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
   const std::vector<std::string_view> characters = characters_of(line);
   std::vector<int> starts{0};  // the column where each begins, and where the last one ends
   for (const std::string_view one : characters)
@@ -121,7 +124,9 @@ void DiagnosticWriter::indented(std::string_view lines) {
   while (!lines.empty()) {
     const std::size_t end = lines.find('\n');
     const std::string_view line = lines.substr(0, end);
-    out_ << (line.empty() ? "" : "    ") << line << '\n';
+    const bool plain = !find_control_character(line) && !find_invalid_utf8(line);
+    out_ << (line.empty() ? "" : "    ")
+         << (plain ? std::string(line) : readable(std::string(line))) << '\n';
     lines = end == std::string_view::npos ? std::string_view() : lines.substr(end + 1);
   }
 }
@@ -134,18 +139,18 @@ std::string format_for_terminal(const Diagnostic& diagnostic, const TerminalStyl
   const bool error = diagnostic.severity == Severity::error;
   out.location(diagnostic.place);
   out.coloured(error ? kRed : kYellow, error ? "error: " : "warning: ");
-  out.sentence(diagnostic.message + " [" + diagnostic.id + "]", indent);
+  out.sentence(readable(diagnostic.message) + " [" + diagnostic.id + "]", indent);
   out.excerpt(diagnostic.place);
   out.indented(diagnostic.detail);
   for (const Note& note : diagnostic.notes) {
     out.text("  note: ");
     if (!note.place.file.empty()) out.location(note.place);
-    out.sentence(note.message, indent);
+    out.sentence(readable(note.message), indent);
     out.excerpt(note.place);
   }
   if (!diagnostic.cure.empty()) {
     out.coloured(kBold, "  cure: ");
-    out.sentence(diagnostic.cure, indent);
+    out.sentence(readable(diagnostic.cure), indent);
   }
   return out.take();
 }

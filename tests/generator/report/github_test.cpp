@@ -21,6 +21,12 @@ TEST(Github, EscapesWhatWouldEndAMessageOrAProperty) {
             "::warning file=docs/course/a%2Cb%3Ac%25.md,title=W-x::100 %25, and: more\n");
 }
 
+TEST(Github, NamesAFileOfAnyNameInOneLine) {
+  const Diagnostic error = error_at({"a\033[31m\n::b.md", 0, 0, 1, ""}, "E-x", "m");
+  EXPECT_EQ(github_annotations({error}, "."),
+            "::error file=a\\x1b[31m\\n%3A%3Ab.md,title=E-x::m\n");
+}
+
 TEST(Github, SaysNothingOfNothing) {
   EXPECT_EQ(github_annotations({}, "."), "");
 }

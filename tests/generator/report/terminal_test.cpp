@@ -27,6 +27,26 @@ TEST(Terminal, ShowsTheLineTheCaretAndTheCure) {
             "  cure: did you mean `data.qpos`?\n");
 }
 
+// A file may be called anything, and whoever fills in a message may forget that.
+TEST(Terminal, SaysNothingThatATerminalObeys) {
+  const std::string red = "\033[31m";
+  const Diagnostic hostile{"E-x",
+                           Severity::error,
+                           {"a" + red + "\n::b.md", 1, 3, 1, "x" + red + "y"},
+                           "m" + red + "\nn",
+                           "d" + red + "\ne\tf",
+                           {{"k\r", {"n" + red, 0, 0, 1, ""}}},
+                           "c" + red};
+  EXPECT_EQ(format_for_terminal(hostile),
+            "a\\x1b[31m\\n::b.md:1:3: error: m\\x1b[31m\\nn [E-x]\n"
+            "  1 | x?[31my\n"
+            "    |   ^\n"
+            "    d\\x1b[31m\n"
+            "    e\tf\n"
+            "  note: n\\x1b[31m: k\\r\n"
+            "  cure: c\\x1b[31m\n");
+}
+
 TEST(Terminal, ColoursWithoutChangingTheText) {
   TerminalStyle style;
   style.colours = true;
