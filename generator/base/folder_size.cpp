@@ -3,6 +3,7 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <system_error>
 
 namespace mjcourse {
 namespace {
@@ -19,12 +20,12 @@ void add_size(const std::string& path, std::uint64_t most, FolderSize& size) {
   namespace fs = std::filesystem;
   std::error_code error;
   add_file(path.c_str(), size);
-  const auto options = fs::directory_options::skip_permission_denied;
-  for (fs::recursive_directory_iterator entry(path, options, error), end; !error && entry != end;
+  for (fs::recursive_directory_iterator entry(path, error), end; !error && entry != end;
        entry.increment(error)) {
     add_file(entry->path().c_str(), size);
     if (++size.entries > most) return;
   }
+  if (error == std::errc::permission_denied) size.entries = most + 1;
 }
 
 }  // namespace mjcourse

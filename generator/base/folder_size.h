@@ -12,7 +12,8 @@ struct FolderSize {
 };
 
 // Adds what is in the file or folder `path`, and stops counting behind `most` entries. What is
-// removed meanwhile is not counted; no link is followed.
+// removed meanwhile is not counted; no link is followed. A folder that we may not look into may
+// hold anything: it counts as more than `most`.
 void add_size(const std::string& path, std::uint64_t most, FolderSize& size);
 
 }  // namespace mjcourse

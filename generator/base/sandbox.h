@@ -18,11 +18,17 @@ namespace mjcourse {
 struct Sandbox {
   std::vector<std::string> read;   // files and folders it may read and execute
   std::vector<std::string> write;  // files and folders it may change; must exist, and be ours
-  bool processes = false;          // may it start others, as a compiler does? Threads it always may
-  std::uint64_t memory_bytes = 4ull << 30;  // of address space
-  std::uint64_t file_bytes = 32 << 20;      // of one file
-  std::uint64_t folder_bytes = 128 << 20;   // of all that lies in `write`
-  std::uint64_t folder_entries = 10'000;    // files and folders in there
+  // May it, as the unprivileged user that it becomes where we are root, read what its mode keeps
+  // from that user? It then does so in the system's folders too, so only who cannot do without is
+  // given it.
+  bool reads_all = false;
+  bool processes = false;  // may it start others, as a compiler does? Threads it always may
+  // Of address space, of one process; and of memory, of all that it starts together.
+  std::uint64_t memory_bytes = 4ull << 30;
+  std::uint64_t file_bytes = 32 << 20;  // of one file
+  // Of all that lies in `write`, and of what was removed from there and is still open.
+  std::uint64_t folder_bytes = 128 << 20;
+  std::uint64_t folder_entries = 10'000;  // files and folders in there
   std::uint64_t open_files = 64;
 };
 

@@ -12,6 +12,7 @@
 #include "base/cancellation.h"
 #include "base/child_process.h"
 #include "base/folder_size.h"
+#include "base/group_use.h"
 #include "base/watcher.h"
 
 namespace mjcourse {
@@ -23,6 +24,8 @@ using End = Outcome::End;
 
 // How often the files are counted that a program writes.
 constexpr milliseconds kCountFiles{20};
+// And what its processes hold together, which takes longer to find out.
+constexpr milliseconds kCountUse{100};
 // How often a kernel that cannot tell of a child's end is asked for it.
 constexpr milliseconds kAskForEnd{1};
 // How often somebody is asked whether the program is still wanted.
@@ -68,7 +71,7 @@ class Keeper {
 
   int patience() const {
     Clock::time_point until = deadline_;
-    if (command_.sandbox) until = std::min(until, next_count_);
+    if (command_.sandbox) until = std::min({until, next_count_, next_use_});
     if (cancellation().stop_possible()) until = std::min(until, Clock::now() + kAskForWish);
     if (!child_.ended.is_open() && !ended_) until = std::min(until, Clock::now() + kAskForEnd);
     return static_cast<int>(
@@ -90,6 +93,7 @@ class Keeper {
     if (ready && open[2].revents != 0) collect(child_.out, outcome_.out);
     if (ready && open[3].revents != 0) collect(child_.err, outcome_.err);
     if (command_.sandbox && Clock::now() >= next_count_) count_files();
+    if (command_.sandbox && !over_ && Clock::now() >= next_use_) count_use();
     const bool may_have_ended = open[4].revents != 0 || !child_.ended.is_open();
     if (!over_ && !ended_ && may_have_ended && child_.has_ended()) {
       // Its streams end with the last of what it left behind.
@@ -127,8 +131,17 @@ class Keeper {
     stop(End::flooded);
   }
 
+  void count_use() {
+    const Sandbox& sandbox = *command_.sandbox;
+    const GroupUse use = use_of_group(child_.id(), !sandbox.processes);
+    removed_ = use.removed;
+    if (sandbox.processes && use.memory > sandbox.memory_bytes) stop(End::exhausted);
+    next_use_ = Clock::now() + kCountUse;
+  }
+
   void count_files() {
     FolderSize size;
+    size.bytes = removed_;
     for (const std::string& path : command_.sandbox->write) {
       add_size(path, command_.sandbox->folder_entries, size);
     }
@@ -145,6 +158,8 @@ class Keeper {
   Watcher watcher_;
   Descriptor listener_;
   Clock::time_point next_count_ = Clock::now() + kCountFiles;
+  Clock::time_point next_use_ = Clock::now() + kCountUse;
+  std::uint64_t removed_ = 0;  // bytes of files that no folder has
   Outcome outcome_;
   int status_ = 0;
   bool watched_ = false, ended_ = false, over_ = false;

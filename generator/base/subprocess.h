@@ -36,6 +36,7 @@ struct Outcome {
     not_started,
     refused,     // it tried what its sandbox does not allow, and was stopped
     overfilled,  // it wrote more files than its sandbox allows, and was stopped
+    exhausted,   // with what it started, it took more memory than that allows, and was stopped
   };
   End end = End::not_started;
   int code = 0;          // exit code, signal, or errno

@@ -15,6 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kDependencies = "dependencies";
+constexpr const char* kNeedsMuch = "needed more than 4 GiB of memory, and was stopped";
 
 template <typename... Words>
 void append(std::vector<std::string>& command, const Words&... words) {
@@ -31,13 +32,14 @@ std::string why_stopped(const Outcome& outcome) {
       return "complained for more than 1 MiB, and was stopped";
     case Outcome::End::overfilled:
       return "wrote more than 1 GiB, and was stopped";
+    case Outcome::End::exhausted:
+      return kNeedsMuch;
     default:
       break;
   }
   if (outcome.code == 0) return "";
   for (const char* words : {"out of memory", "Cannot allocate memory", "bad_alloc"}) {
-    if (outcome.err.find(words) != outcome.err.npos)
-      return "needed more than 4 GiB of memory, and was stopped";
+    if (outcome.err.find(words) != outcome.err.npos) return kNeedsMuch;
   }
   // After the stack of calls in which it did.
   if (outcome.err.find("PLEASE submit a bug report") != outcome.err.npos) return "crashed";

@@ -147,7 +147,7 @@ std::optional<Diagnostic> judge_run(const Outcome& outcome, const ExpectedRun& e
       break;
     case Outcome::End::refused:
       found.id = "E-example-refused";
-      found.message = "the " + expected.what + " tried to " + outcome.refused + ", and was stopped";
+      found.message = "the " + expected.what + " tried to " + readable(outcome.refused) + ", and was stopped";
       found.cure =
           "a " + expected.what +
           " can read the course's models, write into the folder that it runs in, and start "
@@ -158,6 +158,13 @@ std::optional<Diagnostic> judge_run(const Outcome& outcome, const ExpectedRun& e
       found.id = "E-example-disk";
       found.message = "the " + expected.what + " wrote too many files, and was stopped";
       found.cure = "all files of a " + expected.what + " may be 128 MiB and 10000 in number";
+      break;
+    case Outcome::End::exhausted:
+      found.id = "E-example-memory";
+      found.message = "the " + expected.what +
+                      " took more than 4 GiB of memory with all that it started, and was stopped";
+      found.cure = "start less at once, or what needs less";
+      found.detail = tail(outcome.err);
       break;
     case Outcome::End::not_started:
       found.id = "E-example-signal";

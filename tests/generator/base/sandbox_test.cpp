@@ -187,6 +187,40 @@ TEST_F(SandboxTest, BoundsAllFilesTogether) {
   EXPECT_EQ(run(command).end, End::overfilled);
 }
 
+// Each by itself is within the limit.
+TEST_F(SandboxTest, BoundsTheMemoryOfAllProcessesTogether) {
+  const std::string one = "perl -e '$x = \"x\" x (60 << 20); print 1; sleep 60' & ";
+  Command command = shell(one + one + one + "wait", 60);
+  command.sandbox->processes = true;
+  command.sandbox->memory_bytes = 150 << 20;
+  EXPECT_EQ(run(command).end, End::exhausted);
+  command = shell("perl -e '$x = \"x\" x (60 << 20); select(undef, undef, undef, 0.3)'", 60);
+  command.sandbox->processes = true;
+  command.sandbox->memory_bytes = 150 << 20;
+  EXPECT_EQ(run(command).end, End::exited);
+}
+
+TEST_F(SandboxTest, BoundsFilesThatWereRemovedAndAreOpen) {
+  const std::string fill =
+      "for my $i (1 .. 9) { open($f[$i], q(>), q(f)); unlink(q(f)); print {$f[$i]} q(x) x (1 << "
+      "20);"
+      "$f[$i]->flush() } sleep 60";
+  for (const bool processes : {false, true}) {
+    Command command = shell("exec perl -MIO::Handle -e '" + fill + "'", 60);
+    command.sandbox->processes = processes;
+    command.sandbox->folder_bytes = 4 << 20;
+    EXPECT_EQ(run(command).end, End::overfilled);
+  }
+}
+
+// Root sees into every folder.
+TEST_F(SandboxTest, TakesAFolderThatNobodySeesIntoForAFullOne) {
+  Command command = shell("umask 0777; mkdir d && sleep 60", 60);
+  command.sandbox->processes = true;
+  command.seconds = geteuid() == 0 ? 0.3 : 60;
+  EXPECT_EQ(run(command).end, geteuid() == 0 ? End::timed_out : End::overfilled);
+}
+
 TEST_F(SandboxTest, BoundsMemory) {
   Command command = shell("x=0123456789; while :; do x=$x$x; done", 60);
   command.sandbox->memory_bytes = 100 << 20;

@@ -1,0 +1,19 @@
+// What a process group holds of memory, and of files that no folder has any more: the sums that no
+// resource limit of the kernel's looks at, since each is of one process or one file.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+
+namespace mjcourse {
+
+struct GroupUse {
+  std::uint64_t memory = 0;   // bytes that are resident; what two processes share counts twice
+  std::uint64_t removed = 0;  // bytes on the disk of files that were removed and are still open
+};
+
+// Of all processes in the group of `leader`; of `alone`, which starts no others, of itself.
+GroupUse use_of_group(pid_t leader, bool alone);
+
+}  // namespace mjcourse
