@@ -57,6 +57,7 @@ Confinement::Confinement(const Sandbox* sandbox, bool watch, double seconds)
   for (const std::string& path : sandbox->read) rules_.push_back({path, false});
   for (const std::string& path : sandbox->write) rules_.push_back({path, true});
   owned_ = sandbox->write;
+  reads_all_ = sandbox->reads_all && level_.landlock > 0;  // which says what is read
   if (level_.filter) {
     filter_ = &syscall_filter({.confine = true,
                                .processes = sandbox->processes,
@@ -90,7 +91,7 @@ int Confinement::enter(int& listener) const {
   if (level_.landlock > 0 && ruleset < 0) return errno;
   if (confines_) umask(022);
   if (const auto user = level_.user_for(getpid())) {
-    if (!give_files(*user) || !become_user(*user, level_.landlock > 0)) return errno;
+    if (!give_files(*user) || !become_user(*user, reads_all_)) return errno;
     // Becoming somebody else took it away.
     prctl(PR_SET_PDEATHSIG, SIGKILL);
   }

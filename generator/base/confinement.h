@@ -41,6 +41,7 @@ class Confinement {
   bool give_files(uid_t user) const;
 
   bool confines_;
+  bool reads_all_ = false;
   SandboxLevel level_;
   std::vector<Limit> limits_;
   std::vector<LandlockRule> rules_;

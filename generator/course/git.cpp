@@ -86,6 +86,7 @@ std::string Git::ask(const std::vector<std::string>& arguments) const {
   command.seconds = kSeconds;
   command.output_bytes = kMostOutput;
   command.sandbox = Sandbox{read_, {}};
+  command.sandbox->reads_all = true;   // it is no program of the course's
   command.sandbox->open_files = 1024;  // one for each pack
   Outcome outcome = run(command);
   const bool done = outcome.end == Outcome::End::exited && outcome.code == 0;

@@ -1,6 +1,9 @@
 #include "evaluate/containment.h"
 
+#include <algorithm>
+
 #include "base/files.h"
+#include "base/open_to_all.h"
 
 namespace mjcourse {
 
@@ -15,6 +18,8 @@ Sandbox program_sandbox(const fs::path& binary, const fs::path& run, const fs::p
   sandbox.write = {fs::absolute(run)};
   if (!records.empty()) sandbox.write.push_back(fs::absolute(records));
   sandbox.file_bytes = kMostProgramBytes;
+  sandbox.reads_all = !can_be_reached_by_all(binary) || !can_be_reached_by_all(run) ||
+                      !can_be_read_by_all(root / "models");
   return sandbox;
 }
 
@@ -22,6 +27,8 @@ Sandbox compiler_sandbox(const fs::path& folder, const std::vector<fs::path>& ot
   Sandbox sandbox;
   for (const fs::path& path : others) sandbox.read.push_back(fs::absolute(path));
   sandbox.write = {fs::absolute(folder)};
+  sandbox.reads_all = !can_be_reached_by_all(folder) ||
+                      !std::all_of(others.begin(), others.end(), can_be_read_by_all);
   sandbox.processes = true;  // the driver starts the compiler, the assembler and the linker
   sandbox.file_bytes = 1 << 30;
   sandbox.folder_bytes = 1 << 30;
@@ -31,7 +38,11 @@ Sandbox compiler_sandbox(const fs::path& folder, const std::vector<fs::path>& ot
 
 Sandbox commands_sandbox(const fs::path& script, const fs::path& folder) {
   // What they build, they also start.
-  return compiler_sandbox(folder, {script, folder, fs::path(kInstalledPackages).parent_path()});
+  Sandbox sandbox =
+      compiler_sandbox(folder, {script, folder, fs::path(kInstalledPackages).parent_path()});
+  // They know no place of the course, but for the copies that they are given.
+  sandbox.reads_all = !can_be_reached_by_all(folder);
+  return sandbox;
 }
 
 }  // namespace mjcourse

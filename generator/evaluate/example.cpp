@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/open_to_all.h"
 #include "base/stopwatch.h"
 #include "base/temporary_folder.h"
 #include "evaluate/compile_errors.h"
@@ -79,7 +80,10 @@ Command run_command(const Example& example, const LocatedText& code, const fs::p
     command.environment.insert(command.environment.end(), shaders.variables.begin(),
                                shaders.variables.end());
     command.sandbox->write.push_back(shaders.own);
-    if (!shaders.ours.empty()) command.sandbox->read.push_back(shaders.ours);
+    if (!shaders.ours.empty()) {
+      command.sandbox->read.push_back(shaders.ours);
+      if (!can_be_read_by_all(shaders.ours)) command.sandbox->reads_all = true;
+    }
   }
   return command;
 }

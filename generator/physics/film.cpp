@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "base/files.h"
+#include "base/open_to_all.h"
 #include "base/subprocess.h"
 
 namespace mjcourse {
@@ -49,6 +50,7 @@ tl::expected<std::string, Film::Fault> Film::encode() {
   command.folder = folder_.path().string();
   command.seconds = kMostEncoding;
   command.sandbox = Sandbox{{}, {command.folder}};
+  command.sandbox->reads_all = !can_be_reached_by_all(command.folder);
   command.sandbox->file_bytes = command.sandbox->folder_bytes = 4ull << 30;
   const Outcome outcome = run(command);
   if (outcome.end == Outcome::End::not_started && outcome.code == ENOENT) {
