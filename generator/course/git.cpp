@@ -17,7 +17,7 @@ constexpr double kSeconds = 60;
 
 // The first line of a file; "" where there is none.
 std::string line_of(const fs::path& file) {
-  const auto text = DiskFiles(file.parent_path()).read(file.filename().string());
+  const auto text = read_file(file);
   return text ? text->substr(0, text->find('\n')) : "";
 }
 
