@@ -22,114 +22,119 @@ namespace {
 
 constexpr std::size_t kMostJobs = 1024;
 
-struct Option {
+struct CommandOption {
   std::string_view name;
   std::string_view value;  // what must follow it: "a folder"; empty where nothing may
   bool (*take)(Options&, const std::string& value);  // false where the value is no such thing
 };
 
-constexpr Option kCourse{"--course", "a folder", [](Options& options, const std::string& value) {
-                           options.course = value;
-                           options.course_named = true;
-                           return true;
-                         }};
-constexpr Option kOut{"--out", "a folder", [](Options& options, const std::string& value) {
-                        options.out = value;
-                        return true;
-                      }};
+constexpr CommandOption kCourse{"--course", "a folder",
+                                [](Options& options, const std::string& value) {
+                                  options.course = value;
+                                  options.course_named = true;
+                                  return true;
+                                }};
+constexpr CommandOption kOut{"--out", "a folder", [](Options& options, const std::string& value) {
+                               options.out = value;
+                               return true;
+                             }};
 
-constexpr Option kBaseUrl{"--base-url", "the address of a site, as https://example.org/course/",
-                          [](Options& options, const std::string& value) {
-                            options.base_url = site_root(value);
-                            return !site_address_fault(value);
-                          }};
-constexpr Option kDryRun{"--dry-run", "", [](Options& options, const std::string&) {
-                           options.dry_run = true;
-                           return true;
-                         }};
+constexpr CommandOption kBaseUrl{"--base-url",
+                                 "the address of a site, as https://example.org/course/",
+                                 [](Options& options, const std::string& value) {
+                                   options.base_url = site_root(value);
+                                   return !site_address_fault(value);
+                                 }};
+constexpr CommandOption kDryRun{"--dry-run", "", [](Options& options, const std::string&) {
+                                  options.dry_run = true;
+                                  return true;
+                                }};
 
-constexpr Option kReport{"--report", "a folder", [](Options& options, const std::string& value) {
-                           options.report = value;
-                           return true;
-                         }};
-constexpr Option kCompress{"--compress", "", [](Options& options, const std::string&) {
-                             options.compress = true;
-                             return true;
-                           }};
-constexpr Option kStrict{"--strict", "", [](Options& options, const std::string&) {
-                           options.strict = true;
-                           return true;
-                         }};
-
-constexpr Option kFormat{"--format", "text, json, github, sarif or junit",
-                         [](Options& options, const std::string& value) {
-                           constexpr std::array<std::pair<std::string_view, Format>, 5> known{
-                               {{"text", Format::text},
-                                {"json", Format::json},
-                                {"github", Format::github},
-                                {"sarif", Format::sarif},
-                                {"junit", Format::junit}}};
-                           const auto named =
-                               std::find_if(known.begin(), known.end(),
-                                            [&](const auto& one) { return one.first == value; });
-                           if (named == known.end()) return false;
-                           options.format = named->second;
-                           return true;
-                         }};
-
-constexpr Option kStore{"--store", "a folder", [](Options& options, const std::string& value) {
-                          options.store = value;
-                          return true;
-                        }};
-constexpr Option kJobs{"--jobs", "a number of threads",
-                       [](Options& options, const std::string& value) {
-                         const char* end = value.data() + value.size();
-                         const auto read = std::from_chars(value.data(), end, options.jobs);
-                         return read.ptr == end && options.jobs > 0 && options.jobs <= kMostJobs;
-                       }};
-constexpr Option kTimings{"--timings", "", [](Options& options, const std::string&) {
-                            options.timings = true;
-                            return true;
-                          }};
-constexpr Option kTrace{"--trace", "a file", [](Options& options, const std::string& value) {
-                          options.trace = value;
-                          return true;
-                        }};
-constexpr Option kKeep{"--keep", "a size, as 2GB", [](Options& options, const std::string& value) {
-                         const auto bytes = read_size(value);
-                         options.keep = bytes.value_or(0);
-                         return bytes.has_value();
-                       }};
-
-constexpr int kLastPort = 65535;
-constexpr Option kPort{"--port", "a port from 1 to 65535",
-                       [](Options& options, const std::string& value) {
-                         int port = 0;
-                         const char* end = value.data() + value.size();
-                         const auto read = std::from_chars(value.data(), end, port);
-                         options.port = port;
-                         return read.ptr == end && port > 0 && port <= kLastPort;
-                       }};
-constexpr Option kOpen{"--open", "", [](Options& options, const std::string&) {
-                         options.open = true;
-                         return true;
-                       }};
-constexpr Option kLink{"--link", "an address with {file} in it",
-                       [](Options& options, const std::string& value) {
-                         options.link = value;
-                         return value.find("{file}") != value.npos;
-                       }};
-
-constexpr Option kWithoutLandlock{"--unsafe-without-landlock", "",
-                                  [](Options& options, const std::string&) {
-                                    options.without_landlock = true;
+constexpr CommandOption kReport{"--report", "a folder",
+                                [](Options& options, const std::string& value) {
+                                  options.report = value;
+                                  return true;
+                                }};
+constexpr CommandOption kCompress{"--compress", "", [](Options& options, const std::string&) {
+                                    options.compress = true;
                                     return true;
                                   }};
+constexpr CommandOption kStrict{"--strict", "", [](Options& options, const std::string&) {
+                                  options.strict = true;
+                                  return true;
+                                }};
+
+constexpr CommandOption kFormat{
+    "--format", "text, json, github, sarif or junit",
+    [](Options& options, const std::string& value) {
+      constexpr std::array<std::pair<std::string_view, Format>, 5> known{
+          {{"text", Format::text},
+           {"json", Format::json},
+           {"github", Format::github},
+           {"sarif", Format::sarif},
+           {"junit", Format::junit}}};
+      const auto named = std::find_if(known.begin(), known.end(),
+                                      [&](const auto& one) { return one.first == value; });
+      if (named == known.end()) return false;
+      options.format = named->second;
+      return true;
+    }};
+
+constexpr CommandOption kStore{"--store", "a folder",
+                               [](Options& options, const std::string& value) {
+                                 options.store = value;
+                                 return true;
+                               }};
+constexpr CommandOption kJobs{
+    "--jobs", "a number of threads", [](Options& options, const std::string& value) {
+      const char* end = value.data() + value.size();
+      const auto read = std::from_chars(value.data(), end, options.jobs);
+      return read.ptr == end && options.jobs > 0 && options.jobs <= kMostJobs;
+    }};
+constexpr CommandOption kTimings{"--timings", "", [](Options& options, const std::string&) {
+                                   options.timings = true;
+                                   return true;
+                                 }};
+constexpr CommandOption kTrace{"--trace", "a file", [](Options& options, const std::string& value) {
+                                 options.trace = value;
+                                 return true;
+                               }};
+constexpr CommandOption kKeep{"--keep", "a size, as 2GB",
+                              [](Options& options, const std::string& value) {
+                                const auto bytes = read_size(value);
+                                options.keep = bytes.value_or(0);
+                                return bytes.has_value();
+                              }};
+
+constexpr int kLastPort = 65535;
+constexpr CommandOption kPort{"--port", "a port from 1 to 65535",
+                              [](Options& options, const std::string& value) {
+                                int port = 0;
+                                const char* end = value.data() + value.size();
+                                const auto read = std::from_chars(value.data(), end, port);
+                                options.port = port;
+                                return read.ptr == end && port > 0 && port <= kLastPort;
+                              }};
+constexpr CommandOption kOpen{"--open", "", [](Options& options, const std::string&) {
+                                options.open = true;
+                                return true;
+                              }};
+constexpr CommandOption kLink{"--link", "an address with {file} in it",
+                              [](Options& options, const std::string& value) {
+                                options.link = value;
+                                return value.find("{file}") != value.npos;
+                              }};
+
+constexpr CommandOption kWithoutLandlock{"--unsafe-without-landlock", "",
+                                         [](Options& options, const std::string&) {
+                                           options.without_landlock = true;
+                                           return true;
+                                         }};
 
 struct NamedCommand {
   std::string_view name;
   int (*command)(const Options&);
-  std::vector<Option> options;
+  std::vector<CommandOption> options;
   bool takes_words = false;  // that are no options
 };
 
@@ -214,7 +219,7 @@ int wrong_usage(const std::string& message) {
 
 std::string no_option(const NamedCommand& named, const std::string& argument) {
   std::vector<std::string> known;
-  for (const Option& option : named.options) known.emplace_back(option.name);
+  for (const CommandOption& option : named.options) known.emplace_back(option.name);
   return std::string(named.name) + " has no option " + argument + "; " + suggest(argument, known);
 }
 
@@ -229,8 +234,9 @@ int run_named(const NamedCommand& named, const std::vector<std::string>& argumen
       std::cout << kHelp;
       return kClean;
     }
-    const auto option = std::find_if(named.options.begin(), named.options.end(),
-                                     [&](const Option& known) { return known.name == argument; });
+    const auto option =
+        std::find_if(named.options.begin(), named.options.end(),
+                     [&](const CommandOption& known) { return known.name == argument; });
     if (option == named.options.end() && named.takes_words && !argument.starts_with('-')) {
       options.where.push_back(argument);
       continue;
