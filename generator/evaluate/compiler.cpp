@@ -68,6 +68,8 @@ void take(std::vector<std::string> command, const WorkFolder& at, Compiled& comp
   compiled.succeeded = succeeded(outcome);
   compiled.raw += outcome.err;
   compiled.stopped = why_stopped(outcome);
+  compiled.crashed = !compiled.stopped.empty() && (outcome.end == Outcome::End::exited ||
+                                                   outcome.end == Outcome::End::killed_by_signal);
   const auto rule = DiskFiles(folder).read(kDependencies);
   if (!rule) {
     compiled.dependencies.reset();
@@ -201,12 +203,19 @@ Compiled Compiler::compile(const fs::path& source, const fs::path& binary, const
   };
   if (header || toolchain_.has_mold) {
     Compiled fast = attempt(program, header, handlers, true);
-    if (silent(fast) || !fast.stopped.empty()) return fast;
+    // A compiler that crashes may have read a damaged header.
+    const bool is_slow = !fast.stopped.empty() && !fast.crashed;
+    if (silent(fast) || is_slow) return fast;
   }
   Compiled compiled = attempt(program, nullptr, handlers, false);
   // Then it was the header that was at fault.
   if (header && silent(compiled)) WarmObjects::drop(header);
-  return compiled;
+  if (!handlers || silent(compiled) || compiled.refused()) return compiled;
+  // What does not link may lack the handlers alone.
+  Compiled bare = attempt(program, nullptr, nullptr, false);
+  if (!silent(bare)) return compiled;
+  WarmObjects::drop(handlers);
+  return bare;
 }
 
 }  // namespace mjcourse

@@ -28,6 +28,7 @@ struct Compiled {
   std::string raw;  // everything the compiler and the linker said
   // Why it gave no answer: "still ran after 120 s, and was stopped"; empty where it gave one.
   std::string stopped;
+  bool crashed = false;  // then the compiler gave none of its own accord
   // Every file that was read for it, but for the program itself: absolute paths, sorted; nothing
   // where the compiler does not tell, as of a program that includes a file that is not there. What
   // came by the warm header or with the handlers stands in their `inputs`, lists that all programs

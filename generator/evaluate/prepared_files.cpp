@@ -17,6 +17,7 @@
 #include "base/file_lock.h"
 #include "base/files.h"
 #include "base/replace_file.h"
+#include "base/utf8.h"
 #include "evaluate/fingerprints.h"
 
 namespace mjcourse {
@@ -28,6 +29,12 @@ using Entry = PreparedFiles::Entry;
 constexpr const char* kManifest = "current";
 constexpr const char* kLock = "lock";
 constexpr const char* kStaging = "making";
+constexpr const char* kRefused = "refused";  // in the place of an entry's name
+
+// As content_hash() makes them: a name, and no way to elsewhere.
+bool is_entry_name(const std::string& name) {
+  return !name.empty() && std::ranges::all_of(name, is_word_character);
+}
 
 // What `current` says: the entry's name, then a line "HASH NAME" for each input.
 struct Manifest {
@@ -72,6 +79,7 @@ std::optional<Manifest> read_manifest(const fs::path& folder) {
   std::istringstream lines(*text);
   Manifest manifest;
   std::getline(lines, manifest.name);
+  if (!is_entry_name(manifest.name) && manifest.name != kRefused) return std::nullopt;
   for (std::string hash, path; lines >> hash && lines.get() && std::getline(lines, path);) {
     manifest.inputs.emplace_back(hash, path);
   }
@@ -130,7 +138,8 @@ PreparedFiles::Found PreparedFiles::look(const fs::path& folder) const {
   std::sort(entry.inputs.begin(), entry.inputs.end());
   std::error_code ignored;  // somebody else's cache may be read, but not be written to
   fs::last_write_time(folder / kManifest, fs::file_time_type::clock::now(), ignored);
-  if (!fs::is_directory(entry.folder)) return {true, nullptr};
+  if (manifest->name == kRefused) return {true, nullptr};
+  if (!fs::is_directory(entry.folder)) return {};
   return {true, std::make_shared<const Entry>(std::move(entry))};
 }
 
@@ -143,12 +152,19 @@ std::shared_ptr<const Entry> PreparedFiles::make_anew(const fs::path& folder, co
     if (old.is_directory()) fs::remove_all(old.path());
   }
   fs::create_directory(staging);
-  const std::optional<Made> made = make(folder, staging);
+  std::optional<Made> made;
+  try {
+    made = make(folder, staging);
+  } catch (...) {
+    fs::remove_all(staging);  // what a full disk took of it
+    throw;
+  }
   if (!made) {
     fs::remove_all(staging);
     return nullptr;
   }
-  const Manifest manifest = manifest_of(made->inputs, true_path_);
+  Manifest manifest = manifest_of(made->inputs, true_path_);
+  if (!made->worked) manifest.name = kRefused;
   if (made->worked) {
     for (const fs::directory_entry& file : fs::directory_iterator(staging)) {
       bring_to_disk(file.path());

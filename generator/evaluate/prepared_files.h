@@ -6,8 +6,9 @@
 // reads sees all of it or nothing; of several processes that want it, one makes it and the others
 // wait. What was not used for longest goes when all together is too large.
 //
-//   FOLDER/REQUEST/current   which entry is the current one, and the hash and name of its inputs
-//   FOLDER/REQUEST/ENTRY/    its files; no such folder where there was something to refuse
+//   FOLDER/REQUEST/current   which entry is the current one, or that there was something to refuse;
+//                            and the hash and name of its inputs
+//   FOLDER/REQUEST/ENTRY/    its files
 #pragma once
 
 #include <cstdint>

@@ -278,6 +278,47 @@ TEST_F(CompilerTest, MakesADamagedHeaderAnew) {
   EXPECT_GT(fs::file_size(headers().at(0)), 1000U);
 }
 
+// Of headers and handlers whatever is left of them, the next program of another process makes them
+// new.
+TEST_F(CompilerTest, DoesWithoutWhatIsDamaged) {
+  const std::string handled =
+      "#include <kit/kit.h>\nextern int handled;\nint main() { return twice(handled); }\n";
+  const auto files = [&](const std::string& name) {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::recursive_directory_iterator(cache())) {
+      if (entry.path().filename() == name) found.push_back(entry.path());
+    }
+    return found;
+  };
+  compile(handled);
+  const int expected = exit_code_;
+  const std::vector<std::function<void()>> damages{
+      [&] { fs::resize_file(files("handlers.o").at(0), 1500); },
+      [&] { fs::remove(files("handlers.o").at(0)); },
+      [&] { fs::remove_all(files("handlers.o").at(0).parent_path()); },
+      [&] { fs::remove_all(files("header.pch").at(0).parent_path()); },
+      [&] { fs::remove(files("header.pch").at(0)); },
+      [&] {
+        for (const fs::path& file : files("current")) write_file(file, "");
+      },
+      [&] {
+        for (const fs::path& file : files("current")) write_file(file, "../../elsewhere\n");
+      },
+      [&] {
+        std::string bytes = read_file(files("header.pch").at(0)).value();
+        for (std::size_t at = 3000; at < bytes.size(); at += 997) bytes[at] ^= 0x55;
+        write_file(files("header.pch").at(0), bytes);
+      }};
+  for (std::size_t i = 0; i < damages.size(); ++i) {
+    damages[i]();
+    const Compiled compiled = compile(handled);
+    EXPECT_EQ(compiled.raw, "") << i;
+    EXPECT_EQ(exit_code_, expected) << i;
+    EXPECT_TRUE(compile(handled).header) << i;
+    EXPECT_TRUE(compile(handled).handlers) << i;
+  }
+}
+
 TEST_F(CompilerTest, OptimisesWithoutTheWarmHeader) {
   EXPECT_FALSE(compile(kTwice, true, true).header);
   EXPECT_EQ(exit_code_, 14);
