@@ -147,7 +147,8 @@ std::optional<Diagnostic> judge_run(const Outcome& outcome, const ExpectedRun& e
       break;
     case Outcome::End::refused:
       found.id = "E-example-refused";
-      found.message = "the " + expected.what + " tried to " + readable(outcome.refused) + ", and was stopped";
+      found.message =
+          "the " + expected.what + " tried to " + readable(outcome.refused) + ", and was stopped";
       found.cure =
           "a " + expected.what +
           " can read the course's models, write into the folder that it runs in, and start "
