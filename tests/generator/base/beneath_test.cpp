@@ -153,15 +153,16 @@ TEST_P(BeneathTest, IsNotMisledByALinkThatIsPutThereMeanwhile) {
       rename(aside.c_str(), swapped.c_str());
     }
   }
-  int ours = 0, refused = 0;
+  int ours = 0, refused = 0, misled = 0;
   for (int i = 0; i < 20000; ++i) {
     const std::string bytes = read("swapped");
-    ASSERT_EQ(bytes.find("secret"), bytes.npos) << bytes;
+    misled += bytes.find("secret") != bytes.npos ? 1 : 0;
     ours += bytes == "ours" ? 1 : 0;
     refused += bytes == "swapped: leads out of the course" ? 1 : 0;
   }
   kill(swapper, SIGKILL);
   waitpid(swapper, nullptr, 0);
+  EXPECT_EQ(misled, 0);
   EXPECT_GT(ours, 0);
   EXPECT_GT(refused, 0);
 }
