@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kMark = "mjcourse-store 2 ";
+constexpr std::string_view kAnyMark = "mjcourse-store ", kMark = "mjcourse-store 2 ";
 constexpr off_t kMostBytes = off_t{1} << 30;  // of an entry
 constexpr std::time_t kHour = 3600;           // seconds
 
@@ -53,6 +53,11 @@ std::optional<std::string> read_entry(const fs::path& path) {
   }
   bytes.resize(size);
   return bytes;
+}
+
+// Written by another version of the generator, it is as good as none.
+bool is_of_another_version(std::string_view bytes) {
+  return bytes.starts_with(kAnyMark) && !bytes.starts_with(kMark);
 }
 
 // The bytes of the entry `name` whose file holds `bytes`; nothing where it is damaged.
@@ -104,7 +109,7 @@ fs::path DiskStore::path_of(const std::string& name) const {
 std::optional<std::string> DiskStore::get(const std::string& name) {
   const fs::path path = path_of(name);
   std::optional<std::string> bytes = read_entry(path);
-  if (!bytes) return std::nullopt;
+  if (!bytes || is_of_another_version(*bytes)) return std::nullopt;
   std::optional<std::string> content = verified(name, *std::move(bytes));
   if (content) {
     mark_used(path);

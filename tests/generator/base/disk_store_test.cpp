@@ -91,6 +91,15 @@ TEST_F(DiskStoreTest, TakesNoEntryForAnother) {
   EXPECT_EQ(store.get(other), "to another question");
 }
 
+TEST_F(DiskStoreTest, PassesOverWhatAnotherVersionWrote) {
+  DiskStore store(folder());
+  write_file(path_of(kAction), "mjcourse-store 1 " + sha256("an answer") + "\nan answer");
+  EXPECT_EQ(store.get(kAction), std::nullopt);
+  EXPECT_TRUE(store.notes().empty());
+  store.put(kAction, "another");
+  EXPECT_EQ(store.get(kAction), "another");
+}
+
 TEST_F(DiskStoreTest, ReadsNothingButFilesOfItsOwn) {
   DiskStore store(folder());
   const std::string blob = put_blob(store, "a picture");
