@@ -7,6 +7,7 @@
 
 #include "base/files.h"
 #include "base/find_program.h"
+#include "base/open_to_all.h"
 #include "base/replace_file.h"
 #include "base/sha256.h"
 #include "base/subprocess.h"
@@ -27,10 +28,13 @@ std::string status_of(const fs::path& path) {
   return text.str();
 }
 
-std::optional<std::string> ask(const std::string& tool) {
+// `tool` is the user's, wherever that has it: a sandbox looks in the system's folders alone.
+std::optional<std::string> ask(const fs::path& tool) {
   Command command;
-  command.arguments = {tool, "--version"};
+  command.arguments = {tool.string(), "--version"};
   command.sandbox = Sandbox{};  // it reads itself, and writes nothing
+  command.sandbox->read = {tool.string()};
+  command.sandbox->reads_all = !can_be_read_by_all(tool);
   const Outcome outcome = run(command);
   if (outcome.end != Outcome::End::exited || outcome.code != 0) return std::nullopt;
   return outcome.out.substr(0, outcome.out.find('\n'));
@@ -40,12 +44,13 @@ std::optional<std::string> ask(const std::string& tool) {
 
 std::optional<std::string> tool_version(const std::string& tool,
                                         const std::optional<fs::path>& cache) {
-  const std::string status = status_of(find_program(tool));
+  const fs::path path = find_program(tool);
+  const std::string status = status_of(path);
   if (status.empty()) return std::nullopt;
-  if (!cache) return ask(tool);
+  if (!cache) return ask(path);
   const std::string name = sha256(status);
   if (const auto noted = read_file(*cache / name)) return *noted;
-  std::optional<std::string> version = ask(tool);
+  std::optional<std::string> version = ask(path);
   if (version) {
     std::error_code none;
     fs::create_directories(*cache, none);
