@@ -212,7 +212,8 @@ class Builder {
   // To open a file for reading, and empty it: Landlock's first ABIs take it for reading.
   static void deny_emptying(int call, unsigned flags, SyscallFilter& filter) {
     if (call < 0) return;  // this machine does not have it
-    const auto argument = static_cast<std::uint32_t>(offsetof(seccomp_data, args) + 8 * flags);
+    const auto argument =
+        static_cast<std::uint32_t>(offsetof(seccomp_data, args) + std::size_t{8} * flags);
     const sock_filter steps[] = {
         BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
         BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<std::uint32_t>(call), 0, 4),

@@ -121,7 +121,7 @@ Watcher::Reply Watcher::decide(const seccomp_notif& question) {
   if (call == SCMP_SYS(clone)) return decide_on_clone(question);
   if (call == SCMP_SYS(fork) || call == SCMP_SYS(vfork)) return refuse("start another process");
   if (call == SCMP_SYS(socket)) return refuse("open a network connection");
-  if (is_file_change(call)) {
+  if (is_file_change(call) && sandbox_ != nullptr) {
     return {Answer::give, change_file(question, {writable_, sandbox_->file_bytes})};
   }
   return decide_on_thread(question);

@@ -18,7 +18,7 @@ class PlainLog : public std::streambuf {
   explicit PlainLog(std::streambuf& to) : to_(to) {}
 
  protected:
-  int_type overflow(int_type c) override;
+  int_type overflow(int_type given) override;
   int sync() override { return to_.pubsync(); }
 
  private:

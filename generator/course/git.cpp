@@ -25,7 +25,7 @@ std::string line_of(const fs::path& file) {
 // submodule.
 fs::path repository_at(const fs::path& folder) {
   constexpr std::string_view key = "gitdir: ";
-  const fs::path place = folder / ".git";
+  fs::path place = folder / ".git";
   std::error_code none;
   if (fs::is_directory(place, none)) return place;
   const std::string line = line_of(place);

@@ -23,7 +23,7 @@ struct ModelSources {
   std::map<std::string, std::string> assets;  // meshes, height fields, textures, skins
 };
 
-// Of the model in the file `name` beneath `root`, which compiles; a file that it names and does not
+// Of the model in the file `name` beneath `course`, which compiles; a file that it names and does not
 // need is left out. An error where it has two files of one name, or more than MuJoCo can hold in
 // memory.
 tl::expected<ModelSources, std::string> find_model_sources(const std::filesystem::path& root,
@@ -38,9 +38,9 @@ struct NamedFiles {
 };
 
 // Of the model in the file `name` beneath `root`, which need not compile. Foreign is what lies
-// outside of the folder of that file or of `root`, by its name or by a link, is no file but a
+// outside of the folder of that file or of `course`, by its name or by a link, is no file but a
 // device or a pipe, is MJCF of many megabytes, or is included twice.
-NamedFiles look_at_model_files(const std::filesystem::path& root, const std::string& name);
+NamedFiles look_at_model_files(const std::filesystem::path& course, const std::string& name);
 
 // The same of MJCF without a file of its own, which may name none.
 NamedFiles look_at_model_text(const std::string& mjcf);

@@ -85,6 +85,7 @@ export function checkWrite(
 /** What typed arrays have besides numbers. */
 const members = [Float64Array.prototype, Object.getPrototypeOf(Float64Array.prototype) as object]
   .flatMap((prototype) => Object.getOwnPropertyNames(prototype))
+  .filter((name) => name !== "buffer")
   .sort();
 
 /** The error for a key that is no index of the array, and no member either. */

@@ -15,7 +15,7 @@ set(page evaluate course lesson script report base) # what physics found comes i
 set(preview page evaluate course lesson physics script report base)
 set(lsp preview evaluate course lesson physics script report base)
 set(cli lsp preview page evaluate course lesson physics script report base)
-set(main cli)
+set(main cli base)
 set(folders base report lesson course physics script evaluate page preview lsp cli)
 
 set(wrong 0)
