@@ -51,7 +51,7 @@ class Beneath {
     Descriptor descriptor;
     struct stat status;
   };
-  // A plain file, to be read. Whoever opens a pipe does not wait.
+  // A plain file, to be read. Opening a pipe does not wait.
   tl::expected<File, Unopened> file(const std::string& path) const;
   // A folder, to be listed. "" and "." are the root.
   tl::expected<Descriptor, Unopened> folder(const std::string& path) const;

@@ -37,7 +37,7 @@ struct NamedFiles {
   std::optional<ModelError> infinite;
 };
 
-// Of the model in the file `name` beneath `root`, which need not compile. Foreign is what lies
+// Of the model in the file `name` beneath `course`, which need not compile. Foreign is what lies
 // outside of the folder of that file or of `course`, by its name or by a link, is no file but a
 // device or a pipe, is MJCF of many megabytes, or is included twice.
 NamedFiles look_at_model_files(const std::filesystem::path& course, const std::string& name);
