@@ -23,7 +23,7 @@ struct ModelSources {
   std::map<std::string, std::string> assets;  // meshes, height fields, textures, skins
 };
 
-// Of the model in the file `name` beneath `course`, which compiles; a file that it names and does
+// Of the model in the file `name` beneath `root`, which compiles; a file that it names and does
 // not need is left out. An error where it has two files of one name, or more than MuJoCo can hold
 // in memory.
 tl::expected<ModelSources, std::string> find_model_sources(const std::filesystem::path& root,
