@@ -223,6 +223,13 @@ std::string no_option(const NamedCommand& named, const std::string& argument) {
   return std::string(named.name) + " has no option " + argument + "; " + suggest(argument, known);
 }
 
+// Absolute and without `.`, as the paths are that are compared with it; tools run in folders of
+// their own.
+std::filesystem::path whole_path(const std::filesystem::path& path) {
+  const auto whole = std::filesystem::absolute(path).lexically_normal();
+  return whole.has_filename() ? whole : whole.parent_path();
+}
+
 int run_named(const NamedCommand& named, const std::vector<std::string>& arguments) {
   Options options;
   for (std::size_t i = 1; i < arguments.size(); ++i) {
@@ -256,7 +263,7 @@ int run_named(const NamedCommand& named, const std::vector<std::string>& argumen
   }
   const bool out_was_named = !options.out.empty();
   if (!out_was_named) options.out = options.course / "build" / "site";
-  options.course = std::filesystem::absolute(options.course);  // tools run in folders of their own
+  options.course = whole_path(options.course);
   if (const auto refused = refused_out(options, named.name, out_was_named)) return tell(*refused);
   set_up_mesa(user_cache_folder());
   // What other programs read is whole as it is.

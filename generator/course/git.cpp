@@ -1,8 +1,11 @@
 #include "course/git.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <sstream>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/files.h"
 #include "base/subprocess.h"
@@ -40,11 +43,25 @@ void add_alternates(const fs::path& objects, std::vector<std::string>& read) {
   }
 }
 
+// The folders that no repository is looked for in from below, as git knows them from the
+// environment.
+std::vector<fs::path> ceilings() {
+  const char* const value = std::getenv("GIT_CEILING_DIRECTORIES");
+  std::vector<fs::path> folders;
+  std::istringstream names(value == nullptr ? "" : value);
+  for (std::string name; std::getline(names, name, ':');) {
+    std::error_code none;
+    if (name.starts_with('/')) folders.push_back(fs::weakly_canonical(name, none));
+  }
+  return folders;
+}
+
 }  // namespace
 
 std::optional<Git> Git::find(const fs::path& folder) {
   std::error_code none;
   const fs::path real = fs::canonical(folder, none);
+  const std::vector<fs::path> stops = ceilings();
   for (fs::path above = real; !above.empty(); above = above.parent_path()) {
     const fs::path own = repository_at(above);
     if (!own.empty()) {
@@ -58,7 +75,7 @@ std::optional<Git> Git::find(const fs::path& folder) {
       add_alternates(common / "objects", git.read_);
       return git;
     }
-    if (above == above.root_path()) break;
+    if (above == above.root_path() || std::ranges::count(stops, above.parent_path()) > 0) break;
   }
   return std::nullopt;
 }

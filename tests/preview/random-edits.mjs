@@ -5,6 +5,7 @@
 
 import { execFileSync, spawnSync } from "node:child_process";
 import {
+  cpSync,
   globSync,
   mkdtempSync,
   readFileSync,
@@ -14,7 +15,7 @@ import {
   statSync,
 } from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { basename, join } from "node:path";
 
 import { preview } from "./previewed.mjs";
 
@@ -104,10 +105,12 @@ async function compareWithBuild(previewed) {
   const out = mkdtempSync(join(tmpdir(), "built-"));
   const site = join(out, "site");
   // Of the dates that a build has from git, a preview knows nothing.
-  const env = { ...process.env, GIT_DIR: join(out, "none") };
-  const built = spawnSync(mjcourse, ["build", "--course", previewed.course, "--out", site], {
-    env,
+  const course = join(out, "course");
+  cpSync(previewed.course, course, {
+    recursive: true,
+    filter: (file) => basename(file) !== ".git",
   });
+  const built = spawnSync(mjcourse, ["build", "--course", course, "--out", site]);
   previewed.expect(built.status === 0, `the course does not build: ${built.stderr}`);
   for (const entry of readdirSync(site, { recursive: true, withFileTypes: true })) {
     if (!entry.isFile() || entry.name.startsWith(".")) continue;

@@ -62,10 +62,11 @@ async function open(page, kind) {
   await page.getByRole("option").first().waitFor();
 }
 
-// All pictures are there, also those far below, and all fonts; and what another processor computes
-// otherwise, the keys of claims, is not.
+// All pictures are there, also those far below, and all fonts. Not there are the keys of claims, which
+// another processor computes otherwise, and the hash of the engine, which each change of it alters.
 async function complete() {
   for (const key of document.querySelectorAll(".claim-place code")) key.textContent = "key";
+  for (const hash of document.querySelectorAll(".engine-build")) hash.textContent = "hash";
   const pictures = [...document.images];
   for (const picture of pictures) picture.loading = "eager";
   await Promise.all(pictures.map((picture) => picture.decode().catch(() => {})));

@@ -68,6 +68,10 @@ try {
   if (second !== "") failures.push(`moved, it works out [${second}] anew`);
   const { status, stdout } = spawnSync("diff", ["-rq", join(home, "before"), join(home, "after")]);
   if (status !== 0) failures.push(`moved, it has another site:\n${stdout}`);
+
+  // As an author builds it, from within.
+  const within = spawnSync(mjcourse, ["build"], { cwd: elsewhere, encoding: "utf8" });
+  if (within.status !== 0) failures.push(`from within, it does not build:\n${within.stderr}`);
 } catch (error) {
   failures.push(error.message);
 } finally {

@@ -160,6 +160,16 @@ TEST_F(LastChanged, IsKnownInAnotherWorkTree) {
   EXPECT_EQ(found.at("content/1/a.md").day, "2026-03-03");
 }
 
+TEST_F(LastChanged, IsNotLookedForInACeilingFromBelow) {
+  write("course/content/1/a.md", "a");
+  commit("2026-03-03T12:00:00Z");
+  setenv("GIT_CEILING_DIRECTORIES", ("/none:" + folder_.path().string()).c_str(), 1);
+  const LastChanges below = changes(), within = last_changed(folder_.path(), "course");
+  unsetenv("GIT_CEILING_DIRECTORIES");
+  EXPECT_TRUE(below.empty());
+  EXPECT_EQ(within.at("course/content/1/a.md").day, "2026-03-03");
+}
+
 // What a user has set up changes nothing.
 TEST_F(LastChanged, IsTheSameForEveryUser) {
   write("course/content/1/a.md", "a");
