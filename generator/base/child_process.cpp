@@ -30,9 +30,9 @@ Pair make_pipe() {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-Pair make_sockets() {
+Pair make_sockets(int type) {
   int ends[2];
-  if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) {
+  if (socketpair(AF_UNIX, type | SOCK_CLOEXEC, 0, ends) != 0) {
     throw_errno("socketpair");
   }
   return {Descriptor(ends[0]), Descriptor(ends[1])};
@@ -41,8 +41,10 @@ Pair make_sockets() {
 }  // namespace
 
 ChildProcess::ChildProcess(const Command& command) {
-  Pair outs = make_pipe(), errs = make_pipe(), sockets = make_sockets();
-  Launch launch(command, {std::move(outs.write), std::move(errs.write), std::move(sockets.write)});
+  Pair outs = make_pipe(), errs = make_pipe(), sockets = make_sockets(SOCK_SEQPACKET);
+  Pair ins = command.answers ? make_sockets(SOCK_STREAM) : Pair{Descriptor(), Descriptor()};
+  Launch launch(command, {std::move(ins.read), std::move(outs.write), std::move(errs.write),
+                          std::move(sockets.write)});
   // What loses its parent becomes our child, so that it can be waited for.
   static const int adopts = prctl(PR_SET_CHILD_SUBREAPER, 1);
   static_cast<void>(adopts);
@@ -53,6 +55,7 @@ ChildProcess::ChildProcess(const Command& command) {
   if (first.id < 0) throw std::system_error(first.failure, std::generic_category(), "vfork");
   id_ = first.id;
   ended = Descriptor(static_cast<int>(syscall(SYS_pidfd_open, id_, 0)));
+  in = std::move(ins.write);
   out = std::move(outs.read);
   err = std::move(errs.read);
   news = std::move(sockets.read);

@@ -43,8 +43,9 @@ Confinement::Confinement(const Sandbox* sandbox, bool watch, double seconds)
   if (sandbox == nullptr) return;
   level_ = sandbox_level();
   const rlim_t cpu = cpu_seconds(seconds), tasks = most_tasks(level_);
+  const rlim_t space = sandbox->reserves ? RLIM_INFINITY : sandbox->memory_bytes;
   limits_ = {{RLIMIT_CPU, cpu, cpu + 1},
-             {RLIMIT_AS, sandbox->memory_bytes, sandbox->memory_bytes},
+             {RLIMIT_AS, space, space},
              {RLIMIT_FSIZE, sandbox->file_bytes, sandbox->file_bytes},
              {RLIMIT_NPROC, tasks, tasks},
              {RLIMIT_NOFILE, sandbox->open_files, sandbox->open_files},

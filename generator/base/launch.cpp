@@ -66,7 +66,7 @@ bool Launch::go() {
   if (confinement_.changes_user()) prctl(PR_SET_DUMPABLE, 1);
   if (child < 0) tell_failure(ends_.news.get(), failure);
   // What is read to its end must have no other writer.
-  for (Descriptor* end : {&ends_.out, &ends_.err, &ends_.news}) end->reset();
+  for (Descriptor* end : {&ends_.in, &ends_.out, &ends_.err, &ends_.news}) end->reset();
   return child > 0;
 }
 
@@ -79,8 +79,7 @@ void Launch::become() const {
   guardian_.watch(getpid());
   const int news = ends_.news.get();
   tell_id(news, getpid());
-  const int nothing = open("/dev/null", O_RDONLY);
-  dup2(nothing, STDIN_FILENO);
+  dup2(ends_.in.is_open() ? ends_.in.get() : open("/dev/null", O_RDONLY), STDIN_FILENO);
   dup2(ends_.out.get(), STDOUT_FILENO);
   dup2(ends_.err.get(), STDERR_FILENO);
   // The script engine installs handlers and the launcher may ignore signals: start clean.

@@ -19,9 +19,10 @@ namespace mjcourse {
 
 class Launch {
  public:
-  // The ends that the program has: of the pipes of its streams, and the socket of its news.
+  // The ends that the program has: of the pipes of its streams, and the socket of its news. Where
+  // `in` is not open, its stdin is empty.
   struct Ends {
-    Descriptor out, err, news;
+    Descriptor in, out, err, news;
   };
 
   // The command must stay until go() has returned.

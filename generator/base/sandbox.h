@@ -25,6 +25,9 @@ struct Sandbox {
   bool processes = false;  // may it start others, as a compiler does? Threads it always may
   // Of address space, of one process; and of memory, of all that it starts together.
   std::uint64_t memory_bytes = 4ull << 30;
+  // Does it reserve address space that it never uses, as a script engine does? Then only the second
+  // counts, and it must be one that may start others.
+  bool reserves = false;
   std::uint64_t file_bytes = 32 << 20;  // of one file
   // Of all that lies in `write`, and of what was removed from there and is still open.
   std::uint64_t folder_bytes = 128 << 20;

@@ -1,6 +1,6 @@
 // Run a program that may do anything: fail, hang, flood its output, leave children behind.
 //
-// The program reads an empty stdin, has a process group of its own, and is killed with the whole
+// The program reads an empty stdin (but see base/keeper.h), has a process group of its own, and is killed with the whole
 // group when its wall clock or its output runs over the limit; when it ends, what it left behind
 // goes with it. It is killed as well when the work of this thread is cancelled
 // (base/cancellation.h). A sandbox says what else it may, and `record_opened` has the files noted
@@ -25,6 +25,7 @@ struct Command {
   // With one, the environment is a small fixed one beside `environment`.
   std::optional<Sandbox> sandbox = {};
   bool record_opened = false;
+  bool answers = false;  // it reads questions from its stdin: see Keeper::ask
 };
 
 struct Outcome {

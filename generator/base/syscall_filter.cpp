@@ -5,7 +5,6 @@
 #include <linux/seccomp.h>
 #include <seccomp.h>
 #include <sys/ioctl.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
@@ -20,6 +19,7 @@
 #include <optional>
 #include <system_error>
 
+#include "base/descriptor.h"
 #include "base/path_calls.h"
 
 namespace mjcourse {
@@ -225,17 +225,21 @@ class Builder {
   }
 
   SyscallFilter program() const {
-    const int file = memfd_create("filter", MFD_CLOEXEC);
-    const int failure = seccomp_export_bpf(context_.get(), file);
+    // A pipe takes more than the kernel's longest filter. Not all who ask may have a file in
+    // memory.
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC) != 0) throw_errno("pipe");
+    const Descriptor from(ends[0]);
+    Descriptor to(ends[1]);
+    const int failure = seccomp_export_bpf(context_.get(), to.get());
+    to.reset();
     SyscallFilter filter = kind_.confine ? before_rules() : SyscallFilter();
     const std::size_t before = filter.size();
     std::array<sock_filter, 64> part;
-    lseek(file, 0, SEEK_SET);
-    for (ssize_t n = 0; (n = read(file, part.data(), sizeof part)) > 0;) {
+    for (ssize_t n = 0; (n = read(from.get(), part.data(), sizeof part)) > 0;) {
       filter.insert(filter.end(), part.begin(),
                     part.begin() + n / static_cast<ssize_t>(sizeof(sock_filter)));
     }
-    close(file);
     if (failure != 0 || filter.size() == before) {
       throw std::system_error(EINVAL, std::generic_category(), "seccomp_export_bpf");
     }

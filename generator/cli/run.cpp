@@ -15,6 +15,8 @@
 #include "cli/out_place.h"
 #include "cli/size.h"
 #include "course/web_address.h"
+#include "evaluate/work_loop.h"
+#include "evaluate/worker.h"
 #include "physics/mesa.h"
 
 namespace mjcourse {
@@ -284,6 +286,10 @@ int run_command(const std::vector<std::string>& arguments) {
     return kClean;
   }
   try {
+    if (arguments[0] == kWorkCommand && arguments.size() == 3) {
+      answer_questions(arguments[1], DiskFiles(arguments[2]));
+      return kClean;
+    }
     std::vector<std::string> names;
     for (const NamedCommand& named : commands()) {
       if (arguments[0] == named.name) return run_named(named, arguments);

@@ -83,6 +83,8 @@ Workplace workplace_of(const Options& options, const Files& assets, Store* store
   Workplace workplace{options.course, assets, store, options.jobs,
                       assets_folder() / "examples" / "include"};
   workplace.without_landlock = options.without_landlock;
+  workplace.worker = {std::filesystem::read_symlink("/proc/self/exe"),
+                      std::filesystem::absolute(assets_folder())};
   const std::filesystem::path folder = store_folder(options.store);
   if (store != nullptr && !folder.empty()) workplace.prepared = prepared_folder(folder);
   return workplace;

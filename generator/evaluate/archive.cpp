@@ -1,32 +1,16 @@
 #include "evaluate/archive.h"
 
-#include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "evaluate/result_fits.h"
 
 namespace mjcourse {
-namespace {
-
-// A store may hold anything, also under the right hash.
-bool is_of(const Task& task, const Finding& finding) {
-  const std::vector<std::size_t> blocks = task.blocks();
-  const std::vector<Block>& all = task.lesson().blocks;
-  return std::ranges::all_of(finding.results, [&](const auto& found) {
-    return std::ranges::find(blocks, found.first) != blocks.end() && found.first < all.size() &&
-           fits(all[found.first], found.second);
-  });
-}
-
-}  // namespace
-
 bool Archive::find(const Task& task, TaskRecord& record, bool noted) {
   if (record.recipe.empty()) return false;
   std::optional<ResultStore::Found> found = results_.find(record.recipe);
   if (!found) return false;
   std::optional<Finding> finding = codec_.decode(found->bytes, task.block());
-  if (!finding || !is_of(task, *finding)) return false;
+  if (!finding || !fits(task, *finding, root_)) return false;
   record.traced = std::move(found->traced);
   // What was said when the task was prepared, stays said.
   finding->diagnostics = std::move(record.finding.diagnostics);

@@ -173,7 +173,20 @@ Dependencies BlockTask::recipe(const Setting& setting) const {
   return recipe_of(setting, known.kind, known.text, known.scripts);
 }
 
+// A picture's size, and a plot of numbers, are found out without MuJoCo and an author's scripts.
+bool BlockTask::is_apart() const {
+  return !std::holds_alternative<Image>(block_) && !std::holds_alternative<Chart>(block_);
+}
+
+bool BlockTask::work_apart(Workshop& workshop, Finding& finding) {
+  return !is_apart() || find_out(workshop, finding);
+}
+
 bool BlockTask::work(Workshop& workshop, Finding& finding) {
+  return is_apart() || find_out(workshop, finding);
+}
+
+bool BlockTask::find_out(Workshop& workshop, Finding& finding) const {
   const Stopwatch stopwatch;
   std::optional<Result> result =
       std::visit(Worker{lesson(), block(), workshop, finding.diagnostics}, block_);

@@ -18,9 +18,13 @@ class BlockTask : public Task {
   bool draws() const override;
   double effort() const override;
   Dependencies recipe(const Setting& setting) const override;
+  bool is_apart() const override;
+  bool work_apart(Workshop& workshop, Finding& finding) override;
   bool work(Workshop& workshop, Finding& finding) override;
 
  private:
+  bool find_out(Workshop& workshop, Finding& finding) const;
+
   const Block& block_;
 };
 

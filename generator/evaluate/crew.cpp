@@ -37,7 +37,16 @@ void Crew::look(Task& task, Workshop& workshop, TaskRecord& record) const {
   record.waiting = archive_ == nullptr || !archive_->find(task, record, effort_ == Effort::all);
 }
 
-void Crew::do_task(Task& task, Workshop& workshop, TaskRecord& record) const {
+bool Crew::work(Task& task, Tools& tools, TaskRecord& record) const {
+  Workshop& workshop = *tools.workshop;
+  const bool whole = task.is_apart() && tools.worker
+                         ? tools.worker->work(task, workshop.trace(), record.finding)
+                         : task.work_apart(workshop, record.finding);
+  return task.work(workshop, record.finding) && whole;
+}
+
+void Crew::do_task(Task& task, Tools& tools, TaskRecord& record) const {
+  Workshop& workshop = *tools.workshop;
   if (!record.looked) look(task, workshop, record);
   if (record.waiting) {
     const bool quick = record.recipe.empty();  // as is all that is never kept
@@ -49,7 +58,7 @@ void Crew::do_task(Task& task, Workshop& workshop, TaskRecord& record) const {
     // From here on a trace tells what the work depends on; what preparing read is in the recipe.
     workshop.trace().clear();
     const auto begin = std::chrono::system_clock::now();
-    const bool whole = task.work(workshop, record.finding);
+    const bool whole = work(task, tools, record);
     const bool silent = record.finding.diagnostics.size() == record.said;
     if (archive_ != nullptr && whole && silent) {
       archive_->keep(task, workshop.trace(), begin, record);
@@ -58,14 +67,14 @@ void Crew::do_task(Task& task, Workshop& workshop, TaskRecord& record) const {
   task.conclude(workshop, record.finding);
 }
 
-void Crew::attempt(Task& task, std::optional<Workshop>& workshop, TaskRecord& record) const {
+void Crew::attempt(Task& task, Tools& tools, TaskRecord& record) const {
   try {
-    do_task(task, *workshop, record);
+    do_task(task, tools, record);
   } catch (const MissingAssets&) {
     throw;  // no task could do without
   } catch (const std::exception& error) {
     record = failure(task, error);
-    workshop.emplace(setting_);  // it may have left anything there
+    tools.workshop.emplace(setting_);  // it may have left anything there
   }
 }
 
@@ -108,13 +117,15 @@ TaskRecords Crew::run(const Tasks& tasks, const Blocks& first,
   for_each_index(threads, threads, [&](std::size_t thread, std::size_t) {
     const Cancellable cancellable(stop);
     try {
-      std::optional<Workshop> workshop(std::in_place, setting_);
-      if (thread == 0) prepare_programs(tasks, *workshop, records, queue, stopwatch);
+      Tools tools;
+      tools.workshop.emplace(setting_);
+      if (worker_) tools.worker.emplace(setting_, *worker_);
+      if (thread == 0) prepare_programs(tasks, *tools.workshop, records, queue, stopwatch);
       while (const std::optional<std::size_t> next = queue.next()) {
         TaskRecord& record = records[*next];
         const double begin = stopwatch.seconds();
         end_if_cancelled();
-        attempt(*tasks[*next], workshop, record);
+        attempt(*tasks[*next], tools, record);
         progress_.end(tasks[*next]->what());
         record.thread = thread;
         record.begin = begin;

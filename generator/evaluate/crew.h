@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/stopwatch.h"
@@ -18,6 +19,7 @@
 #include "evaluate/plan.h"
 #include "evaluate/progress.h"
 #include "evaluate/task_queue.h"
+#include "evaluate/worker.h"
 
 namespace mjcourse {
 
@@ -27,14 +29,16 @@ using TaskRecords = std::vector<TaskRecord>;  // one for each task, in their ord
 
 class Crew {
  public:
-  // `archive` may be null. All must outlive this.
+  // `archive` may be null. All must outlive this. Without a
+  // `worker`, all is worked on in this process.
   Crew(const Setting& setting, Archive* archive, Progress& progress, std::size_t threads,
-       Effort effort = Effort::all)
+       Effort effort = Effort::all, std::optional<WorkerProgram> worker = {})
       : setting_(setting),
         archive_(archive),
         progress_(progress),
         threads_(threads),
-        effort_(effort) {}
+        effort_(effort),
+        worker_(std::move(worker)) {}
 
   // After run(): how long it took to make what programs share.
   const std::vector<TaskTime>& header_times() const { return header_times_; }
@@ -47,9 +51,16 @@ class Crew {
                   const std::function<void(const TaskRecords&)>& publish);
 
  private:
+  // What one thread works with.
+  struct Tools {
+    std::optional<Workshop> workshop;
+    std::optional<Worker> worker;
+  };
+
   void look(Task& task, Workshop& workshop, TaskRecord& record) const;
-  void do_task(Task& task, Workshop& workshop, TaskRecord& record) const;
-  void attempt(Task& task, std::optional<Workshop>& workshop, TaskRecord& record) const;
+  bool work(Task& task, Tools& tools, TaskRecord& record) const;
+  void do_task(Task& task, Tools& tools, TaskRecord& record) const;
+  void attempt(Task& task, Tools& tools, TaskRecord& record) const;
   void prepare_programs(const Tasks& tasks, Workshop& workshop, TaskRecords& records,
                         TaskQueue& queue, const Stopwatch& stopwatch);
 
@@ -58,6 +69,7 @@ class Crew {
   Progress& progress_;
   std::size_t threads_;
   Effort effort_;
+  std::optional<WorkerProgram> worker_;
   std::vector<TaskTime> header_times_;
 };
 

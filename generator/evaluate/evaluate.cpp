@@ -95,7 +95,7 @@ class Evaluator {
       evaluation_.sandbox = sandbox_level().text();
     }
     Crew crew(setting_, archive_ ? &*archive_ : nullptr, progress_, workplace_.threads,
-              workplace_.stand_in ? Effort::looks : Effort::all);
+              workplace_.stand_in ? Effort::looks : Effort::all, workplace_.worker);
     gather(tasks, crew.run(tasks, workplace_.first, [&](const TaskRecords& records) {
       publish(tasks, records, setting_.reports(), fingerprints_);
     }));

@@ -25,6 +25,7 @@
 #include "evaluate/progress.h"
 #include "evaluate/result.h"
 #include "evaluate/versions.h"
+#include "evaluate/worker.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {
@@ -63,6 +64,8 @@ struct Workplace {
   StandIn stand_in = {};
   Blocks first = {};              // what somebody waits for: begun before all else
   bool without_landlock = false;  // run programs even where the kernel has none
+  // For what is worked on in processes of their own; without it, nothing is.
+  std::optional<WorkerProgram> worker = {};
 };
 
 // Throws Cancelled when the caller's work is cancelled. The diagnostics begin with what reading the

@@ -9,7 +9,7 @@ Dependencies ModelPageTask::recipe(const Setting& setting) const {
   return recipe_of(setting, "model page", {name_.text});
 }
 
-bool ModelPageTask::work(Workshop& workshop, Finding& finding) {
+bool ModelPageTask::work_apart(Workshop& workshop, Finding& finding) {
   Diagnostics known;
   Diagnostics& diagnostics = trouble_ == Trouble::reported ? finding.diagnostics : known;
   finding.model_page = evaluate_model_page(name_, Bench(lesson(), workshop, diagnostics));

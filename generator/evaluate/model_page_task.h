@@ -12,7 +12,7 @@ class ModelPageTask : public Task {
 
   // `lesson` is the first to link to it or to show it, there as `name`.
   ModelPageTask(const Lesson& lesson, std::size_t page, LocatedText name, Trouble trouble)
-      : Task(lesson, page, 0, "draw the model " + name.text),
+      : Task(lesson, page, 0, model_task_name(name.text)),
         name_(std::move(name)),
         trouble_(trouble) {}
 
@@ -20,7 +20,8 @@ class ModelPageTask : public Task {
   bool draws() const override { return true; }
   double effort() const override { return 0.2; }
   Dependencies recipe(const Setting& setting) const override;
-  bool work(Workshop& workshop, Finding& finding) override;
+  bool is_apart() const override { return true; }
+  bool work_apart(Workshop& workshop, Finding& finding) override;
 
  private:
   LocatedText name_;

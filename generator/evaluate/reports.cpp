@@ -47,6 +47,14 @@ std::vector<std::string> Reports::examples() const {
   return names_of(results_);
 }
 
+std::map<std::string, std::optional<Records>> Reports::records() const {
+  std::map<std::string, std::optional<Records>> told;
+  for (const auto& [example, result] : results_) {
+    told[example] = result == nullptr ? std::nullopt : std::optional(result->records);
+  }
+  return told;
+}
+
 const Records* Reports::records_of(const LocatedText& example, const SourceText& lesson,
                                    Diagnostics& diagnostics) const {
   const auto known = results_.find(example.text);

@@ -20,6 +20,9 @@ class Reports {
 
   std::vector<std::string> examples() const;
 
+  // What each of them told; nothing for one that failed.
+  std::map<std::string, std::optional<Records>> records() const;
+
   // What `example` reported as `result`, recorded as `snapshot`, or as `table`. Null when there is
   // no such example or record (reported), or when the example failed, which was reported where it
   // stands.

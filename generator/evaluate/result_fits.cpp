@@ -1,9 +1,21 @@
 #include "evaluate/result_fits.h"
 
+#include <algorithm>
 #include <variant>
+
+#include "base/beneath.h"
 
 namespace mjcourse {
 namespace {
+
+namespace fs = std::filesystem;
+
+bool has_parts_of(const Lab& lab, const LabRunResult& run) {
+  return (!run.control || *run.control < lab.controls.size()) &&
+         std::ranges::all_of(run.readings, [&](const LabReading& reading) {
+           return reading.values.size() == lab.readouts.size();
+         });
+}
 
 bool has_parts_of(const Lab& lab, const LabResult& result) {
   if (lab.readouts.size() != result.readouts.size() || lab.plots.size() != result.traces.size() ||
@@ -13,7 +25,12 @@ bool has_parts_of(const Lab& lab, const LabResult& result) {
   for (std::size_t i = 0; i < lab.plots.size(); ++i) {
     if (lab.plots[i].traces.size() != result.traces[i].size()) return false;
   }
-  return true;
+  return std::ranges::all_of(result.runs,
+                             [&](const LabRunResult& run) { return has_parts_of(lab, run); });
+}
+
+bool is_pinned_as(const LocatedText& pin, const std::optional<PinComparison>& found) {
+  return !found || found->name == pin.text;
 }
 
 struct Fits {
@@ -30,11 +47,14 @@ struct Fits {
   bool operator()(const InlineModel&) const { return is<ModelResult>(); }
   bool operator()(const Output&) const { return is<OutputResult>(); }
   bool operator()(const Image&) const { return is<ImageResult>(); }
-  bool operator()(const Figure&) const { return is<FigureResult>(); }
+  bool operator()(const Figure& figure) const {
+    const auto* known = std::get_if<FigureResult>(&result);
+    return known != nullptr && is_pinned_as(figure.pin, known->pin);
+  }
   bool operator()(const Chart&) const { return is<ChartResult>(); }
   bool operator()(const Lab& lab) const {
     const auto* known = std::get_if<LabResult>(&result);
-    return known != nullptr && has_parts_of(lab, *known);
+    return known != nullptr && has_parts_of(lab, *known) && is_pinned_as(lab.pin, known->pin);
   }
   bool operator()(const Quiz& quiz) const {
     const auto* known = std::get_if<QuizResult>(&result);
@@ -47,7 +67,42 @@ struct Fits {
   }
 };
 
+bool lie_in(const fs::path& root, const LabResult& lab) {
+  return std::ranges::all_of(lab.model.assets, [&](const auto& asset) {
+    const fs::path& path = asset.second;
+    return path == path.lexically_normal() && name_beneath(root, path).has_value();
+  });
+}
+
+bool lies_in(const fs::path& root, const Result& result) {
+  const auto* lab = std::get_if<LabResult>(&result);
+  return lab == nullptr || lie_in(root, *lab);
+}
+
+bool is_page_of(const Task& task, const ModelPage& page, const fs::path& root) {
+  return task.what() == model_task_name(page.name) &&
+         std::ranges::all_of(page.files,
+                             [](const ModelPage::File& file) {
+                               const fs::path path = file.path;
+                               return path == path.lexically_normal() && path.is_relative() &&
+                                      *path.begin() == "models";
+                             }) &&
+         (!page.lab || lie_in(root, page.lab->result));
+}
+
 }  // namespace
+
+bool fits(const Task& task, const Finding& finding, const fs::path& root) {
+  const std::vector<std::size_t> blocks = task.blocks();
+  const std::vector<Block>& all = task.lesson().blocks;
+  return std::ranges::all_of(finding.results,
+                             [&](const auto& found) {
+                               const auto& [block, result] = found;
+                               return std::ranges::count(blocks, block) > 0 && block < all.size() &&
+                                      fits(all[block], result) && lies_in(root, result);
+                             }) &&
+         (!finding.model_page || is_page_of(task, *finding.model_page, root));
+}
 
 bool fits(const Block& block, const Result& result) {
   return std::visit(Fits{result}, block);

@@ -4,11 +4,16 @@
 // former edition has of it must have the same parts.
 #pragma once
 
-#include "evaluate/result.h"
-#include "lesson/block.h"
+#include <filesystem>
+
+#include "evaluate/task.h"
 
 namespace mjcourse {
 
 bool fits(const Block& block, const Result& result);
+
+// Is all of `finding` what `task` may find out, in a course in `root`? It then names no file
+// outside of that, and no place of a site but its own.
+bool fits(const Task& task, const Finding& finding, const std::filesystem::path& root);
 
 }  // namespace mjcourse

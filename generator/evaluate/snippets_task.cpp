@@ -33,18 +33,20 @@ std::vector<std::string> SnippetsTask::warm_roots(const Setting& setting) const 
   return mjcourse::warm_roots(snippets_prelude(include), include);
 }
 
-bool SnippetsTask::work(Workshop& workshop, Finding& finding) {
-  std::size_t snippets = 0;
+bool SnippetsTask::work_apart(Workshop& workshop, Finding& finding) {
   for (const Block& block : lesson().blocks) {
-    const auto* snippet = std::get_if<Snippet>(&block);
-    if (snippet == nullptr) continue;
-    ++snippets;
-    workshop.simulate_named(snippet->model, *lesson().source, finding.diagnostics);
+    if (const auto* snippet = std::get_if<Snippet>(&block)) {
+      workshop.simulate_named(snippet->model, *lesson().source, finding.diagnostics);
+    }
   }
+  return true;
+}
+
+bool SnippetsTask::work(Workshop& workshop, Finding& finding) {
   for (auto& [index, result] : evaluate_snippets(lesson(), workshop, finding.diagnostics)) {
     finding.results[index] = std::move(result);
   }
-  return finding.results.size() == snippets;
+  return finding.results.size() == blocks().size();
 }
 
 }  // namespace mjcourse

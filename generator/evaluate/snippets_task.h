@@ -16,6 +16,9 @@ class SnippetsTask : public Task {
   bool compiles() const override { return true; }
   std::vector<std::string> warm_roots(const Setting& setting) const override;
   Dependencies recipe(const Setting& setting) const override;
+  // Their models.
+  bool is_apart() const override { return true; }
+  bool work_apart(Workshop& workshop, Finding& finding) override;
   bool work(Workshop& workshop, Finding& finding) override;
 };
 

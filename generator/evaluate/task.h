@@ -50,11 +50,15 @@ class Task {
   // kept.
   virtual Dependencies recipe(const Setting& setting) const = 0;
 
+  // Does MuJoCo, or the script engine, work on what an author wrote? That is work_apart().
+  virtual bool is_apart() const { return false; }
+
   // In this order: what is looked at each time, which gives false where nothing more can be done;
-  // the work, unless its finding was kept, which gives false where something is missing; and what
-  // takes all of the finding.
+  // the work, unless its finding was kept, which gives false where something is missing, and whose
+  // first part is done in a process of its own (worker.h); and what takes all of the finding.
   virtual bool prepare(Workshop&, Finding&) { return true; }
-  virtual bool work(Workshop& workshop, Finding& finding) = 0;
+  virtual bool work_apart(Workshop&, Finding&) { return true; }
+  virtual bool work(Workshop&, Finding&) { return true; }
   virtual void conclude(Workshop&, Finding&) {}
 
  private:

@@ -28,6 +28,8 @@ class Trace {
   void files(const std::vector<std::string>& paths);
   // What the program `name` reported.
   void program(const std::string& name);
+  // What somebody else has looked at for the same piece of work, as its trace names it.
+  void add(const std::set<std::string>& names) { names_.insert(names.begin(), names.end()); }
   // Something that cannot be named: the result must not be used again.
   void unknown() { complete_ = false; }
 

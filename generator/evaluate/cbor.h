@@ -1,0 +1,17 @@
+// CBOR that somebody else may have written: what a store has, and what a worker says.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mjcourse {
+
+std::string to_cbor(const nlohmann::json& value);
+
+// Nothing where the bytes are no CBOR, or have lists in lists beyond any need: the library calls
+// itself for each.
+std::optional<nlohmann::json> from_cbor(std::string_view bytes);
+
+}  // namespace mjcourse

@@ -1,0 +1,108 @@
+#include "evaluate/work_message.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "evaluate/blobs_of.h"
+#include "evaluate/cbor.h"
+#include "evaluate/result_fits.h"
+#include "evaluate/result_json.h"
+
+namespace mjcourse {
+
+using nlohmann::json;
+
+#define MJCOURSE_FIELDS NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE
+MJCOURSE_FIELDS(Span, begin, end)
+MJCOURSE_FIELDS(Place, file, line, column, width, excerpt, excerpt_column)
+MJCOURSE_FIELDS(Note, message, place)
+MJCOURSE_FIELDS(Edit, file, span, text, what, before)
+MJCOURSE_FIELDS(Diagnostic, id, severity, place, message, detail, notes, cure, edit)
+MJCOURSE_FIELDS(Finding, results, seconds, model_page, diagnostics)
+MJCOURSE_FIELDS(WorkQuestion, models, page, text, block, what, reports)
+MJCOURSE_FIELDS(WorkAnswer, whole, finding, looked_at, traced, failure)
+#undef MJCOURSE_FIELDS
+
+namespace {
+
+template <typename Message>
+std::optional<Message> message_in(const json& value) {
+  try {
+    return value.get<Message>();
+  } catch (const json::exception&) {
+    return std::nullopt;
+  }
+}
+
+bool is_of_course(const std::filesystem::path& path) {
+  return path.is_relative() && std::ranges::count(path, "..") == 0;
+}
+
+// A file of the course, what a program told, or what of the system a film is made with.
+bool may_look_at(const std::string& name) {
+  return is_of_course(name) || (name.starts_with("/usr/") && is_of_course(name.substr(1)));
+}
+
+// A picture beside the lessons that another is to be held against is all that such tasks propose.
+bool may_propose(const Diagnostic& diagnostic) {
+  const auto& edit = diagnostic.edit;
+  return !edit || (edit->file.starts_with("content/") && edit->file.ends_with(".png") &&
+                   is_of_course(edit->file) && !edit->span);
+}
+
+// Bytes go beside the results, which only have their hashes.
+std::map<std::string, std::string> bytes_of(Finding finding) {
+  std::map<std::string, std::string> bytes;
+  for (const Blob* blob : blobs_of(finding)) {
+    if (!blob->empty()) bytes.try_emplace(blob->hash(), blob->bytes());
+  }
+  return bytes;
+}
+
+// False where some are missing.
+bool take_bytes(Finding& finding, const std::map<std::string, std::string>& bytes) {
+  for (Blob* blob : blobs_of(finding)) {
+    if (blob->empty()) continue;
+    const auto found = bytes.find(blob->hash());
+    if (found == bytes.end()) return false;
+    Blob taken(found->second);
+    if (taken.hash() != blob->hash()) return false;
+    *blob = std::move(taken);
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string encode(const WorkQuestion& question) {
+  return to_cbor(question);
+}
+
+std::string encode(const WorkAnswer& answer) {
+  json value = answer;
+  value["bytes"] = bytes_of(answer.finding);
+  return to_cbor(value);
+}
+
+std::optional<WorkQuestion> decode_question(std::string_view bytes) {
+  const std::optional<json> value = from_cbor(bytes);
+  return value ? message_in<WorkQuestion>(*value) : std::nullopt;
+}
+
+std::optional<WorkAnswer> decode_answer(std::string_view bytes, const Task& task,
+                                        const std::filesystem::path& root) {
+  const std::optional<json> value = from_cbor(bytes);
+  if (!value) return std::nullopt;
+  auto answer = message_in<WorkAnswer>(*value);
+  if (!answer || !value->contains("bytes")) return std::nullopt;
+  const auto pictures = message_in<std::map<std::string, std::string>>(value->at("bytes"));
+  Finding& finding = answer->finding;
+  if (!pictures || !take_bytes(finding, *pictures) || !fits(task, finding, root) ||
+      !std::ranges::all_of(answer->looked_at, may_look_at) ||
+      !std::ranges::all_of(finding.diagnostics, may_propose)) {
+    return std::nullopt;
+  }
+  return answer;
+}
+
+}  // namespace mjcourse
