@@ -121,7 +121,7 @@ TaskRecords Crew::run(const Tasks& tasks, const Blocks& first,
       tools.workshop.emplace(setting_);
       if (worker_) tools.worker.emplace(setting_, *worker_);
       if (thread == 0) prepare_programs(tasks, *tools.workshop, records, queue, stopwatch);
-      while (const std::optional<std::size_t> next = queue.next()) {
+      while (const std::optional<std::size_t> next = queue.next(thread)) {
         TaskRecord& record = records[*next];
         const double begin = stopwatch.seconds();
         end_if_cancelled();

@@ -46,15 +46,16 @@ void TaskQueue::release() {
   changed_.notify_all();
 }
 
-std::vector<std::size_t>* TaskQueue::next_list() {
+std::vector<std::size_t>* TaskQueue::next_list(std::size_t thread) {
   std::vector<std::vector<std::size_t>*> lists{&ready_.drawn, &ready_.others};
   if (compiling_ != Programs::held) lists.push_back(&ready_.compiled);
   std::erase_if(lists, [](const auto* list) { return list->empty(); });
   if (lists.empty()) return nullptr;
-  return *std::ranges::max_element(lists, {}, [this](const auto* list) {
+  return *std::ranges::max_element(lists, {}, [&](const auto* list) {
     const bool draws = list == &ready_.drawn;
     const bool compiles = list == &ready_.compiled;
-    const bool waits = (draws && drawing_ > 0) || (compiles && compiling_ != Programs::usual);
+    const bool waits = (draws && drawer_.value_or(thread) != thread) ||
+                       (compiles && compiling_ != Programs::usual);
     const Weight& weight = weights_[list->back()];
     return std::tuple(weight.first, !waits, draws, weight.effort);
   });
@@ -71,23 +72,22 @@ void TaskQueue::headers_made() {
   compiling_ = Programs::usual;
 }
 
-std::optional<std::size_t> TaskQueue::next() {
+std::optional<std::size_t> TaskQueue::next(std::size_t thread) {
   std::unique_lock lock(mutex_);
   std::vector<std::size_t>* list = nullptr;
   changed_.wait(lock, [&] {
-    list = next_list();
+    list = next_list(thread);
     return list != nullptr || (ready_.empty() && held_.empty());
   });
   if (list == nullptr) return std::nullopt;
   const std::size_t task = list->back();
   list->pop_back();
-  drawing_ += tasks_[task]->draws() ? 1 : 0;
+  if (tasks_[task]->draws() && !drawer_) drawer_ = thread;
   return task;
 }
 
 void TaskQueue::finish(std::size_t task) {
   const std::lock_guard lock(mutex_);
-  drawing_ -= tasks_[task]->draws() ? 1 : 0;
   if (is_program(*tasks_[task]) && --programs_ == 0) release();
 }
 

@@ -64,13 +64,13 @@ TEST_F(TaskQueueTest, LetsOneThreadDrawAsLongAsThereIsAnythingElse) {
   for (const double effort : {1, 3, 2}) add(effort, Kind::drawing);
   for (const double effort : {4, 5}) add(effort);
   TaskQueue queue(tasks_, {}, [] {});
-  EXPECT_EQ(queue.next(), 1);  // the longest that draws
-  EXPECT_EQ(queue.next(), 4);
+  EXPECT_EQ(queue.next(1), 1);  // the longest that draws
+  EXPECT_EQ(queue.next(0), 4);
   queue.finish(1);
-  EXPECT_EQ(queue.next(), 2);
-  EXPECT_EQ(queue.next(), 3);
-  EXPECT_EQ(queue.next(), 0);  // the other thread need not wait for the one that draws
-  EXPECT_EQ(queue.next(), std::nullopt);
+  EXPECT_EQ(queue.next(0), 3);  // the other one draws
+  EXPECT_EQ(queue.next(1), 2);
+  EXPECT_EQ(queue.next(0), 0);  // who has nothing else to do draws as well
+  EXPECT_EQ(queue.next(0), std::nullopt);
 }
 
 TEST_F(TaskQueueTest, DrawsLaterWhatNobodyWaitsFor) {
@@ -84,7 +84,7 @@ TEST_F(TaskQueueTest, DrawsFirstWhatSomebodyWaitsFor) {
   add(5);
   add(1, Kind::drawing);
   add(2, Kind::drawing);
-  EXPECT_EQ(order({{reading_.lesson->source->path(), 1}}), (std::vector<std::size_t>{1, 0, 2}));
+  EXPECT_EQ(order({{reading_.lesson->source->path(), 1}}), (std::vector<std::size_t>{1, 2, 0}));
 }
 
 TEST_F(TaskQueueTest, CompilesLastUntilHeadersAreMade) {
