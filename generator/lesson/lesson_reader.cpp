@@ -79,6 +79,7 @@ void LessonReader::walk(cmark_node* node, Region& region) {
   if (type == CMARK_NODE_FOOTNOTE_DEFINITION && in_document_) refuse_second_footnote(node);
   if (type == CMARK_NODE_CODE) read_code_span(node, region);
   if (type == CMARK_NODE_LINK) read_link(node, region);
+  if (type == CMARK_NODE_HTML_BLOCK || type == CMARK_NODE_HTML_INLINE) read_html(node, region);
   // The title of a callout was moved out of the tree, and is walked with it.
   if (const auto found = lesson_.block_of.find(node); found != lesson_.block_of.end()) {
     if (const auto* callout = std::get_if<Callout>(&lesson_.blocks[found->second])) {

@@ -77,7 +77,7 @@ Document parse_markdown(const std::string& text, const std::function<void(int li
     return true;
   }();
   static_cast<void>(registered);
-  // Raw HTML passes: lessons are the course's own text.
+  // Raw HTML stays in the tree: what of it may stand there, raw_html.h says.
   const std::unique_ptr<cmark_parser, FreeParser> parser(
       cmark_parser_new(CMARK_OPT_UNSAFE | CMARK_OPT_FOOTNOTES | CMARK_OPT_SMART));
   for (const char* name : {"table", "strikethrough", "autolink", "tasklist"}) {

@@ -1,0 +1,251 @@
+#include "lesson/raw_html.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "base/nearest.h"
+#include "lesson/html_style.h"
+
+namespace mjcourse {
+namespace {
+
+using Names = std::vector<std::string>;
+
+// With the attributes that each may have besides those of all.
+const std::map<std::string, Names, std::less<>>& elements() {
+  static const std::map<std::string, Names, std::less<>> known{
+      {"abbr", {}},
+      {"b", {}},
+      {"bdi", {}},
+      {"bdo", {}},
+      {"blockquote", {}},
+      {"br", {}},
+      {"caption", {}},
+      {"cite", {}},
+      {"code", {}},
+      {"dd", {}},
+      {"del", {}},
+      {"details", {"open"}},
+      {"dfn", {}},
+      {"div", {}},
+      {"dl", {}},
+      {"dt", {}},
+      {"em", {}},
+      {"figcaption", {}},
+      {"figure", {}},
+      {"hr", {}},
+      {"i", {}},
+      {"ins", {}},
+      {"kbd", {}},
+      {"li", {"value"}},
+      {"mark", {}},
+      {"ol", {"reversed", "start", "type"}},
+      {"p", {}},
+      {"pre", {}},
+      {"q", {}},
+      {"rp", {}},
+      {"rt", {}},
+      {"ruby", {}},
+      {"s", {}},
+      {"samp", {}},
+      {"small", {}},
+      {"span", {}},
+      {"strong", {}},
+      {"sub", {}},
+      {"summary", {}},
+      {"sup", {}},
+      {"table", {}},
+      {"tbody", {}},
+      {"td", {"colspan", "rowspan"}},
+      {"tfoot", {}},
+      {"th", {"colspan", "rowspan", "scope"}},
+      {"thead", {}},
+      {"tr", {}},
+      {"u", {}},
+      {"ul", {}},
+      {"var", {}},
+      {"wbr", {}},
+  };
+  return known;
+}
+
+constexpr std::array kOfAll{"class", "dir", "lang", "style", "title"};
+
+// What Markdown has in the place of an element.
+std::string instead_of(const std::string& name) {
+  static const std::map<std::string, std::string, std::less<>> instead{
+      {"a", "write a link: `[text](https://…)`"},
+      {"h1", "write a heading: `## …`"},
+      {"h2", "write a heading: `## …`"},
+      {"h3", "write a heading: `### …`"},
+      {"h4", "write a heading: `#### …`"},
+      {"h5", "write a heading: `#### …`"},
+      {"h6", "write a heading: `#### …`"},
+      {"img", "show a picture: `![what it shows](picture.png)`"},
+      {"script",
+       "what moves in a lesson is a lab or a figure; for the tag as text, write "
+       "`&lt;script>`"},
+      {"style", "give the element its `style=\"…\"`, or the course a theme/style.css"},
+      {"svg", "put the drawing beside the lesson: `![what it shows](drawing.svg)`"},
+  };
+  const auto found = instead.find(name);
+  if (found != instead.end()) return found->second;
+  return "leave it out; for the tag as text, write `&lt;" + name + ">`";
+}
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+bool is_name_character(char c) {
+  return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == ':' || c == '_';
+}
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\n';
+}
+
+class HtmlReader {
+ public:
+  explicit HtmlReader(std::string_view html) : html_(html) {}
+
+  std::vector<HtmlFault> faults() {
+    while ((at_ = html_.find('<', at_)) < html_.size()) {
+      const std::size_t begin = at_;
+      if (const bool read = html_.substr(at_).starts_with("<!--") ? comment() : tag(); read)
+        continue;
+      refuse(begin, std::min(html_.find('\n', begin), html_.size()), "E-html-broken",
+             "this is no whole tag and no whole comment",
+             "end it with `>`, its values in quotes; for the character as text, write `&lt;`");
+      break;  // where the next begins, only a browser's rules for broken HTML could tell
+    }
+    return std::move(faults_);
+  }
+
+ private:
+  void refuse(std::size_t begin, std::size_t end, const char* id, const std::string& message,
+              const std::string& cure) {
+    faults_.push_back({begin, end, id, message, cure});
+  }
+
+  // Browsers end a comment also at `--!>`, and one that begins with `>` or `->` at once.
+  bool comment() {
+    const std::size_t text = at_ + 4, end = html_.find("-->", text);
+    if (end == html_.npos) return false;
+    const std::string_view inner = html_.substr(text, end - text);
+    if (inner.starts_with('>') || inner.starts_with("->") || inner.find("--") != inner.npos) {
+      return false;
+    }
+    at_ = end + 3;
+    return true;
+  }
+
+  bool tag() {
+    const std::size_t begin = at_++;
+    const bool closes = skip("/");
+    const std::string name = lower(word());
+    if (name.empty()) return false;
+    const std::size_t name_end = at_;
+    std::vector<HtmlFault> found;
+    while (skip_blanks()) {
+      const std::size_t attribute = at_;
+      if (word().empty()) break;
+      if (closes || !value(name, attribute, found)) return false;
+    }
+    if (!closes) skip("/");
+    if (!skip(">")) return false;
+    if (elements().contains(name)) {
+      faults_.insert(faults_.end(), found.begin(), found.end());
+    } else if (!closes || opened_.find("<" + name + ">") == opened_.npos) {
+      opened_ += "<" + name + ">";  // its end is refused with it
+      refuse(begin, name_end, "E-html-element", "a lesson cannot have the element `" + name + "`",
+             instead_of(name));
+    }
+    return true;
+  }
+
+  // The value of the attribute that begins at `begin`, behind its name.
+  bool value(const std::string& element, std::size_t begin, std::vector<HtmlFault>& found) {
+    const std::string name = lower(html_.substr(begin, at_ - begin));
+    const std::size_t name_end = at_;
+    std::size_t start = at_, end = at_;
+    skip_blanks();
+    if (skip("=")) {
+      skip_blanks();
+      const char quote = at_ < html_.size() ? html_[at_] : '\0';
+      if (quote != '"' && quote != '\'') return false;
+      start = ++at_;
+      end = html_.find(quote, start);
+      if (end == html_.npos) return false;
+      at_ = end + 1;
+    } else {
+      at_ = name_end;  // the blanks are those before the next attribute
+    }
+    const bool known = is_known(element, name);
+    if (!known) found.push_back(unknown(element, name, begin, name_end));
+    if (!known || name != "style") return true;
+    if (auto fault = style_fault(html_.substr(start, end - start))) {
+      found.push_back(
+          {start + fault->begin, start + fault->end, "E-html-style", fault->message, fault->cure});
+    }
+    return true;
+  }
+
+  static bool is_known(const std::string& element, const std::string& name) {
+    if (std::find(kOfAll.begin(), kOfAll.end(), name) != kOfAll.end()) return true;
+    const auto found = elements().find(element);
+    return found != elements().end() &&
+           std::find(found->second.begin(), found->second.end(), name) != found->second.end();
+  }
+
+  static HtmlFault unknown(const std::string& element, const std::string& name, std::size_t begin,
+                           std::size_t end) {
+    Names known(kOfAll.begin(), kOfAll.end());
+    if (const auto own = elements().find(element); own != elements().end()) {
+      known.insert(known.end(), own->second.begin(), own->second.end());
+    }
+    return {begin, end, "E-html-attribute",
+            "in a lesson, the element `" + element + "` cannot have `" + name + "`",
+            suggest(name, known)};
+  }
+
+  std::string_view word() {
+    const std::size_t begin = at_;
+    if (at_ < html_.size() && is_letter(html_[at_])) {
+      while (at_ < html_.size() && is_name_character(html_[at_])) ++at_;
+    }
+    return html_.substr(begin, at_ - begin);
+  }
+
+  bool skip(std::string_view text) {
+    if (!html_.substr(std::min(at_, html_.size())).starts_with(text)) return false;
+    at_ += text.size();
+    return true;
+  }
+
+  bool skip_blanks() {
+    const std::size_t begin = at_;
+    while (at_ < html_.size() && is_blank(html_[at_])) ++at_;
+    return at_ > begin;
+  }
+
+  static std::string lower(std::string_view text) {
+    std::string name(text);
+    for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return name;
+  }
+
+  std::string_view html_;
+  std::size_t at_ = 0;
+  std::string opened_;  // elements that were refused
+  std::vector<HtmlFault> faults_;
+};
+
+}  // namespace
+
+std::vector<HtmlFault> faults_of_html(std::string_view html) {
+  return HtmlReader(html).faults();
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,24 @@
+// Raw HTML in Markdown: what of it a lesson may use.
+//
+// A lesson's text goes into the reader's browser as it stands, and it may come from a stranger. So
+// it is a list of what may stand there, of elements that only mark text and of attributes that only
+// describe them; all else is refused. Tags are read more strictly than browsers read them, so what
+// passes here means the same there.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mjcourse {
+
+// Something that may not stand in a lesson, and where in the text.
+struct HtmlFault {
+  std::size_t begin, end;
+  std::string id, message, cure;
+};
+
+std::vector<HtmlFault> faults_of_html(std::string_view html);
+
+}  // namespace mjcourse

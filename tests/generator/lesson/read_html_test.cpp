@@ -1,0 +1,186 @@
+#include <gtest/gtest.h>
+
+#include "reading_of.h"
+
+namespace mjcourse {
+namespace {
+
+// Each mistake: its id and what is underlined.
+std::string refused(const std::string& body) {
+  std::string text;
+  const ReadingOf reading = reading_of(body);
+  for (const Diagnostic& d : reading.diagnostics) {
+    const auto column = static_cast<std::size_t>(d.place.column - 1);
+    text += (text.empty() ? "" : ", ") + d.id + " <" +
+            d.place.excerpt.substr(column, static_cast<std::size_t>(d.place.width)) + ">";
+  }
+  return text;
+}
+
+std::string element(const std::string& underlined) {
+  return "E-html-element <" + underlined + ">";
+}
+std::string attribute(const std::string& underlined) {
+  return "E-html-attribute <" + underlined + ">";
+}
+std::string broken(const std::string& underlined) {
+  return "E-html-broken <" + underlined + ">";
+}
+std::string style(const std::string& underlined) {
+  return "E-html-style <" + underlined + ">";
+}
+
+TEST(RawHtml, MarksText) {
+  EXPECT_EQ(refused("a<sub>1</sub> <kbd>Ctrl</kbd> <br> <br/> <BR /> <!-- not shown -->\n"), "");
+  EXPECT_EQ(refused("<details open>\n<summary>More</summary>\n\nText.\n\n</details>\n"), "");
+  EXPECT_EQ(refused("<table>\n<tr><td colspan=\"2\" title='a > b'>x &amp; y</td></tr>\n</table>\n"),
+            "");
+  EXPECT_EQ(refused("<div class=\"wide\" style=\"display: grid; gap: 0 1rem;\n"
+                    "grid-template-columns: repeat(auto-fit, minmax(calc(10px + 2%), 1fr))\">\n"
+                    "\n</div>\n"),
+            "");
+  EXPECT_EQ(refused("1 < 2, `<script>`, &lt;script> and \\<base>\n\n```xml mjcf\n<mujoco/>\n```\n"),
+            "");
+}
+
+TEST(RawHtml, SaysWhereAndWhatToDo) {
+  EXPECT_EQ(
+      mistakes_in("> Some <b>text</b> and a\n> <span onclick='go()'>click</span>.\n"),
+      R"(content/1-a/1.1-x.md:5:9: error: in a lesson, the element `span` cannot have `onclick` [E-html-attribute]
+  5 | > <span onclick='go()'>click</span>.
+    |         ^~~~~~~
+  cure: known: class, dir, lang, style, title
+)");
+  EXPECT_EQ(
+      mistakes_in("<div>\n<p>text\n  <iframe src='https://a.example'></iframe>\n</div>\n"),
+      R"(content/1-a/1.1-x.md:6:3: error: a lesson cannot have the element `iframe` [E-html-element]
+  6 |   <iframe src='https://a.example'></iframe>
+    |   ^~~~~~~
+  cure: leave it out; for the tag as text, write `&lt;iframe>`
+)");
+  EXPECT_EQ(
+      mistakes_in("See <img src='a.png'>.\n"),
+      R"(content/1-a/1.1-x.md:4:5: error: a lesson cannot have the element `img` [E-html-element]
+  4 | See <img src='a.png'>.
+    |     ^~~~
+  cure: show a picture: `![what it shows](picture.png)`
+)");
+  EXPECT_EQ(
+      mistakes_in("<div style='colour: red'>\n"),
+      R"(content/1-a/1.1-x.md:4:13: error: a lesson's style cannot have `colour` [E-html-style]
+  4 | <div style='colour: red'>
+    |             ^~~~~~
+  cure: did you mean `color`?
+)");
+  EXPECT_EQ(
+      mistakes_in("<div>\n\n<!-- never closed\n"),
+      R"(content/1-a/1.1-x.md:6:1: error: this is no whole tag and no whole comment [E-html-broken]
+  6 | <!-- never closed
+    | ^~~~~~~~~~~~~~~~~
+  cure: end it with `>`, its values in quotes; for the character as text, write `&lt;`
+)");
+}
+
+// What runs a script, loads something, or leads elsewhere.
+TEST(RawHtml, HasNoElementThatActs) {
+  EXPECT_EQ(refused("<script>alert(1)</script>\n"), element("<script"));
+  EXPECT_EQ(refused("a <ScRiPt src=\"//a.example/x.js\"></sCrIpT>\n"),
+            element("<ScRiPt") + ", " + element("</sCrIpT"));
+  EXPECT_EQ(refused("a <base href=\"https://a.example/\"> b\n"), element("<base"));
+  EXPECT_EQ(refused("<meta http-equiv=\"refresh\" content=\"0;url=https://a.example\">\n"),
+            element("<meta"));
+  EXPECT_EQ(refused("<form action=\"https://a.example\">\n<input name=\"password\">\n</form>\n"),
+            element("<form") + ", " + element("<input"));
+  EXPECT_EQ(refused("a <object data=\"x.svg\"></object>\n"),
+            element("<object") + ", " + element("</object"));
+  EXPECT_EQ(refused("a <embed src=\"x.svg\"> b\n"), element("<embed"));
+  EXPECT_EQ(refused("<link rel=\"stylesheet\" href=\"https://a.example/x.css\">\n"),
+            element("<link"));
+  EXPECT_EQ(refused("<style>@import 'https://a.example/x.css';</style>\n"), element("<style"));
+  EXPECT_EQ(refused("a <svg><script>alert(1)</script></svg>\n"),
+            element("<svg") + ", " + element("<script") + ", " + element("</script") + ", " +
+                element("</svg"));
+  EXPECT_EQ(refused("a <svg/onload=alert(1)> b\n"), "");  // to Markdown, this is text
+  EXPECT_EQ(
+      refused("a <math><mi xlink:href=\"javascript:alert(1)\">x</mi></math>\n"),
+      element("<math") + ", " + element("<mi") + ", " + element("</mi") + ", " + element("</math"));
+  EXPECT_EQ(refused("a <a href=\"java&#115;cript&colon;alert(1)\">x</a>\n"),
+            element("<a") + ", " + element("</a"));
+  EXPECT_EQ(refused("a <a href=\"jAvA\tscript:alert(1)\">x</a>\n"),
+            element("<a") + ", " + element("</a"));
+  EXPECT_EQ(refused("a <a href=\"data:text/html,<script>alert(1)</script>\">x</a>\n"),
+            element("<a") + ", " + element("</a"));
+  EXPECT_EQ(refused("a <img src=x onerror=alert(1)> b\n"), broken("<img src=x onerror=alert(1)>"));
+  EXPECT_EQ(refused("<textarea>\n</textarea>\n"), element("<textarea"));
+  EXPECT_EQ(refused("<template>\n<b>x</b>\n</template>\n"), element("<template"));
+  EXPECT_EQ(refused("<noscript><p title=\"</noscript><img src=x onerror=alert(1)>\">\n"),
+            element("<noscript"));
+  EXPECT_EQ(refused("<sim-lab data-module=\"labs/x.js\"></sim-lab>\n"),
+            element("<sim-lab") + ", " + element("</sim-lab"));
+  EXPECT_EQ(refused("a </main> b\n"), element("</main"));
+}
+
+TEST(RawHtml, HasNoAttributeThatActs) {
+  EXPECT_EQ(refused("a <b ONCLICK='alert(1)'>x</b>\n"), attribute("ONCLICK"));
+  EXPECT_EQ(refused("<details open ontoggle=\"alert(1)\">\n</details>\n"), attribute("ontoggle"));
+  EXPECT_EQ(refused("<div\nonmouseover\n=\n\"alert(1)\">\n</div>\n"), attribute("onmouseover"));
+  EXPECT_EQ(refused("a <span id=\"search\" name=\"search\">x</span>\n"),
+            attribute("id") + ", " + attribute("name"));
+  EXPECT_EQ(refused("a <q cite=\"javascript:alert(1)\">x</q>\n"), attribute("cite"));
+  EXPECT_EQ(refused("<table background=\"https://a.example/x.png\">\n</table>\n"),
+            attribute("background"));
+  EXPECT_EQ(refused("a <b popover autofocus tabindex=\"1\">x</b>\n"),
+            attribute("popover") + ", " + attribute("autofocus") + ", " + attribute("tabindex"));
+  EXPECT_EQ(refused("a <div data-module=\"x.js\" is=\"sim-lab\">x</div>\n"),
+            attribute("data-module") + ", " + attribute("is"));
+}
+
+// What browsers take for another thing than it seems.
+TEST(RawHtml, IsWrittenWhole) {
+  EXPECT_EQ(refused("<!--> <script>alert(1)</script> -->\n"),
+            broken("<!--> <script>alert(1)</script> -->"));
+  EXPECT_EQ(refused("<!---> <script>alert(1)</script> -->\n"),
+            broken("<!---> <script>alert(1)</script> -->"));
+  EXPECT_EQ(refused("<!-- --!> <script>alert(1)</script> -->\n"),
+            broken("<!-- --!> <script>alert(1)</script> -->"));
+  EXPECT_EQ(refused("<?php <script>alert(1)</script> ?>\n"),
+            broken("<?php <script>alert(1)</script> ?>"));
+  EXPECT_EQ(refused("<!DOCTYPE html><script>alert(1)</script>\n"),
+            broken("<!DOCTYPE html><script>alert(1)</script>"));
+  EXPECT_EQ(refused("a <![CDATA[<script>alert(1)</script>]]> b\n"),
+            broken("<![CDATA[<script>alert(1)</script>]]>"));
+  EXPECT_EQ(refused("<div title=\"\n\n<script>alert(1)</script>\n"),
+            broken("<div title=\"") + ", " + element("<script"));
+  EXPECT_EQ(refused("<div title=`\"><script>alert(1)</script>`>\n"),
+            broken("<div title=`\"><script>alert(1)</script>`>"));
+  EXPECT_EQ(refused("<p title=\"a\"onclick=\"alert(1)\">\n"),
+            broken("<p title=\"a\"onclick=\"alert(1)\">"));
+  EXPECT_EQ(refused("<p/onclick=\"alert(1)\">\n"), "");  // text, too
+  EXPECT_EQ(refused("<div <script>alert(1)</script>\n"), broken("<div <script>alert(1)</script>"));
+}
+
+// A style of a lesson becomes a rule of the page's own sheet.
+TEST(RawHtml, HasStylesThatStayInTheirPlace) {
+  EXPECT_EQ(refused("a <b style=\"color: red} body {display: none\">x</b>\n"), style("}"));
+  EXPECT_EQ(refused("a <b style=\"position: fixed; inset: 0\">x</b>\n"), style("position"));
+  EXPECT_EQ(refused("a <b style=\"border: url(https://a.example/x)\">x</b>\n"), style("url"));
+  EXPECT_EQ(refused("a <b style=\"border: url(x)\">x</b>\n"), style("url"));
+  EXPECT_EQ(refused("a <b style=\"border: u\\72l(x)\">x</b>\n"), style("\\"));
+  EXPECT_EQ(refused("a <b style=\"border: u/**/rl(x)\">x</b>\n"), style("/"));
+  EXPECT_EQ(refused("a <b style=\"border: u&#114;l(x)\">x</b>\n"), style("&"));
+  EXPECT_EQ(refused("a <b style=\"color: rgb(1, 2\">x</b>\n"), style(" rgb(1, 2"));
+  EXPECT_EQ(refused("a <b style=\"@import 'x'\">x</b>\n"), style("@import 'x'"));
+  EXPECT_EQ(refused("a <b style=\"--accent: red\">x</b>\n"), style("--accent"));
+}
+
+TEST(RawHtml, IsTheSameInAllMarkdown) {
+  EXPECT_EQ(refused("> [!note] A <blink>title</blink>\n>\n> text\n"),
+            element("<blink") + ", " + element("</blink"));
+  EXPECT_EQ(refused("| <iframe> |\n|---|\n| x |\n"), element("<iframe"));
+  EXPECT_EQ(refused("```io\nINPUT: <iframe>\n```\n"), element("<iframe"));
+  EXPECT_EQ(refused("````demo\n<iframe>\n````\n"), element("<iframe"));
+  EXPECT_EQ(refused("[^1]\n\n[^1]: <iframe>\n"), element("<iframe"));
+}
+
+}  // namespace
+}  // namespace mjcourse
