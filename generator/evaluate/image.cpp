@@ -1,12 +1,14 @@
 #include "evaluate/image.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/content_hash.h"
 #include "base/files.h"
 #include "base/nearest.h"
 #include "evaluate/image_size.h"
+#include "evaluate/svg_faults.h"
 #include "lesson/image_kinds.h"
 #include "report/refused_file.h"
 
@@ -27,6 +29,21 @@ std::vector<std::string> images_near(const fs::path& folder, const fs::path& fil
     }
   }
   return found;
+}
+
+// Reports what the drawing at `path` holds that pages must not bring; false where it does.
+bool check_drawing(const std::string& path, const std::string& bytes, const Image& image,
+                   const Lesson& lesson, Diagnostics& diagnostics) {
+  const std::vector<SvgFault> faults = faults_of_svg(bytes);
+  const SourceText drawing(path, bytes);
+  for (const SvgFault& fault : faults) {
+    Diagnostic found =
+        error_at(place_of(drawing, fault.span), "E-image-svg", fault.message, fault.cure);
+    found.notes.push_back({"lesson " + lesson.source->path() + " shows this drawing",
+                           place_of(*lesson.source, image.file.span())});
+    diagnostics.push_back(std::move(found));
+  }
+  return faults.empty();
 }
 
 }  // namespace
@@ -54,6 +71,8 @@ std::optional<ImageResult> evaluate_image(const Image& image, const Lesson& less
   if (!bytes) return error("E-image-missing", "cannot read " + bytes.error(), "");
   const tl::expected<ImageSize, std::string> size = image_size(image.file.text, *bytes);
   if (!size) return error("E-image-broken", path + " " + size.error(), "save it anew");
+  const bool is_drawing = image.file.text.ends_with(".svg");
+  if (is_drawing && !check_drawing(path, *bytes, image, lesson, diagnostics)) return std::nullopt;
   return ImageResult{root / path, content_hash(*bytes), size->width, size->height};
 }
 

@@ -37,5 +37,20 @@ TEST(Image, MustBeWhatItsNameSays) {
 )");
 }
 
+TEST(Image, BringsNoScript) {
+  EXPECT_EQ(
+      evaluated_mistakes(
+          "![a](a.svg)\n",
+          {{"content/1-a/a.svg", "<svg width='3' height='2'>\n  <g onclick='x()'/>\n</svg>"}}),
+      R"--(content/1-a/a.svg:2:6: error: a drawing cannot have the attribute `onclick` [E-image-svg]
+  2 |   <g onclick='x()'/>
+    |      ^~~~~~~
+  note: content/1-a/1.1-x.md:4:6: lesson content/1-a/1.1-x.md shows this drawing
+  4 | ![a](a.svg)
+    |      ^~~~~
+  cure: draw with what draws; most programs can save a "plain" SVG, which has nothing else
+)--");
+}
+
 }  // namespace
 }  // namespace mjcourse

@@ -1,0 +1,25 @@
+// What an SVG of a course may not hold.
+//
+// A drawing that a page shows runs no script, but the same file can be opened by its address, and
+// then it is a page of the site with all that a page may do. So it is a list of what a drawing
+// needs, and whatever else is there is refused: script, foreign content, what moves, and every
+// address but of a part of the drawing itself and of a picture within it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/source_text.h"
+
+namespace mjcourse {
+
+struct SvgFault {
+  Span span;
+  std::string message, cure;
+};
+
+// Of `bytes`, each kind once; they are an SVG in XML (image_size.h), or the only fault is that they
+// are none.
+std::vector<SvgFault> faults_of_svg(const std::string& bytes);
+
+}  // namespace mjcourse

@@ -1,0 +1,12 @@
+// The elements and attributes of SVG that draw.
+#pragma once
+
+#include <string_view>
+
+namespace mjcourse {
+
+bool is_svg_element(std::string_view name);
+// In any of them; what it says is looked at elsewhere.
+bool is_svg_attribute(std::string_view name);
+
+}  // namespace mjcourse
