@@ -48,7 +48,7 @@ struct KnownOf {
   Known operator()(const Lab& lab) const {
     const double runs = 1.0 + static_cast<double>(lab.controls.size());
     return {"lab",      "rehearse the lab \"" + lab.title + "\"", false,
-            0.1 * runs, {fence(lab.span), lab.pin.text},          {"world"},
+            0.1 * runs, {fence(lab.span), lab.pin.text},          {"world", "guard"},
             true};
   }
   Known operator()(const Figure& figure) const {

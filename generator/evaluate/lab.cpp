@@ -42,12 +42,14 @@ bool read_at_rest(const Lab& lab, LabRun& run, LabResult& result) {
 std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
                                       Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.size();
-  const LabBench bench(lab, lesson, workshop, diagnostics);
+  LabResult result;
+  std::vector<DoubtfulScript> doubtful;
+  const LabBench bench(lab, result.scripts, lesson, workshop, diagnostics);
   check_overlays(lab.toggles, bench);
   check_overlays(names_of(lab.overlays), bench);
+  if (!guard_scripts(bench, result.scripts, doubtful)) return std::nullopt;
   std::optional<LabRun> run = LabRun::start(bench, lab.model);
   if (!run) return std::nullopt;
-  LabResult result;
   result.script_names = run->world().names();
   result.keyframes = find_keyframes(lab, run->simulation().model());
   const bool read = read_at_rest(lab, *run, result);
@@ -57,6 +59,9 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Work
     evaluate_assignment(bench, result);
   }
   if (std::optional<LabModel> model = find_lab_model(bench)) result.model = *std::move(model);
+  if (diagnostics.size() == before) {
+    for (const DoubtfulScript& script : doubtful) bench.error(script.error, *script.text);
+  }
   if (diagnostics.size() > before) return std::nullopt;
   result.camera = camera_of(lab.camera, run->simulation().model());
   return result;
@@ -65,7 +70,8 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Work
 std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
                                       Diagnostics& diagnostics) {
   std::optional<LabResult> result = rehearse_lab(lab, lesson, workshop, diagnostics);
-  const LabBench bench(lab, lesson, workshop, diagnostics);
+  const LabScripts none;
+  const LabBench bench(lab, result ? result->scripts : none, lesson, workshop, diagnostics);
   const std::optional<LabRun> run = result ? LabRun::start(bench, lab.model) : std::nullopt;
   if (!run) return std::nullopt;
   const View view{result->camera, lab.overlays, kPosterWidth, lab.height};

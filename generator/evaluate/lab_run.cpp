@@ -104,7 +104,8 @@ bool LabRun::script(const LocatedText& text, const std::string& what) {
 
 bool LabRun::apply(Actor& actor, const Lab::Control& control, const ControlValue& value) {
   if (const auto* slider = std::get_if<Lab::Slider>(&control)) {
-    auto set = actor.world.assign(slider->bind.text, std::get<double>(value));
+    auto set = actor.world.assign(bench_.guarded(slider->bind, ScriptKind::assignment),
+                                  std::get<double>(value));
     if (set) return true;
     if (set.error().id == "E-script-value" && set.error().cure.empty()) {
       set.error().cure = "choose \"min\", \"max\" and \"step\" so that every value fits";
@@ -118,7 +119,7 @@ bool LabRun::apply(Actor& actor, const Lab::Control& control, const ControlValue
 }
 
 bool LabRun::run(Actor& actor, const LocatedText& text) {
-  const auto done = actor.world.run(text.text);
+  const auto done = actor.world.run(bench_.guarded(text, ScriptKind::script));
   return done || bench_.error(done.error(), text, solution_);
 }
 
@@ -166,14 +167,14 @@ bool LabRun::follow() {
 }
 
 bool LabRun::number(const LocatedText& expression, double& value) {
-  const auto found = main_->world.number(expression.text);
+  const auto found = main_->world.number(bench_.guarded(expression, ScriptKind::value));
   if (!found) return bench_.error(found.error(), expression, solution_);
   value = *found;
   return true;
 }
 
 bool LabRun::truth(const LocatedText& expression, bool& value) {
-  const auto found = main_->world.truth(expression.text);
+  const auto found = main_->world.truth(bench_.guarded(expression, ScriptKind::value));
   if (!found) return bench_.error(found.error(), expression, solution_);
   value = *found;
   return true;
@@ -190,7 +191,7 @@ bool LabRun::read(std::vector<double>& readouts) {
     for (const Lab::Readout& trace : plot.traces) {
       if (!number(trace.expression, ignored)) return false;
       if (!ghost_) continue;
-      const auto found = ghost_->world.number(trace.expression.text);
+      const auto found = ghost_->world.number(bench_.guarded(trace.expression, ScriptKind::value));
       if (!found) return bench_.error(found.error(), trace.expression, solution_);
     }
   }

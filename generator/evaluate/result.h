@@ -121,8 +121,9 @@ struct LabResult {
   std::vector<std::vector<double>> traces;  // at rest, for each plot
   Lab::Camera camera;                       // the lab's, or one that shows all of the model
   LabModel model;
-  std::vector<std::string> script_names;  // what scripts may use of the world
-  std::vector<int> keyframes;             // for each control: its keyframe; 0 for what is none
+  std::vector<std::string> script_names;            // what scripts may use of the world
+  std::map<std::string, std::string> scripts = {};  // that have guards (lab_scripts.h)
+  std::vector<int> keyframes;  // for each control: its keyframe; 0 for what is none
   std::vector<LabRunResult> runs;
   std::optional<double> predicted;  // what the reader is asked to predict
   std::optional<Poster> poster;

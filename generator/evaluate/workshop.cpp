@@ -9,6 +9,7 @@
 #include "base/nearest.h"
 #include "base/utf8.h"
 #include "physics/model_files.h"
+#include "script/world.h"
 
 namespace mjcourse {
 namespace {
@@ -45,6 +46,20 @@ Typesetter& Workshop::typesetter() {
 ChartPress& Workshop::chart_press() {
   if (!chart_press_) chart_press_.emplace(setting_.script("plot"));
   return *chart_press_;
+}
+
+ScriptGuard& Workshop::script_guard() {
+  if (!script_guard_) script_guard_.emplace(setting_.script("guard"));
+  return *script_guard_;
+}
+
+// The same over every model: over one that has nothing in it.
+const std::vector<std::string>& Workshop::script_names() {
+  if (script_names_.empty()) {
+    Simulation simulation(setting_.models().text("<mujoco/>").value());
+    script_names_ = World(world_bundle(), simulation).names();
+  }
+  return script_names_;
 }
 
 tl::expected<Renderer*, std::string> Workshop::renderer() {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "evaluate/setting.h"
 #include "evaluate/trace.h"
@@ -12,6 +13,7 @@
 #include "physics/simulation.h"
 #include "report/diagnostic.h"
 #include "script/chart_press.h"
+#include "script/script_guard.h"
 #include "script/typeset.h"
 
 namespace mjcourse {
@@ -34,6 +36,9 @@ class Workshop {
 
   Typesetter& typesetter();
   ChartPress& chart_press();
+  ScriptGuard& script_guard();
+  // What scripts may use of the world.
+  const std::vector<std::string>& script_names();
 
   // The off-screen renderer, made at first use; or why there is none.
   tl::expected<Renderer*, std::string> renderer();
@@ -61,6 +66,8 @@ class Workshop {
   TracedFiles files_;
   std::optional<Typesetter> typesetter_;
   std::optional<ChartPress> chart_press_;
+  std::optional<ScriptGuard> script_guard_;
+  std::vector<std::string> script_names_;
   std::optional<Renderer> renderer_;
 };
 

@@ -6,6 +6,7 @@
 
 #include "base/content_hash.h"
 #include "base/files.h"
+#include "evaluate/lab_scripts.h"
 #include "page/lab_record.h"
 #include "page/page_writer.h"
 #include "script/page_function.h"
@@ -29,11 +30,14 @@ class LabDescription {
     functions_.push_back(std::move(function));
     return functions_.size() - 1;
   }
+  const std::string& guarded(const LocatedText& text, ScriptKind kind) const {
+    return mjcourse::guarded(result_.scripts, text.text, kind);
+  }
   std::size_t script(const LocatedText& text) {
-    return add(page_script(text.text, result_.script_names));
+    return add(page_script(guarded(text, ScriptKind::script), result_.script_names));
   }
   std::size_t value(const LocatedText& text) {
-    return add(page_expression(text.text, result_.script_names));
+    return add(page_expression(guarded(text, ScriptKind::value), result_.script_names));
   }
 
   json control(const Lab::Button& button, std::size_t index);
@@ -69,7 +73,8 @@ json LabDescription::control(const Lab::Slider& slider, std::size_t) {
           {"label", slider.label.text},
           {"bind", slider.bind.text},
           {"read", value(slider.bind)},
-          {"write", add(page_assignment(slider.bind.text, result_.script_names))},
+          {"write", add(page_assignment(guarded(slider.bind, ScriptKind::assignment),
+                                        result_.script_names))},
           {"min", slider.min},
           {"max", slider.max},
           {"step", slider.step.value_or((slider.max - slider.min) / steps)},

@@ -72,7 +72,10 @@ void AuthorText::point_at(const Exception& exception, int line, ScriptError& err
   error.line = line;
   const std::string_view text = lines_.line(line);
   std::optional<std::size_t> reported;
-  if (exception.column > 0) reported = bytes_before(text, exception.column);
+  if (exception.column > 0) {
+    const std::string run(run_.line(line));
+    reported = without_guards(run.substr(0, bytes_before(run, exception.column))).size();
+  }
   for (const std::string& token : exception.tokens) {
     const auto at = find_token(text, token, reported);
     if (at) return mark(text, *at, token);

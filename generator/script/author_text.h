@@ -5,17 +5,18 @@
 #pragma once
 
 #include <string>
-#include <utility>
 
 #include "base/source_text.h"
 #include "script/exception.h"
 #include "script/script_error.h"
+#include "script/script_guard.h"
 
 namespace mjcourse {
 
 class AuthorText {
  public:
-  explicit AuthorText(std::string text) : lines_("", std::move(text)) {}
+  // `run` is the text as it is run, with guards in it or without (script_guard.h).
+  explicit AuthorText(const std::string& run) : lines_("", without_guards(run)), run_("", run) {}
 
   const SourceText& lines() const { return lines_; }
   // The last line with more than white space and semicolons.
@@ -30,6 +31,7 @@ class AuthorText {
   std::size_t end() const;
 
   SourceText lines_;
+  SourceText run_;  // line for line the same
 };
 
 }  // namespace mjcourse

@@ -102,6 +102,7 @@ ScriptError CompiledScript::explain(const Engine& engine, const Engine::Thrown& 
   if (thrown.exception == nullptr) return engine.describe(thrown);
   const Exception exception = read_exception(engine.context(), thrown.exception, kScriptUrl);
   ScriptError error = mjcourse::explain(exception, names);
+  error.message = without_guards(std::move(error.message));
   const Part* part = nullptr;
   for (const Part& candidate : parts_) {
     if (exception.line > candidate.lines_before) part = &candidate;

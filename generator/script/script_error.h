@@ -8,6 +8,7 @@
 //   E-script-range   an index past the end, an array of the wrong length
 //   E-script-value   a write that is not a finite number; a result of the wrong type
 //   E-script-time    an endless loop
+//   E-script-foreign what a lab's script could reach the reader's page with
 //   E-script-mujoco  MuJoCo refused, warned or diverged
 //   E-script-throw   any other exception
 #pragma once

@@ -2,7 +2,7 @@
  * A mistake of the author's in a script, with what is needed to point at it. The ids are explained in
  * generator/script/script_error.h.
  */
-export type FaultId = "E-script-name" | "E-script-range" | "E-script-value";
+export type FaultId = "E-script-foreign" | "E-script-name" | "E-script-range" | "E-script-value";
 
 export class Fault extends Error {
   constructor(

@@ -9,6 +9,7 @@ import { Fault, show } from "./fault.js";
 import { structOf } from "./fields.js";
 import { lookups } from "./lookups.js";
 import { mujocoFunctions } from "./mujoco-functions.js";
+import * as guards from "./guards.js";
 import type { Native } from "./native.js";
 import { strictMath } from "./strict-math.js";
 import { refuseWrite } from "./strict-struct.js";
@@ -39,6 +40,8 @@ export function openWorld(native: Native): Scope {
     reset: () => native.reset(),
     ...mujocoFunctions(native, structs),
     ...constants,
+    [guards.key]: guards.guardedKey,
+    [guards.target]: guards.guardedTarget,
   });
 }
 

@@ -1,5 +1,6 @@
 /** The scripts and expressions of a lab, run by their index over one simulation. */
 import type { Simulation } from "../../engine/simulation.js";
+import { withoutGuards } from "../../script/guards.js";
 import { asNumber, asTruth } from "../../script/result.js";
 import { strictMath } from "../../script/strict-math.js";
 import type { Scope } from "../../script/world.js";
@@ -71,7 +72,7 @@ export class Scripts {
   }
 }
 
-/** The generator puts a line before and a line after what the author wrote. */
+/** The generator puts a line before and a line after what the author wrote, and its guards into it. */
 function authorsText(script: Script): string {
-  return String(script).split("\n").slice(1, -1).join("\n");
+  return withoutGuards(String(script).split("\n").slice(1, -1).join("\n"));
 }

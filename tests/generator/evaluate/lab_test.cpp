@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "evaluate/lab_scripts.h"
 #include "evaluate/lab_text.h"
 
 namespace mjcourse {
@@ -125,6 +126,46 @@ TEST(Lab, StartsAfreshForEachButton) {
   const std::string button = R"j({"type": "button", "label": "B",
     "run": "if (data.time > 0) throw new Error('used'); step(10)"})j";
   EXPECT_EQ(evaluated_mistakes(lab_text("\"controls\": [" + button + ", " + button + "]")), "");
+}
+
+// What the page would refuse, the build refuses, also where nothing runs it.
+TEST(Lab, HasScriptsThatStayInIt) {
+  EXPECT_EQ(
+      evaluated_mistakes(lab_text(R"j("controls": [
+      {"type": "button", "label": "Go", "run": "step.constructor('return this')().x = 1"}],
+    "readouts": [{"label": "z", "expr": "import('https://a.example/x.js')"}])j")),
+      R"--(content/1-a/1.1-x.md:7:54: error: a lab's script cannot use `constructor` [E-script-foreign]
+  7 |       {"type": "button", "label": "Go", "run": "step.constructor('return this')().x = 1"}],
+    |                                                      ^~~~~~~~~~~
+content/1-a/1.1-x.md:8:42: error: a lab's script cannot use `import` [E-script-foreign]
+  8 |     "readouts": [{"label": "z", "expr": "import('https://a.example/x.js')"}]}
+    |                                          ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+)--");
+  EXPECT_EQ(evaluated_mistakes(lab_text(R"j("controls": [
+      {"type": "button", "label": "Go", "run": "if (data.time > 99) fetch('x')"}])j")),
+            R"--(content/1-a/1.1-x.md:7:69: error: `fetch` does not exist [E-script-name]
+  7 |       {"type": "button", "label": "Go", "run": "if (data.time > 99) fetch('x')"}]}
+    |                                                                     ^~~~~
+)--");
+}
+
+TEST(Lab, HasGuardsAroundWhatItsTextDoesNotTell) {
+  EXPECT_EQ(
+      evaluated_mistakes(lab_text(R"j("controls": [
+      {"type": "button", "label": "Go",
+       "run": "const k = 'con' + 'structor'; data.qpos[0] = step[k].length"}])j")),
+      R"--(content/1-a/1.1-x.md:8:68: error: a lab's script cannot use `constructor` [E-script-foreign]
+  8 |        "run": "const k = 'con' + 'structor'; data.qpos[0] = step[k].length"}]}
+    |                                                                    ^~
+)--");
+  const EvaluationOf found(lab_text(R"j("controls": [
+      {"type": "slider", "label": "X", "bind": "data.qpos[0]", "min": 0, "max": 4},
+      {"type": "button", "label": "Go", "run": "data.qvel[0] = data.qpos[0]"}])j"));
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_EQ(
+      found.result<LabResult>().scripts,
+      (LabScripts{{"0data.qvel[0] = data.qpos[0]", "own$((data.qvel))/*$*/[0] = data.qpos[0]"},
+                  {"2data.qpos[0]", "own$((data.qpos))/*$*/[0]"}}));
 }
 
 }  // namespace

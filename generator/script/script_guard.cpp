@@ -1,0 +1,44 @@
+#include "script/script_guard.h"
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "script/js_value.h"
+
+namespace mjcourse {
+namespace {
+
+std::string name_of(ScriptKind kind) {
+  if (kind == ScriptKind::script) return "script";
+  return kind == ScriptKind::value ? "value" : "assignment";
+}
+
+}  // namespace
+
+tl::expected<std::string, ScriptError> ScriptGuard::guard(const std::string& text, ScriptKind kind,
+                                                          const std::vector<std::string>& names) {
+  std::string known;
+  for (const std::string& name : names) known += (known.empty() ? "" : "\n") + name;
+  const auto answer = engine_.call("guard", {text, name_of(kind), known});
+  if (!answer) return tl::unexpected(answer.error());
+  const nlohmann::json found = json_of(*answer);
+  if (found.contains("text")) return found["text"].get<std::string>();
+  ScriptError error;
+  error.id = found["id"];
+  error.message = found["message"];
+  error.cure = found["cure"];
+  error.line = found["line"];
+  error.column = found["column"];
+  error.width = found["width"];
+  return tl::unexpected(std::move(error));
+}
+
+// As site/script/guards.ts writes them; no text of an author's has them.
+std::string without_guards(std::string text) {
+  for (const std::string_view mark : {"key$((", "own$((", "))/*$*/"}) {
+    for (std::size_t at = 0; (at = text.find(mark, at)) != text.npos;) text.erase(at, mark.size());
+  }
+  return text;
+}
+
+}  // namespace mjcourse

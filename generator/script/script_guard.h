@@ -1,0 +1,37 @@
+// ScriptGuard: a lab's script, made fit for the reader's page.
+//
+// In the page a script of the author's is code of the site's own, so what it may name is decided
+// here, by its text (site/script/guard/), and what the text cannot tell is asked by two functions
+// that are put around it (site/script/guards.ts). The generator runs that text as well, so what the
+// page would refuse, a build has refused before.
+#pragma once
+
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "script/engine.h"
+#include "script/script_error.h"
+
+namespace mjcourse {
+
+enum class ScriptKind { script, value, assignment };
+
+class ScriptGuard {
+ public:
+  // `bundle` is the text of script/guard.js.
+  explicit ScriptGuard(const std::string& bundle) { engine_.load(bundle, "guard.js"); }
+
+  // What is run of `text`, which may use `names`; or why it is not. One that does not parse is
+  // E-script-syntax without a place, which the engine that runs it knows.
+  tl::expected<std::string, ScriptError> guard(const std::string& text, ScriptKind kind,
+                                               const std::vector<std::string>& names);
+
+ private:
+  Engine engine_;
+};
+
+// The author's of a text with guards.
+std::string without_guards(std::string text);
+
+}  // namespace mjcourse

@@ -1,0 +1,79 @@
+/**
+ * Scripts of labs, with their guards: `guard(text, kind, names)` gives JSON, of the text that is run or
+ * of why there is none.
+ */
+import { parseExpressionAt } from "acorn";
+
+import { guarded, Refusal } from "../guard/guarded.js";
+import { isNode, type Node } from "../guard/syntax.js";
+import { closing, key, target, withoutGuards } from "../guards.js";
+
+/** As the page has it (generator/script/page_function.cpp), a line before it and a line behind. */
+const around: Readonly<Record<string, readonly [before: string, after: string]>> = {
+  script: ["() => { {\n", "\n} }"],
+  value: ["() => { return (\n", "\n); }"],
+  assignment: ["() => { (\n", "\n) = value; }"],
+};
+
+function guard(text: string, kind: string, names: string): string {
+  const [before, after] = around[kind]!;
+  const mark = [`${key}(`, `${target}(`, closing].find((one) => text.includes(one));
+  try {
+    if (mark !== undefined) throw marked(text, mark, before.length);
+    const whole = before + text + after;
+    const tree = onlyFunction(whole, kind);
+    const world = kind === "assignment" ? `${names}\nvalue` : names;
+    const safe = guarded(whole, tree, world.split("\n"));
+    return JSON.stringify({ text: safe.slice(before.length, safe.length - after.length) });
+  } catch (error) {
+    return JSON.stringify(told(error, text, before.length));
+  }
+}
+
+function marked(text: string, mark: string, before: number): Refusal {
+  const at = before + text.indexOf(mark);
+  return new Refusal("E-script-foreign", `a script cannot hold \`${mark}\``, at, at + mark.length);
+}
+
+/** The function that `text` is, and nothing else: no bracket of it closes one of ours. */
+function onlyFunction(text: string, kind: string): Node {
+  const options = { ecmaVersion: "latest", sourceType: "module" } as const;
+  const tree = parseExpressionAt(text, 0, options) as unknown as Node;
+  const body = tree.type === "ArrowFunctionExpression" ? (tree["body"] as Node) : undefined;
+  const statements = (body?.["body"] ?? []) as Node[];
+  const [first] = statements;
+  const whole = tree.end === text.length && statements.length === 1 && first !== undefined;
+  if (!whole || !isOurs(first, kind)) {
+    throw new SyntaxError("a closing bracket has no opening one");
+  }
+  return tree;
+}
+
+function isOurs(statement: Node, kind: string): boolean {
+  if (kind === "script") return statement.type === "BlockStatement";
+  if (kind === "value") return statement.type === "ReturnStatement";
+  const set = statement["expression"];
+  return isNode(set) && set.type === "AssignmentExpression" && set["operator"] === "=";
+}
+
+/** Why `text` is not run; lines and columns count from 1, in characters. */
+function told(error: unknown, text: string, before: number): object {
+  if (!(error instanceof Error)) throw error;
+  if (!(error instanceof Refusal)) {
+    const syntax = { id: "E-script-syntax", cure: "", line: 0, column: 0, width: 1 };
+    return { ...syntax, message: error.message };
+  }
+  const start = Math.min(Math.max(error.start - before, 0), text.length);
+  const lines = text.slice(0, start).split("\n");
+  const shown = text.slice(start, error.end - before).split("\n")[0]!;
+  return {
+    id: error.id,
+    message: error.message,
+    cure: error.cure,
+    line: lines.length,
+    column: Array.from(lines.at(-1)!).length + 1,
+    width: Math.max(Array.from(shown).length, 1),
+  };
+}
+
+Object.assign(globalThis, { guard, withoutGuards });

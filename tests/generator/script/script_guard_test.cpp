@@ -1,0 +1,72 @@
+#include "script/script_guard.h"
+
+#include <gtest/gtest.h>
+
+#include "bundle.h"
+#include "script/author_text.h"
+
+namespace mjcourse {
+namespace {
+
+const std::vector<std::string> kScriptNames{"data", "model", "step", "key$", "own$"};
+
+// What is run of `text`, or "id line:column+width message | cure".
+std::string guarded(const std::string& text, ScriptKind kind = ScriptKind::script) {
+  static ScriptGuard guard(bundle("guard"));
+  const auto safe = guard.guard(text, kind, kScriptNames);
+  if (safe) return *safe;
+  const ScriptError& error = safe.error();
+  return error.id + " " + std::to_string(error.line) + ":" + std::to_string(error.column) + "+" +
+         std::to_string(error.width) + " " + error.message +
+         (error.cure.empty() ? "" : " | " + error.cure);
+}
+
+TEST(ScriptGuardTest, LeavesWhatItsTextTells) {
+  EXPECT_EQ(guarded("const x = data.qpos[0]; step(2); // é"),
+            "const x = data.qpos[0]; step(2); // é");
+  EXPECT_EQ(guarded("[1, 2].map((x) => x + 1).length", ScriptKind::value),
+            "[1, 2].map((x) => x + 1).length");
+}
+
+TEST(ScriptGuardTest, AsksWhatItsTextDoesNot) {
+  EXPECT_EQ(guarded("for (let i = 0; i < 2; i++) data.qpos[i] = data.qvel[i + 1];"),
+            "for (let i = 0; i < 2; i++) own$((data.qpos))/*$*/[key$((i))/*$*/] = "
+            "data.qvel[key$((i + 1))/*$*/];");
+  EXPECT_EQ(guarded("data.ctrl[0]", ScriptKind::value), "data.ctrl[0]");
+  EXPECT_EQ(guarded("data.ctrl[0]", ScriptKind::assignment), "own$((data.ctrl))/*$*/[0]");
+  EXPECT_EQ(without_guards("own$((data.ctrl))/*$*/[key$((i))/*$*/] = 1"), "data.ctrl[i] = 1");
+}
+
+TEST(ScriptGuardTest, RefusesAtItsPlace) {
+  EXPECT_EQ(guarded("step(1);\nconst é = document.body;"),
+            "E-script-name 2:11+8 `document` does not exist | known: data, model, step");
+  EXPECT_EQ(guarded("stp()"), "E-script-name 1:1+3 `stp` does not exist | did you mean `step`?");
+  EXPECT_EQ(guarded("step.constructor('return this')()"),
+            "E-script-foreign 1:6+11 a lab's script cannot use `constructor`");
+  EXPECT_EQ(guarded("import('https://a.example/x.js')"),
+            "E-script-foreign 1:1+32 a lab's script cannot use `import`");
+  EXPECT_EQ(guarded("const o = Object"),
+            "E-script-foreign 1:11+6 a lab's script cannot use `Object` by itself | use "
+            "`Object.entries`, `Object.fromEntries`, `Object.hasOwn`, `Object.is`, `Object.keys`, "
+            "`Object.values`");
+  EXPECT_EQ(guarded("Array = 1"),
+            "E-script-value 1:1+5 `Array` cannot be assigned | it belongs to JavaScript");
+  EXPECT_EQ(guarded("key$((1))"), "E-script-foreign 1:1+5 a script cannot hold `key$(`");
+  EXPECT_EQ(guarded("a) = 1, (b", ScriptKind::assignment),
+            "E-script-syntax 0:0+1 a closing bracket has no opening one");
+}
+
+// A mistake that is found while guarded text runs is shown in the author's.
+TEST(ScriptGuardTest, IsNotSeenInMessages) {
+  const AuthorText text("own$((data.a))/*$*/[0] = data.a");
+  EXPECT_EQ(text.lines().text(), "data.a[0] = data.a");
+  Exception exception;
+  exception.column = 11;  // of the first dot, in the text that is run
+  exception.tokens = {"data.a"};
+  ScriptError error;
+  text.point_at(exception, 1, error);
+  EXPECT_EQ(error.column, 1);
+}
+
+}  // namespace
+}  // namespace mjcourse
