@@ -48,6 +48,34 @@ std::string lower_case(std::string text) {
   return text;
 }
 
+// The site has a model's files under their own names, and readers open them there. A browser runs
+// what is in a page, a drawing or a script, and MuJoCo takes a height field or a texture, or MJCF
+// with the right comments, by any name.
+constexpr const char* kMjcfEndings[] = {".xml", ".mjcf", ".urdf"};
+constexpr const char* kAssetEndings[] = {"",     ".png", ".stl", ".obj", ".msh",
+                                         ".skn", ".bin", ".dat", ".hf",  ".hfield"};
+
+template <typename Endings>
+bool ends_as(const Endings& endings, const std::string& file) {
+  const std::string ending = lower_case(fs::path(last_part(file)).extension().string());
+  return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
+}
+
+// The line of the first thing in MJCF that is no model but tells a browser what to do with it, such
+// as which stylesheet makes a page of it; 0 where there is none.
+int line_of_instruction(const tinyxml2::XMLNode& parent) {
+  for (const auto* node = parent.FirstChild(); node != nullptr; node = node->NextSibling()) {
+    const auto* declaration = node->ToDeclaration();
+    const bool is_head =
+        declaration != nullptr && std::string_view(declaration->Value()).starts_with("xml ");
+    if (node->ToUnknown() != nullptr || (declaration != nullptr && !is_head)) {
+      return node->GetLineNum();
+    }
+    if (const int line = line_of_instruction(*node); line > 0) return line;
+  }
+  return 0;
+}
+
 constexpr off_t kMostMjcf = 16 << 20;  // that a person wrote; an asset may be larger
 
 // What is known of the file at `path` beneath `root`; nothing where it is not there or refused.
@@ -77,6 +105,10 @@ class SourceWalk {
     if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) return;
     texts_.push_back(path);
     const std::string outer = std::exchange(current_, path);
+    if (const int line = line_of_instruction(document); line > 0 && !instruction_) {
+      instruction_ = ModelError{path, line, 0, "a model has no instructions for a browser",
+                                "remove this line; the first may be `<?xml version=\"1.0\"?>`"};
+    }
     walk_document(document);
     current_ = outer;
   }
@@ -122,6 +154,7 @@ class SourceWalk {
   const std::vector<Name>& includes() const { return includes_; }
   const std::vector<Name>& named() const { return named_; }
   const std::optional<ModelError>& infinite() const { return infinite_; }
+  const std::optional<ModelError>& instruction() const { return instruction_; }
 
   // Where MuJoCo reads it from, once all settings are known. An absolute path on the right takes
   // the place of what is left of it, as in MuJoCo.
@@ -169,7 +202,7 @@ class SourceWalk {
   bool strip_ = false;
   std::vector<std::string> texts_;
   std::vector<Name> includes_, named_;
-  std::optional<ModelError> infinite_;
+  std::optional<ModelError> infinite_, instruction_;
   std::string current_;  // the file that is walked
 };
 
@@ -206,9 +239,15 @@ std::optional<ModelError> find_foreign(const SourceWalk& walk, const std::string
     return ModelError{name.by, name.line, 0, "the file '" + name.file + "' " + why,
                       "put it beside the model, or into a folder there"};
   };
+  const auto misnamed = [](const SourceWalk::Name& name, const std::string& right) {
+    return ModelError{name.by, name.line, 0,
+                      "the file '" + name.file + "' has an ending that no file of a model has",
+                      "name it as what it is, such as " + right};
+  };
   for (const SourceWalk::Name& name : walk.includes()) {
     const std::string why = why_foreign(walk.path_of_include(name), root, folder, true);
     if (!why.empty()) return refuse(name, why);
+    if (!ends_as(kMjcfEndings, name.file)) return misnamed(name, "x.xml");
     if (!name.again) continue;
     return ModelError{name.by, name.line, 0, "the file '" + name.file + "' is included again",
                       "MuJoCo includes a file once"};
@@ -216,8 +255,9 @@ std::optional<ModelError> find_foreign(const SourceWalk& walk, const std::string
   for (const SourceWalk::Name& name : walk.named()) {
     const std::string why = why_foreign(walk.path_of_asset(name), root, folder, false);
     if (!why.empty()) return refuse(name, why);
+    if (!ends_as(kAssetEndings, name.file)) return misnamed(name, "x.png, x.stl, x.obj or x.bin");
   }
-  return std::nullopt;
+  return walk.instruction();
 }
 
 std::vector<std::string> files_of(const SourceWalk& walk) {

@@ -31,6 +31,25 @@ TEST(Links, MustLeadToALessonThatIsThere) {
 )");
 }
 
+// An address that acts leads nowhere, however it is written.
+TEST(Links, DoNotAct) {
+  for (const std::string link :
+       {"[a](javascript:alert(1))", "[a](JaVaScRiPt:alert(1))",
+        "[a](java&#115;cript&colon;alert(1))", "[a](<java\tscript:alert(1)>)",
+        "[a](\\javascript:alert(1))", "[a](vbscript:x)", "[a](data:text/html,x)",
+        "[a](data:text/html;base64,eA==)", "[a](//a.example/)", "[a](file:///etc/passwd)",
+        "[a](blob:x)", "<javascript:alert(1)>", "[a][b]\n\n[b]: javascript:x",
+        "> [!note] [a](javascript:x)\n>\n> b", "| [a](javascript:x) |\n|---|",
+        "[![b](b.png)](javascript:x)"}) {
+    const std::string mistakes = course_of(link + "\n", "").mistakes();
+    EXPECT_NE(mistakes.find("leads nowhere [E-link-dead]"), mistakes.npos) << link << mistakes;
+  }
+  for (const std::string picture : {"![a](javascript:x)", "![a](data:image/svg+xml,x)"}) {
+    const std::string mistakes = course_of(picture + "\n", "").mistakes();
+    EXPECT_NE(mistakes.find("is no address in the web [E-image-place]"), mistakes.npos) << mistakes;
+  }
+}
+
 TEST(Links, MustNotLeadOutOfTheSiteIntoADraft) {
   EXPECT_EQ(
       course_of("", "See [it](1.1).\n", "draft: true\n").mistakes(),

@@ -134,5 +134,50 @@ TEST(FileNamedIn, IsTheFirst) {
   EXPECT_EQ(file_named_in("<mujoco><include file='part.xml'/></mujoco>"), "part.xml");
 }
 
+// What is wrong with models/main.xml, which is `mjcf`: "line message".
+class BrowserTest : public ModelSourcesTest {
+ protected:
+  std::string wrong(const std::string& mjcf) {
+    write("models/main.xml", mjcf);
+    const NamedFiles named = look_at_model_files(folder_.path(""), "models/main.xml");
+    if (!named.foreign) return "";
+    return std::to_string(named.foreign->line) + " " + named.foreign->message + " | " +
+           named.foreign->cure;
+  }
+};
+
+// The site has the files under their own names, and a reader may open them there.
+TEST_F(BrowserTest, GetsNoPageAndNoScriptByTheNameOfAnAsset) {
+  const auto refused = [](const std::string& name) {
+    return "2 the file '" + name +
+           "' has an ending that no file of a model has | name it as what it is, such as x.png, "
+           "x.stl, x.obj or x.bin";
+  };
+  for (const std::string name : {"x.html", "x.svg", "x.js", "x.mjs", "x.xhtml", "x.xml", "x.HTM"}) {
+    write("models/" + name, "x");
+    EXPECT_EQ(wrong("<mujoco><asset>\n<hfield name='a' file='" + name + "'/></asset></mujoco>"),
+              refused(name));
+  }
+  write("models/x.bin", "x");
+  EXPECT_EQ(wrong("<mujoco><asset>\n<hfield name='a' file='x.bin'/></asset></mujoco>"), "");
+  write("models/x.html", "<mujoco><!--> <script>alert(1)</script> --></mujoco>");
+  EXPECT_EQ(
+      wrong("<mujoco>\n\n<include file='x.html'/></mujoco>"),
+      "3 the file 'x.html' has an ending that no file of a model has | name it as what it is, "
+      "such as x.xml");
+}
+
+TEST_F(BrowserTest, GetsNoInstructionsFromMjcf) {
+  const std::string refused =
+      "2 a model has no instructions for a browser | remove this line; the first may be `<?xml "
+      "version=\"1.0\"?>`";
+  EXPECT_EQ(
+      wrong("<?xml version='1.0'?>\n<?xml-stylesheet href='x.xsl' type='text/xsl'?>\n<mujoco/>"),
+      refused);
+  EXPECT_EQ(wrong("<!-- a -->\n<!DOCTYPE mujoco [<!ENTITY a 'b'>]>\n<mujoco/>"), refused);
+  EXPECT_EQ(wrong("<mujoco>\n<!ENTITY a 'b'></mujoco>"), refused);
+  EXPECT_EQ(wrong("<?xml version='1.0' encoding='utf-8'?>\n<!-- a -->\n<mujoco/>"), "");
+}
+
 }  // namespace
 }  // namespace mjcourse
