@@ -3,8 +3,8 @@
 // It takes from the world only the names that occur in the script. The author's text is whole lines
 // between a first and a last one of ours, so that no comment of his can swallow what follows. His
 // script stands in a block of its own, where it may give its variables names of the world, as it
-// may in a build. That the text closes no bracket of ours, and what it reaches, is known: it is what
-// script_guard.h gave.
+// may in a build. That the text closes no bracket of ours, and what it reaches, is known: it is
+// what script_guard.h gave.
 #pragma once
 
 #include <string>
