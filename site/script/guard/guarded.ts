@@ -28,9 +28,19 @@ function within(scope: Scope, names: readonly string[]): Scope {
 
 /** `text` with its guards; `tree` is the function in it that is the script, which sees `names`. */
 export function guarded(text: string, tree: Node, names: readonly string[]): string {
+  refuseGuards(tree);
   const walk = new Walk(names);
   walk.body(tree["body"] as Node, new Set());
   return walk.marked(text);
+}
+
+/** A name of ours is none of the author's, wherever it stands: he could put himself in its place. */
+function refuseGuards(node: Node): void {
+  const name = node.type === "Identifier" ? String(node["name"]) : "";
+  if (name === guards.key || name === guards.target) {
+    throw new Refusal("E-script-foreign", guards.foreignMember(name), node.start, node.end);
+  }
+  childrenOf(node).forEach(refuseGuards);
 }
 
 class Walk {
@@ -163,9 +173,6 @@ class Walk {
 
   #name(node: Node, scope: Scope): void {
     const name = node["name"] as string;
-    if (name === guards.key || name === guards.target) {
-      throw new Refusal("E-script-foreign", guards.foreignMember(name), node.start, node.end);
-    }
     if (scope.has(name) || this.#world.has(name)) return;
     const some = parts.get(name);
     if (some !== undefined) {

@@ -60,6 +60,11 @@ const attacks = {
   "a module": "import('data:text/javascript,window.attacked=true')",
   // and what closes the function that the script is in
   "a closing bracket": "} window.attacked = true; {",
+  "a function that has a guard's name": `(function key$ (k) {
+      if (typeof k === "string") return k;
+      const found = Array[["proto" + "type"][0]];
+      found.at = () => 1;
+    })(1);`,
   "a guard of its own": "const key$ = (k) => k; window.attacked = true",
 };
 
