@@ -6,7 +6,7 @@
 namespace mjcourse {
 
 Dependencies ModelPageTask::recipe(const Setting& setting) const {
-  return recipe_of(setting, "model page", {name_.text});
+  return recipe_of(setting, "model page", {name_.text}, {"world", "guard"});
 }
 
 bool ModelPageTask::work_apart(Workshop& workshop, Finding& finding) {
