@@ -6,12 +6,27 @@
 #include "base/utf8.h"
 
 namespace mjcourse {
+namespace {
+
+constexpr std::size_t kStretch = 4096;  // bytes
+
+}  // namespace
 
 SourceText::SourceText(std::string path, std::string text)
     : path_(std::move(path)), text_(std::move(text)), starts_{0} {
   for (std::size_t i = 0; i < text_.size(); ++i) {
     if (text_[i] == '\n') starts_.push_back(i + 1);
   }
+  characters_.push_back(0);
+  for (std::size_t end = kStretch; end <= text_.size(); end += kStretch) {
+    characters_.push_back(characters_.back() +
+                          count_characters(this->text().substr(end - kStretch, kStretch)));
+  }
+}
+
+int SourceText::characters_before(std::size_t offset) const {
+  const std::size_t stretch = offset / kStretch, start = stretch * kStretch;
+  return characters_[stretch] + count_characters(text().substr(start, offset - start));
 }
 
 Position SourceText::position(std::size_t offset) const {
@@ -19,7 +34,7 @@ Position SourceText::position(std::size_t offset) const {
   const auto after = std::upper_bound(starts_.begin(), starts_.end(), offset);
   const auto line = static_cast<int>(after - starts_.begin());
   const std::size_t start = starts_[static_cast<std::size_t>(line - 1)];
-  return {line, 1 + count_characters(text().substr(start, offset - start))};
+  return {line, 1 + characters_before(offset) - characters_before(start)};
 }
 
 std::string_view SourceText::line(int line) const {

@@ -42,7 +42,11 @@ class SourceText {
  private:
   std::string path_;
   std::string text_;
+  // Characters of the text before byte `offset`.
+  int characters_before(std::size_t offset) const;
+
   std::vector<std::size_t> starts_;  // of each line
+  std::vector<int> characters_;      // before each stretch of the text; a line may be all of it
 };
 
 }  // namespace mjcourse

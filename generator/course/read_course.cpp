@@ -21,6 +21,7 @@ namespace mjcourse {
 namespace {
 
 constexpr const char* kId = "E-course-yaml";
+constexpr std::size_t kMostLessons = 20'000;
 
 // Tells of the file or folder `path` where it is refused.
 void report_refused(const std::string& path, const Files& files, Diagnostics& diagnostics) {
@@ -72,6 +73,7 @@ std::string read_address(YamlMap& map, const std::string& key, const std::string
 std::vector<Listed> read_levels(const std::vector<YAML::Node>& nodes, const LocatedText& text,
                                 Reading& reading, Course& course) {
   std::vector<Listed> listed;
+  std::size_t lessons = 0;
   for (const YAML::Node& node : nodes) {
     YamlMap map(node, "level", kId, text, reading);
     Level level;
@@ -79,6 +81,13 @@ std::vector<Listed> read_levels(const std::vector<YAML::Node>& nodes, const Loca
     level.number = level.folder.substr(0, level.folder.find_first_not_of("0123456789"));
     level.title = map.required_string("title").text;
     for (LocatedText& entry : map.strings("lessons")) {
+      if (++lessons > kMostLessons) {
+        if (lessons == kMostLessons + 1) {
+          reading.error("E-course-size", entry.span(), "a course has at most 20000 lessons",
+                        "make several courses of it");
+        }
+        continue;
+      }
       std::string path = "content/" + level.folder + "/" + entry.text + ".md";
       listed.push_back({course.levels.size(), std::move(entry), std::move(path)});
     }

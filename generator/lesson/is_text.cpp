@@ -10,6 +10,8 @@
 namespace mjcourse {
 namespace {
 
+constexpr std::size_t kMostText = 1 << 20;
+
 // `bytes` up to the end of the line of `at`, where it is not text.
 std::string readable_line(const std::string& bytes, std::size_t at) {
   const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
@@ -21,6 +23,13 @@ std::string readable_line(const std::string& bytes, std::size_t at) {
 }  // namespace
 
 bool is_text(const std::string& path, const std::string& bytes, Diagnostics& diagnostics) {
+  if (bytes.size() > kMostText) {
+    diagnostics.push_back(error_at(
+        {path, 0, 0, 1, ""}, "E-text-size",
+        "a text may have 1 MiB, and this one has " + std::to_string(bytes.size()) + " bytes",
+        "make several of it; a program, a model or a picture is a file of its own"));
+    return false;
+  }
   const std::size_t invalid = find_invalid_utf8(bytes).value_or(bytes.size());
   const std::size_t control = find_control_character(bytes).value_or(bytes.size());
   const std::size_t at = std::min(invalid, control);

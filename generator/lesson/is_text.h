@@ -1,4 +1,5 @@
-// Whatever an author writes is text: UTF-8, without control characters but tabs and line ends.
+// Whatever an author writes is text: UTF-8, without control characters but tabs and line ends, and
+// not larger than a person writes and reads.
 #pragma once
 
 #include <string>
@@ -7,7 +8,7 @@
 
 namespace mjcourse {
 
-// False (reported, at the first byte that is not) when the file `path` is something else.
+// False (reported; at the first byte that is none) when the file `path` is something else.
 bool is_text(const std::string& path, const std::string& bytes, Diagnostics& diagnostics);
 
 }  // namespace mjcourse

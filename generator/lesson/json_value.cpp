@@ -1,9 +1,9 @@
 #include "lesson/json_value.h"
 
-#include <algorithm>
 #include <cctype>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -92,9 +92,7 @@ class TreeBuilder {
   bool end_array() { return close(); }
   bool key(string_t& value) {
     const LocatedText name = decoded(value);
-    const auto& members = open_.back().members;
-    if (std::any_of(members.begin(), members.end(),
-                    [&](const JsonMember& m) { return m.key.text == name.text; })) {
+    if (!keys_of_open_.back().insert(name.text).second) {
       reading_.error("E-json-duplicate", name.span(), "the key \"" + name.text + "\" stands twice",
                      "keep one of the two");
       return false;
@@ -148,6 +146,7 @@ class TreeBuilder {
     value.span = text_.span(read_ - 1, read_);
     open_.push_back(std::move(value));
     keys_.emplace_back();
+    keys_of_open_.emplace_back();
     return true;
   }
   bool close() {
@@ -155,6 +154,7 @@ class TreeBuilder {
     value.span.end = text_.span(read_, read_).begin;
     open_.pop_back();
     keys_.pop_back();
+    keys_of_open_.pop_back();
     return add(std::move(value));
   }
 
@@ -163,6 +163,7 @@ class TreeBuilder {
   Reading& reading_;
   std::vector<JsonValue> open_;
   std::vector<LocatedText> keys_;  // the pending key of each open object
+  std::vector<std::set<std::string>> keys_of_open_;
   std::optional<JsonValue> result_;
 };
 

@@ -13,6 +13,14 @@
 namespace mjcourse {
 namespace {
 
+constexpr int kMostParts = 10'000;
+
+// All nodes of the trees but text, the ends of lines, and cells, of which the tables keep count.
+bool is_part(cmark_node* node) {
+  return cmark_node_get_type(node) != CMARK_NODE_SOFTBREAK &&
+         !std::string_view(cmark_node_get_type_string(node)).starts_with("table_");
+}
+
 // "Why four numbers?" → "why-four-numbers"; letters beyond ASCII stay.
 std::string slug_of(const std::string& text) {
   std::string slug;
@@ -38,22 +46,44 @@ void LessonReader::read_document() {
   in_document_ = false;
 }
 
-void LessonReader::refuse_depth(Span span) {
-  reading_.error("E-markdown-depth", span,
-                 "lists, quotes or emphasis stand in one another here a hundred deep",
-                 "give it fewer levels; for such characters as text, write `\\>` or `\\*`");
+void LessonReader::refuse_excess(Excess excess, Span span) {
+  if (excess == Excess::depth) {
+    reading_.error("E-markdown-depth", span,
+                   "lists, quotes or emphasis stand in one another here a hundred deep",
+                   "give it fewer levels; for such characters as text, write `\\>` or `\\*`");
+  } else if (excess == Excess::cells) {
+    reading_.error("E-table-size", span,
+                   "a table has at most 200 columns, and all tables of a lesson 10000 cells",
+                   "show a part of it, or a plot; each row has a cell in each column");
+  } else {
+    reading_.error("E-reference-size", span,
+                   "this reference with all links that may name it is more than 64 MiB",
+                   "end it with an empty line, and give it a shorter address");
+  }
 }
 
-Document LessonReader::parse(const std::string& text) {
-  return parse_markdown(text, [&](int line) {
+// Has the file more parts than are read? Says so once, at the first.
+bool LessonReader::is_too_much(const Region& region) {
+  if (++parts_ == kMostParts + 1) {
+    reading_.error("E-lesson-size", region.text.span(region.cursor, region.cursor + 1),
+                   "a lesson has at most 10000 paragraphs, formulas, links and other parts in all",
+                   "make several of it");
+  }
+  return parts_ > kMostParts;
+}
+
+Document LessonReader::parse(const std::string& text, int first_line) {
+  const auto refuse = [&](Excess excess, int line) {
     const std::size_t start = source().line_start(std::max(line, 1));
-    refuse_depth({start, start + 1});
-  });
+    refuse_excess(excess, {start, start + 1});
+  };
+  return parse_markdown(text, refuse, first_line);
 }
 
 Document LessonReader::fragment(const LocatedText& text) {
   if (text.text.empty()) return nullptr;
-  Document document = parse_markdown(text.text, [&](int) { refuse_depth(text.span()); });
+  Document document =
+      parse_markdown(text.text, [&](Excess excess, int) { refuse_excess(excess, text.span()); });
   const bool outer = std::exchange(in_document_, false);
   Region region{text, 0};
   walk(document.get(), region);
@@ -71,6 +101,7 @@ void LessonReader::walk(cmark_node* node, Region& region) {
   if (in_document_ && CMARK_NODE_TYPE_BLOCK_P(type) && cmark_node_get_start_line(node) > 0) {
     region.cursor = std::max(region.cursor, source().line_start(cmark_node_get_start_line(node)));
   }
+  if (is_part(node) && is_too_much(region)) return;
   if (type == CMARK_NODE_CODE_BLOCK) return read_code_block(node, region);
   if (type == math_inline_type() || type == math_block_type()) return read_math(node, region);
   if (type == CMARK_NODE_IMAGE) return read_image(node, region);
@@ -97,7 +128,8 @@ void LessonReader::walk(cmark_node* node, Region& region) {
 }
 
 void LessonReader::walk_children(cmark_node* node, Region& region) {
-  for (cmark_node* child = cmark_node_first_child(node); child != nullptr;) {
+  for (cmark_node* child = cmark_node_first_child(node);
+       child != nullptr && parts_ <= kMostParts;) {
     if (cmark_node_get_type(child) == CMARK_NODE_TEXT) {
       child = read_text(child, region);  // which may cut it into several
       continue;
@@ -158,8 +190,8 @@ void LessonReader::read_code_span(cmark_node* node, Region& region) {
 // (a line break in it) is not found in its paragraph.
 void LessonReader::pass_code_span(const std::string& code, Region& region) {
   const std::string& text = region.text.text;
-  const std::size_t end = text.find("\n\n", region.cursor);
-  for (std::size_t at = region.cursor; (at = text.find(code, at)) < end; ++at) {
+  const std::string_view here(text.data(), std::min(text.find("\n\n", region.cursor), text.size()));
+  for (std::size_t at = region.cursor; (at = here.find(code, at)) < here.size(); ++at) {
     const std::size_t before = at == 0 ? text.npos : text.find_last_not_of(' ', at - 1);
     if (before == text.npos || text[before] != '`') continue;
     region.cursor = at + code.size();
@@ -178,7 +210,7 @@ void LessonReader::read_link(cmark_node* node, Region& region) {
 void LessonReader::pass_target(const std::string& target, Region& region) {
   const std::string& text = region.text.text;
   const std::size_t end = std::min(text.find('\n', region.cursor), text.size());
-  const std::size_t at = text.find("](" + target, region.cursor);
+  const std::size_t at = std::string_view(text).substr(0, end).find("](" + target, region.cursor);
   if (at < end) region.cursor = at + 2 + target.size();
 }
 
@@ -197,7 +229,10 @@ void LessonReader::read_heading(cmark_node* node, const Region& region) {
   }
   const std::string slug = slug_of(plain_text(node));
   std::string id = slug;
-  for (int n = 2; !heading_ids_.insert(id).second; ++n) id = slug + "-" + std::to_string(n);
+  while (!heading_ids_.insert(id).second) {
+    int& number = heading_numbers_.try_emplace(slug, 1).first->second;
+    id = slug + "-" + std::to_string(++number);
+  }
   lesson_.headings.push_back({level, id, node, in_demo_, cmark_node_get_start_line(node)});
 }
 

@@ -4,6 +4,7 @@
 // and reads the Markdown that stands inside their JSON.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -21,8 +22,8 @@ class LessonReader {
   // Read the lesson's document, which stands in its source line for line.
   void read_document();
 
-  // The lesson's Markdown, or a part of it with its lines where they are in the source.
-  Document parse(const std::string& text);
+  // The lesson's Markdown, or a part of it, which begins in a line of the source.
+  Document parse(const std::string& text, int first_line);
 
   // Markdown that stands somewhere inside a block: its formulas and links join the lesson's.
   Document fragment(const LocatedText& text);
@@ -40,7 +41,8 @@ class LessonReader {
   void walk(cmark_node* node, Region& region);
   void walk_children(cmark_node* node, Region& region);
   void add(cmark_node* node, Block block);
-  void refuse_depth(Span span);
+  void refuse_excess(Excess excess, Span span);
+  bool is_too_much(const Region& region);
   void read_code_block(cmark_node* node, Region& region);
   void read_callout(cmark_node* node);
   void read_source_of(cmark_node* quote);
@@ -73,8 +75,10 @@ class LessonReader {
   bool in_document_ = false;
   bool in_demo_ = false;
   bool in_callout_title_ = false;
+  int parts_ = 0;  // that were walked
   std::set<std::string> heading_ids_;
-  std::set<std::string> footnotes_;  // by their names
+  std::map<std::string, int> heading_numbers_;  // the last behind each slug that stands twice
+  std::set<std::string> footnotes_;             // by their names
 };
 
 }  // namespace mjcourse

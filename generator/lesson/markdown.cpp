@@ -1,11 +1,14 @@
 #include "lesson/markdown.h"
 
 #include <cmark-gfm-core-extensions.h>
+#include <cmark-gfm/parser.h>
 
+#include <algorithm>
 #include <mutex>
 #include <string_view>
 #include <vector>
 
+#include "lesson/bounded_tables.h"
 #include "lesson/math_syntax.h"
 
 namespace mjcourse {
@@ -62,18 +65,46 @@ std::vector<cmark_node*> deepest_nodes(cmark_node* root) {
   return deepest;
 }
 
-void cut(cmark_node* root, const std::function<void(int line)>& too_deep) {
+// Does a definition of a reference, `[label]: address "title"`, stand in `line`, behind the marks
+// of quotes and lists?
+bool may_define_reference(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(" \t>*+-.)0123456789");
+  return begin != line.npos && line[begin] == '[' && line.find("]:", begin) != line.npos;
+}
+
+// The line of a reference that may be copied too often; 0 for none. It ends before an empty line.
+int excessive_reference(std::string_view text) {
+  const auto brackets = static_cast<std::size_t>(std::count(text.begin(), text.end(), '['));
+  const std::size_t most = kMostReferred / std::max<std::size_t>(brackets, 1);
+  std::size_t begin = text.npos;  // of the definition that goes on
+  int number = 1, first = 0;
+  for (std::size_t at = 0; at < text.size(); ++number) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = text.substr(at, end - at);
+    if (line.find_first_not_of(" \t\r>") == line.npos) begin = text.npos;
+    if (begin == text.npos && may_define_reference(line)) {
+      begin = at;
+      first = number;
+    }
+    if (begin != text.npos && end - begin > most) return first;
+    at = end + 1;
+  }
+  return 0;
+}
+
+void cut(cmark_node* root, const Refuse& refuse) {
   for (cmark_node* node : deepest_nodes(root)) {
-    if (too_deep) too_deep(cmark_node_get_start_line(node));
+    if (refuse) refuse(Excess::depth, cmark_node_get_start_line(node));
     while (cmark_node* child = cmark_node_first_child(node)) cmark_node_free(child);
   }
 }
 
 }  // namespace
 
-Document parse_markdown(const std::string& text, const std::function<void(int line)>& too_deep) {
+Document parse_markdown(const std::string& text, const Refuse& refuse, int first_line) {
   static const bool registered = [] {
     cmark_gfm_core_extensions_ensure_registered();
+    BoundedTables::teach();
     return true;
   }();
   static_cast<void>(registered);
@@ -84,9 +115,16 @@ Document parse_markdown(const std::string& text, const std::function<void(int li
     cmark_parser_attach_syntax_extension(parser.get(), cmark_find_syntax_extension(name));
   }
   cmark_parser_attach_syntax_extension(parser.get(), math_syntax());
-  cmark_parser_feed(parser.get(), text.data(), text.size());
+  const BoundedTables tables;
+  parser->line_number = first_line - 1;  // read so far
+  if (const int line = excessive_reference(text); line == 0) {
+    cmark_parser_feed(parser.get(), text.data(), text.size());
+  } else if (refuse) {
+    refuse(Excess::references, first_line + line - 1);
+  }
   Document document = finish(parser.get());
-  cut(document.get(), too_deep);
+  if (tables.refused_line() > 0 && refuse) refuse(Excess::cells, tables.refused_line());
+  cut(document.get(), refuse);
   cmark_consolidate_text_nodes(document.get());
   mend_apostrophes(document.get());
   return document;

@@ -32,11 +32,26 @@ struct MathText {
 };
 const MathText& math_text(cmark_node* math);
 
-// Whoever walks a tree goes down into it, so it ends where it would be nested deeper than
-// kDeepestMarkdown: such a node loses its children, and `too_deep` is called with its line.
+// What a text has more of than is read.
+enum class Excess {
+  // Whoever walks a tree goes down into it, so it ends where it would be nested deeper than
+  // kDeepestMarkdown: such a node loses its children.
+  depth,
+  // A row has a cell in each column, also where nothing stands: ten bytes a row make a hundred
+  // million of them. No table begins, and none goes on, where there would be more than kMostCells.
+  cells,
+  // A reference's address and title are copied to each link that names it. Where that may be more
+  // than kMostReferred bytes, nothing of the text is read.
+  references,
+};
 inline constexpr int kDeepestMarkdown = 200;
-Document parse_markdown(const std::string& text,
-                        const std::function<void(int line)>& too_deep = {});
+inline constexpr int kMostCells = 10'000;  // in one text
+inline constexpr int kMostColumns = 200;   // of a table
+inline constexpr std::size_t kMostReferred = 64 << 20;
+
+// The tree's lines are counted from `first_line`. `refuse` is called with the line of each excess.
+using Refuse = std::function<void(Excess excess, int line)>;
+Document parse_markdown(const std::string& text, const Refuse& refuse = {}, int first_line = 1);
 
 // What a reader sees of `node` with all markup gone: text, code, and formulas as TeX.
 std::string plain_text(cmark_node* node);

@@ -10,8 +10,8 @@
 
 namespace mjcourse {
 
-// The body is parsed behind as many empty lines as the lesson has lines before it. So cmark's line
-// numbers are the lesson's own, and the walk places what it finds as it does everywhere else.
+// cmark's line numbers are the lesson's own, so the walk places what it finds as it does everywhere
+// else.
 void LessonReader::read_demo(cmark_node* node, Fence& fence, Region& region) {
   fence.finish("demo", {}, reading_);
   const std::size_t start = fence.span().begin;
@@ -31,7 +31,7 @@ void LessonReader::read_demo(cmark_node* node, Fence& fence, Region& region) {
   if (text.find_first_not_of(" \t\n") == std::string::npos) {
     return refuse("E-demo-empty", "this demo shows nothing", "put a piece of a lesson into it");
   }
-  Document document = parse(std::string(static_cast<std::size_t>(line), '\n') + text);
+  Document document = parse(text, line + 1);
   in_demo_ = true;
   walk(document.get(), region);
   in_demo_ = false;

@@ -47,7 +47,7 @@ class TermCutter {
     for (cmark_node* node = cmark_node_first_child(document); node != nullptr;) {
       cmark_node* next = cmark_node_next(node);
       if (cmark_node_get_type(node) == CMARK_NODE_HEADING) {
-        begin(node);
+        if (!begin(node)) break;
       } else if (definition_ != nullptr) {
         cmark_node_append_child(definition_, node);
       }
@@ -61,7 +61,11 @@ class TermCutter {
   }
 
  private:
-  void begin(cmark_node* heading) {
+  // False where there is more than is read of a file, as from this heading on.
+  bool begin(cmark_node* heading) {
+    const std::vector<Heading>& headings = glossary_.page.headings;
+    const auto read = std::ranges::find(headings, heading, &Heading::node);
+    if (read == headings.end()) return false;
     finish();
     heading_ = heading;
     definition_ = nullptr;
@@ -69,24 +73,23 @@ class TermCutter {
     if (cmark_node_get_heading_level(heading) > 2) {
       reading_.error("E-glossary-heading", line, "a definition cannot hold a heading",
                      "a term begins with `##`");
-      return;
+      return true;
     }
     Glossary::Term term;
     term.name = plain_text(heading);
     term.key = term_key(term.name);
-    for (const Heading& known : glossary_.page.headings) {
-      if (known.node == heading) term.id = known.id;
-    }
+    term.id = read->id;
     if (const Glossary::Term* first = glossary_.find(term.key)) {
       reading_.error("E-term-twice", line, "`" + term.name + "` is defined twice",
                      "it was defined as `" + first->name + "` above: make one of the two");
-      return;
+      return true;
     }
     cmark_node_unlink(heading);
     term.heading.reset(heading);
     term.definition.reset(cmark_node_new(CMARK_NODE_DOCUMENT));
     definition_ = term.definition.get();
     glossary_.terms.push_back(std::move(term));
+    return true;
   }
 
   void finish() {
@@ -127,7 +130,7 @@ std::optional<Glossary> read_glossary(std::string bytes, Diagnostics& diagnostic
   if (!front) return std::nullopt;
   LessonReader reader(page, reading);
   page.front = read_title_and_summary(*front, reader);
-  page.document = reader.parse(without_front_matter(*page.source, *front));
+  page.document = reader.parse(without_front_matter(*page.source, *front), 1);
   refuse_fences(page.document.get(), reading);
   reader.read_document();
   TermCutter(glossary, reading).run();

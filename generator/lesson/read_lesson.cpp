@@ -42,7 +42,7 @@ std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
   if (!front) return std::nullopt;
   LessonReader reader(lesson, reading);
   lesson.front = read_front_matter(*front, reader);
-  lesson.document = reader.parse(without_front_matter(*lesson.source, *front));
+  lesson.document = reader.parse(without_front_matter(*lesson.source, *front), 1);
   reader.read_document();
   lesson.sound = diagnostics.size() == said;
   return lesson;

@@ -32,21 +32,22 @@ std::string link_around(cmark_node* node) {
 // Gives the node to go on with.
 cmark_node* LessonReader::read_text(cmark_node* node, Region& region) {
   refuse_unclosed_math(node, region);
-  const std::string literal = cmark_node_get_literal(node);
-  for (std::size_t at = 0; (at = literal.find("[[", at)) != literal.npos; at += 2) {
+  TextWithTerms text(node);
+  // A term that ends in another node takes the rest of this one.
+  for (std::size_t at = 0; (at = text.literal().find("[[", at)) != std::string::npos; at += 2) {
     const bool plain = pass_brackets(region);
-    if (!plain || (at > 0 && is_word_character(literal[at - 1]))) continue;
-    if (const std::optional<CutTerm> term = cut_term(node, at)) {
+    if (!plain || (at > 0 && is_word_character(text.literal()[at - 1]))) continue;
+    if (const std::optional<CutTerm> term = text.cut(at)) {
       read_term(*term, region);
-      return cmark_node_next(term->node);
+      continue;
     }
-    if (!looks_like_term(node, literal, at)) continue;
+    if (!looks_like_term(node, text.literal(), at)) continue;
     const Span brackets = region.text.span(region.cursor - 2, region.cursor);
     reading_.error(
         "E-term-unclosed", brackets, "no `]]` closes this term on its line",
         "write `[[term]]`, in a table `[[term\\|shown text]]`; `\\[[` for brackets as text");
   }
-  return cmark_node_next(node);
+  return text.finish();
 }
 
 // Move the region's cursor behind the next `[[`. False when a backslash makes it mere text.
@@ -69,9 +70,13 @@ bool LessonReader::pass_brackets(Region& region) {
 
 // The cursor stands behind the term's `[[`.
 void LessonReader::read_term(const CutTerm& term, Region& region) {
+  if (is_too_much(region)) return;
   const std::string& text = region.text.text;
-  std::size_t end = std::min({text.find("]]", region.cursor), text.find('|', region.cursor),
-                              text.find('\n', region.cursor), text.size()});
+  std::size_t end = region.cursor;
+  while (end < text.size() && text[end] != '|' && text[end] != '\n' &&
+         text.compare(end, 2, "]]") != 0) {
+    ++end;
+  }
   if (end > region.cursor && text[end - 1] == '\\') --end;  // `\|`, in a table
   const LocatedText name = region.text.part(region.cursor, end);
   // What is shown stands behind the bar, or is the name itself.

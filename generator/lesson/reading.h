@@ -10,6 +10,8 @@
 
 namespace mjcourse {
 
+inline constexpr int kMostMistakes = 1000;
+
 class Reading {
  public:
   Reading(const SourceText& source, Diagnostics& diagnostics)
@@ -17,8 +19,14 @@ class Reading {
 
   const SourceText& source() const { return source_; }
 
-  // Note a mistake at `span` and go on.
+  // Note a mistake at `span` and go on. Of a thousand, the rest is not told.
   void error(std::string id, Span span, std::string message, std::string cure = "") {
+    if (++mistakes_ > kMostMistakes) return;
+    if (mistakes_ == kMostMistakes) {
+      id = "E-mistakes";
+      message = "this file has a thousand mistakes and more; those from here on are not told";
+      cure = "mend the first ones: others often follow from them";
+    }
     diagnostics_.push_back(
         error_at(place_of(source_, span), std::move(id), std::move(message), std::move(cure)));
   }
@@ -26,6 +34,7 @@ class Reading {
  private:
   const SourceText& source_;
   Diagnostics& diagnostics_;
+  int mistakes_ = 0;
 };
 
 }  // namespace mjcourse

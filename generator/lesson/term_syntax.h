@@ -20,9 +20,31 @@ struct CutTerm {
   std::string name;  // each stretch of blanks as one
 };
 
-// Cut out the term that opens at byte `at` of a text node, where `[[` stands. Nothing, and the tree
-// as it was, when no `]]` closes it on its line.
-std::optional<CutTerm> cut_term(cmark_node* text, std::size_t at);
+// A text node of which terms are cut. What stands before a term becomes a node of its own, so the
+// rest is written once, however many terms there are.
+class TextWithTerms {
+ public:
+  explicit TextWithTerms(cmark_node* text) : text_(text), literal_(cmark_node_get_literal(text)) {}
+
+  const std::string& literal() const { return literal_; }
+
+  // Cut out the term that opens at byte `at` of the literal, where `[[` stands. Nothing, and the
+  // tree as it was, when no `]]` closes it on its line.
+  std::optional<CutTerm> cut(std::size_t at);
+
+  // Write what is left behind the last term. The node to go on with: the one behind all that was
+  // looked at.
+  cmark_node* finish();
+
+ private:
+  CutTerm cut_here(std::size_t at, const struct TermExtent& extent);
+  CutTerm cut_beyond(std::size_t at, const struct TermExtent& extent);
+
+  cmark_node* text_;
+  std::string literal_;
+  std::size_t begin_ = 0;         // of what is still in `text_`
+  cmark_node* beyond_ = nullptr;  // a term that ends in another node
+};
 
 // What the names of terms are matched by: whatever their case, their blanks alike.
 std::string term_key(const std::string& name);

@@ -64,7 +64,7 @@ Place place_of(const SourceText& source, Span span) {
   const std::size_t begin = character_start(line, offset - std::min(offset, kAround));
   const std::size_t end = character_start(line, std::min(offset + kAround, line.size()));
   place.excerpt = line.substr(begin, end - begin);
-  place.excerpt_column = 1 + count_characters(line.substr(0, begin));
+  place.excerpt_column = source.position(source.line_start(start.line) + begin).column;
   return place;
 }
 

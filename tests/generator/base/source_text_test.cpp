@@ -27,6 +27,17 @@ TEST(SourceText, CountsCharactersNotBytes) {
   EXPECT_EQ(place(source, 9), "1:4");
 }
 
+TEST(SourceText, CountsCharactersOfLongLines) {
+  std::string text = "a\n";
+  for (int i = 0; i < 10'000; ++i) text += "→";
+  const SourceText source("a.md", text + "\nb");
+  for (const std::size_t i : {0U, 1U, 1364U, 1365U, 1366U, 2730U, 9999U}) {
+    EXPECT_EQ(place(source, 2 + 3 * i), "2:" + std::to_string(i + 1));
+  }
+  EXPECT_EQ(place(source, text.size()), "2:10001");
+  EXPECT_EQ(place(source, text.size() + 1), "3:1");
+}
+
 TEST(SourceText, TakesAnOffsetPastTheEndAsTheEnd) {
   EXPECT_EQ(place(SourceText("a.md", "ab\nc"), 1000), "2:2");
   EXPECT_EQ(place(SourceText("a.md", "ab\n"), 1000), "2:1");

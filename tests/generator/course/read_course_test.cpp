@@ -34,6 +34,39 @@ levels:
   EXPECT_EQ(course.models, std::vector<std::string>{"zoo"});
 }
 
+TEST(Course, HasAtMostTwentyThousandLessons) {
+  std::string listed;
+  for (int i = 0; i < 20'000; ++i) listed += "1.1-x, ";
+  const CourseOf found({{"content/course.yaml",
+                         "title: C\nlevels:\n  - folder: 1-a\n    title: A\n"
+                         "    lessons: [" +
+                             listed +
+                             "1.2-y, 1.3-z]\n"
+                             "  - {folder: 2-b, title: B, lessons: [2.1-w]}\n"},
+                        {"content/1-a/1.1-x.md", lesson("")}});
+  ASSERT_GT(found.diagnostics.size(), 1U);
+  const Diagnostic& first = found.diagnostics[0];
+  EXPECT_EQ(first.id + ": " + first.message + " | " + first.cure,
+            "E-course-size: a course has at most 20000 lessons | make several courses of it");
+  EXPECT_EQ(first.place.column, 15 + 140'000);
+  EXPECT_EQ(found.course->lessons.size(), 1U);
+  EXPECT_EQ(found.course->levels.size(), 2U);
+}
+
+// Nine lists, each nine times the one before.
+TEST(Course, IsReadWhereAliasesMultiply) {
+  std::string yaml = "title: C\na0: &a0 [x, x, x, x, x, x, x, x, x]\n";
+  for (int i = 1; i < 12; ++i) {
+    const std::string number = std::to_string(i);
+    yaml += "a" + number + ": &a" + number + " [";
+    for (int k = 0; k < 9; ++k) yaml += "*a" + std::to_string(i - 1) + ", ";
+    yaml += "]\n";
+  }
+  const CourseOf found({{"content/course.yaml", yaml + "macros: *a11\nlevels: *a11\n"}});
+  EXPECT_TRUE(found.course->lessons.empty());
+  EXPECT_LT(found.diagnostics.size(), 100U);
+}
+
 TEST(Course, NumbersItsLevelsByTheirFolders) {
   const CourseOf found({{"content/course.yaml", R"(title: C
 levels:

@@ -28,14 +28,14 @@ TEST(Markdown, EndsWhereItIsTooDeep) {
                                   std::string(60'000, '*') + "a" + std::string(60'000, '*')}) {
     std::vector<int> lines;
     const Document document =
-        parse_markdown("b\n\n" + text, [&](int line) { lines.push_back(line); });
+        parse_markdown("b\n\n" + text, [&](Excess, int line) { lines.push_back(line); });
     EXPECT_EQ(lines, std::vector<int>{3});
     EXPECT_EQ(plain_text(document.get()), "b");
   }
 }
 
 TEST(Markdown, IsWholeBeforeThat) {
-  const auto unexpected = [](int line) { ADD_FAILURE() << "in line " << line; };
+  const auto unexpected = [](Excess, int line) { ADD_FAILURE() << "in line " << line; };
   EXPECT_EQ(plain_text(parse_markdown(std::string(190, '>') + " a", unexpected).get()), "a");
 }
 
