@@ -38,8 +38,7 @@ rlim_t cpu_seconds(double seconds) {
 
 Confinement::Confinement(const Sandbox* sandbox, bool watch, double seconds)
     : confines_(sandbox != nullptr),
-      asked_(sandbox_level().watch && (watch || (sandbox != nullptr && sandbox->processes))) {
-  if (asked_) filter_ = &syscall_filter({.watch = true, .asked = true});
+      asked_(sandbox != nullptr && sandbox_level().watch && (watch || sandbox->processes)) {
   if (sandbox == nullptr) return;
   level_ = sandbox_level();
   const rlim_t cpu = cpu_seconds(seconds), tasks = most_tasks(level_);

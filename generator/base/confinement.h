@@ -19,7 +19,7 @@ namespace mjcourse {
 
 class Confinement {
  public:
-  // `sandbox` may be null, for a program that is trusted, and that may be watched all the same. Who
+  // `sandbox` may be null, for a program that is trusted, and that nobody watches. Who
   // may start others has a watcher too, who decides what Landlock leaves open. `seconds` is what
   // its wall clock allows.
   Confinement(const Sandbox* sandbox, bool watch, double seconds);

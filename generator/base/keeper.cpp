@@ -52,10 +52,10 @@ constexpr std::size_t kSizeBytes = sizeof(std::uint64_t);
 Keeper::Keeper(const Command& command)
     : command_(command),
       child_(command),
-      watcher_(child_.id(), command.sandbox ? &*command.sandbox : nullptr),
       next_count_(Clock::now() + between_counts(command)),
       next_use_(Clock::now() + kCountUse) {
   outcome_.end = End::exited;
+  if (command.sandbox) watcher_.emplace(child_.id(), *command.sandbox);
 }
 
 Outcome Keeper::run() {
@@ -97,7 +97,7 @@ Outcome Keeper::conclude() {
   } else if (outcome_.end == End::exited) {
     outcome_.code = WEXITSTATUS(status_);
   }
-  if (watched_ && command_.record_opened) outcome_.opened = watcher_.opened();
+  if (watched_ && command_.record_opened) outcome_.opened = watcher_->opened();
   return std::move(outcome_);
 }
 
@@ -160,7 +160,7 @@ void Keeper::hear_news() {
     outcome_.code = news.failure;
     stop(End::not_started);
   }
-  if (news.listener.is_open()) {
+  if (news.listener.is_open() && watcher_) {
     listener_ = std::move(news.listener);
     watched_ = true;
   }
@@ -168,10 +168,10 @@ void Keeper::hear_news() {
 }
 
 void Keeper::answer(short events) {
-  if ((events & POLLIN) != 0) watcher_.answer(listener_.get());
+  if ((events & POLLIN) != 0) watcher_->answer(listener_.get());
   if ((events & POLLIN) == 0) listener_.reset();  // nobody is left to ask
-  if (watcher_.refused().empty()) return;
-  outcome_.refused = watcher_.refused();
+  if (watcher_->refused().empty()) return;
+  outcome_.refused = watcher_->refused();
   stop(End::refused);
 }
 

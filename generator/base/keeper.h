@@ -9,6 +9,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -52,7 +53,7 @@ class Keeper {
   const Command& command_;
   Clock::time_point deadline_;
   ChildProcess child_;
-  Watcher watcher_;
+  std::optional<Watcher> watcher_;  // with a sandbox alone is somebody asked
   Descriptor listener_;
   Clock::time_point next_count_, next_use_;
   std::uint64_t removed_ = 0;  // bytes of files that no folder has

@@ -1,8 +1,8 @@
 // Run a program that may do anything: fail, hang, flood its output, leave children behind.
 //
-// The program reads an empty stdin (but see base/keeper.h), has a process group of its own, and is killed with the whole
-// group when its wall clock or its output runs over the limit; when it ends, what it left behind
-// goes with it. It is killed as well when the work of this thread is cancelled
+// The program reads an empty stdin (but see base/keeper.h), has a process group of its own, and is
+// killed with the whole group when its wall clock or its output runs over the limit; when it ends,
+// what it left behind goes with it. It is killed as well when the work of this thread is cancelled
 // (base/cancellation.h). A sandbox says what else it may, and `record_opened` has the files noted
 // that it asks for (base/watcher.h tells how).
 #pragma once
@@ -24,8 +24,8 @@ struct Command {
   std::size_t output_bytes = 1 << 20;    // cap of stdout and of stderr, each
   // With one, the environment is a small fixed one beside `environment`.
   std::optional<Sandbox> sandbox = {};
-  bool record_opened = false;
-  bool answers = false;  // it reads questions from its stdin: see Keeper::ask
+  bool record_opened = false;  // where there is a sandbox
+  bool answers = false;        // it reads questions from its stdin: see Keeper::ask
 };
 
 struct Outcome {

@@ -79,11 +79,12 @@ bool calls_path(int number) {
 
 }  // namespace
 
-Watcher::Watcher(pid_t program, const Sandbox* sandbox) : program_(program), sandbox_(sandbox) {
-  if (sandbox == nullptr) return;
-  readable_ = real_paths(sandbox->read);
+Watcher::Watcher(pid_t program, const Sandbox& sandbox)
+    : program_(program),
+      sandbox_(sandbox),
+      readable_(real_paths(sandbox.read)),
+      writable_(real_paths(sandbox.write)) {
   readable_.push_back("/proc/" + std::to_string(program));
-  writable_ = real_paths(sandbox->write);
 }
 
 std::optional<std::vector<std::string>> Watcher::opened() const {
@@ -104,15 +105,14 @@ void Watcher::answer(int listener) {
 
 Watcher::Reply Watcher::decide(const seccomp_notif& question) {
   const int call = question.data.nr;
-  const bool confined = sandbox_ != nullptr;
   // Of commands, a change that they may not make fails, and does not end them.
-  if (calls_path(call) && !(confined && sandbox_->processes && is_file_change(call))) {
+  if (calls_path(call) && !(sandbox_.processes && is_file_change(call))) {
     for (const PathCall& known : path_calls()) {
       if (known.number != call) continue;
       const Reply reply = decide_on_path(question, known);
       if (reply.answer != Answer::go_on) return reply;
     }
-    if (!confined || !is_file_change(call)) return {};
+    if (!is_file_change(call)) return {};
   }
   if (call == SCMP_SYS(execve) || call == SCMP_SYS(execveat)) {
     if (std::exchange(begun_, true)) return refuse("start another program");
@@ -121,8 +121,8 @@ Watcher::Reply Watcher::decide(const seccomp_notif& question) {
   if (call == SCMP_SYS(clone)) return decide_on_clone(question);
   if (call == SCMP_SYS(fork) || call == SCMP_SYS(vfork)) return refuse("start another process");
   if (call == SCMP_SYS(socket)) return refuse("open a network connection");
-  if (is_file_change(call) && sandbox_ != nullptr) {
-    return {Answer::give, change_file(question, {writable_, sandbox_->file_bytes})};
+  if (is_file_change(call)) {
+    return {Answer::give, change_file(question, {writable_, sandbox_.file_bytes})};
   }
   return decide_on_thread(question);
 }
@@ -143,7 +143,7 @@ Watcher::Reply Watcher::decide_on_thread(const seccomp_notif& question) {
   const auto target = static_cast<pid_t>(question.data.args[0]);
   if (target > 0 && shares_process(target, static_cast<pid_t>(question.pid))) return {};
   const bool is_rule = is_scheduling(question.data.nr);
-  if (is_rule || sandbox_->processes) return {Answer::give, EPERM};
+  if (is_rule || sandbox_.processes) return {Answer::give, EPERM};
   return refuse("send a signal to another process");
 }
 
@@ -161,7 +161,7 @@ FileAccess Watcher::access_of(const seccomp_notif& question, const PathCall& cal
 }
 
 bool Watcher::may(const std::string& path, bool write) const {
-  if (sandbox_ == nullptr || is_in_any(path, writable_system_paths())) return true;
+  if (is_in_any(path, writable_system_paths())) return true;
   if (!write && is_in_any(path, readable_system_paths())) return true;
   std::error_code error;
   const std::string real = fs::weakly_canonical(path, error).string();
@@ -188,8 +188,7 @@ Watcher::Reply Watcher::decide_on_path(const seccomp_notif& question, const Path
     return {};
   }
   const std::string normal = normal_path(*path);
-  const bool own =
-      is_in_any(normal, writable_) || (sandbox_ != nullptr && is_in_any(normal, sandbox_->write));
+  const bool own = is_in_any(normal, writable_) || is_in_any(normal, sandbox_.write);
   const FileAccess access = access_of(question, call);
   const bool looks = access == FileAccess::look;
   // realpath(3) looks at the folders that its own are in, which are of our choice.

@@ -22,8 +22,8 @@ namespace mjcourse {
 
 class Watcher {
  public:
-  // `sandbox` may be null: then all is allowed.
-  Watcher(pid_t program, const Sandbox* sandbox);
+  // `sandbox` outlives it.
+  Watcher(pid_t program, const Sandbox& sandbox);
 
   // Takes one question from `listener`, and answers it unless the program is to be stopped.
   void answer(int listener);
@@ -51,7 +51,7 @@ class Watcher {
   bool may(const std::string& path, bool write) const;
 
   pid_t program_;
-  const Sandbox* sandbox_;
+  const Sandbox& sandbox_;
   std::vector<std::string> readable_, writable_;  // without symbolic links
   std::set<std::string> opened_;
   std::string refused_;

@@ -275,17 +275,6 @@ TEST_F(SandboxTest, RecordsTheFilesOfOtherProcessesToo) {
             (std::vector<std::string>{models_.string(), models_ / "a.xml"}));
 }
 
-TEST_F(SandboxTest, RecordsWithoutASandbox) {
-  if (!sandbox_level().watch) GTEST_SKIP() << "this kernel cannot ask about files";
-  Command command = watched("read x <$OUTSIDE/secret; echo $x");
-  command.sandbox.reset();
-  const Outcome outcome = run(command);
-  EXPECT_EQ(outcome.out, "a secret\n");
-  // Beside what the shell looks for of itself.
-  const std::vector<std::string> opened = outcome.opened.value();
-  EXPECT_EQ(std::count(opened.begin(), opened.end(), folder_.path() / "secret"), 1);
-}
-
 TEST_F(SandboxTest, RecordsNothingThatWasNotAskedFor) {
   EXPECT_FALSE(run(shell(":")).opened);
 }
