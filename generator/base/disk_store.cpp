@@ -89,16 +89,31 @@ int open_lock(const fs::path& folder) {
 }  // namespace
 
 DiskStore::DiskStore(fs::path folder) : folder_(std::move(folder)) {
-  fs::create_directories(folder_ / "tmp");
-  lock_ = open_lock(folder_);
-  if (lock_ < 0) throw_errno(folder_ / "lock");
-  while (flock(lock_, LOCK_SH) != 0) {
+  try {
+    prepare();
+  } catch (const std::system_error& error) {
+    const int reason = error.code().value();
+    if ((reason != EACCES && reason != EROFS && reason != EPERM) || !fs::exists(folder_ / "ac")) {
+      throw;
+    }
+    writable_ = false;
+    note("the store is read and not written: " + std::string(error.what()));
+    lock_ = Descriptor(open((folder_ / "lock").c_str(), O_RDONLY | O_CLOEXEC));
+  }
+  while (lock_.is_open() && flock(lock_.get(), LOCK_SH) != 0) {
     if (errno != EINTR) throw_errno(folder_ / "lock");
+  }
+  const fs::path prepared = prepared_folder(folder_);
+  if (fs::exists(prepared) && !fs::is_directory(prepared)) {
+    note(prepared.string() + " is not a folder, so headers are compiled in each run; remove it");
   }
 }
 
-DiskStore::~DiskStore() {
-  close(lock_);
+void DiskStore::prepare() {
+  fs::create_directories(folder_ / "tmp");
+  if (eaccess((folder_ / "tmp").c_str(), W_OK) != 0) throw_errno(folder_ / "tmp");
+  lock_ = Descriptor(open_lock(folder_));
+  if (!lock_.is_open()) throw_errno(folder_ / "lock");
 }
 
 fs::path DiskStore::path_of(const std::string& name) const {
@@ -174,6 +189,12 @@ struct Entry {
   fs::path path;
   std::uintmax_t bytes = 0;
   fs::file_time_type used;
+  bool is_prepared = false;  // and no result
+
+  void count_in(Pruned::Count& count) const {
+    ++(is_prepared ? count.prepared : count.results);
+    count.bytes += bytes;
+  }
 };
 
 std::vector<Entry> entries_of(const fs::path& folder) {
@@ -191,13 +212,20 @@ std::vector<Entry> entries_of(const fs::path& folder) {
     const fs::file_time_type used = fs::last_write_time(entry.path() / "current", none);
     FolderSize size;
     add_size(entry.path().string(), UINT64_MAX, size);
-    entries.push_back({entry.path(), size.bytes, none ? fs::file_time_type::min() : used});
+    entries.push_back({entry.path(), size.bytes, none ? fs::file_time_type::min() : used, true});
   }
   return entries;
 }
 
-// Nobody writes while the store is locked, so all that is here was left behind.
+// Nobody writes while the store is locked, so all that is here was left behind. What stands where a
+// folder belongs is nothing of a store.
 void clear_unfinished(const fs::path& folder) {
+  for (const fs::path& path :
+       {folder / "ac", folder / "cas", folder / "tmp", prepared_folder(folder)}) {
+    if (fs::symlink_status(path).type() != fs::file_type::not_found && !fs::is_directory(path)) {
+      fs::remove(path);
+    }
+  }
   if (!fs::exists(folder / "tmp")) return;
   for (const fs::directory_entry& file : fs::directory_iterator(folder / "tmp")) {
     fs::remove(file.path());
@@ -220,13 +248,15 @@ std::optional<Pruned> prune_store(const fs::path& folder, std::uintmax_t keep, b
     return std::pair(a.used, a.path) < std::pair(b.used, b.path);
   });
   Pruned pruned;
-  for (const Entry& entry : entries) pruned.bytes_left += entry.bytes;
-  pruned.entries_left = entries.size();
+  std::uintmax_t bytes = 0;
+  for (const Entry& entry : entries) bytes += entry.bytes;
   for (const Entry& entry : entries) {
-    if (pruned.bytes_left <= keep) break;
-    fs::remove_all(entry.path);
-    ++pruned.entries, --pruned.entries_left;
-    pruned.bytes += entry.bytes, pruned.bytes_left -= entry.bytes;
+    const bool goes = bytes > keep;
+    if (goes) {
+      fs::remove_all(entry.path);
+      bytes -= entry.bytes;
+    }
+    entry.count_in(goes ? pruned.removed : pruned.left);
   }
   return pruned;
 }

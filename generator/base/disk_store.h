@@ -18,15 +18,16 @@
 #include <filesystem>
 #include <vector>
 
+#include "base/descriptor.h"
 #include "base/store.h"
 
 namespace mjcourse {
 
 class DiskStore : public Store {
  public:
-  // Makes the folder. Throws std::system_error where it cannot be made or used.
+  // Makes the folder; where it is there and cannot be written, it is read alone. Throws
+  // std::system_error where it cannot be used at all.
   explicit DiskStore(std::filesystem::path folder);
-  ~DiskStore() override;
   DiskStore(const DiskStore&) = delete;
   DiskStore& operator=(const DiskStore&) = delete;
 
@@ -35,16 +36,18 @@ class DiskStore : public Store {
   bool put(const std::string& name, std::string_view bytes) override;
 
   const std::filesystem::path& folder() const { return folder_; }
+  bool can_be_written() const { return writable_; }
   // What the user should know, each a sentence: a damaged entry, a full disk.
   std::vector<std::string> notes() const;
 
  private:
   std::filesystem::path path_of(const std::string& name) const;
+  void prepare();
   void write(const std::filesystem::path& path, std::string_view bytes) const;
   void note(std::string text);
 
   std::filesystem::path folder_;
-  int lock_ = -1;
+  Descriptor lock_;
   std::atomic<bool> writable_ = true;
   mutable std::mutex mutex_;  // of the notes
   std::vector<std::string> notes_;
@@ -55,8 +58,10 @@ class DiskStore : public Store {
 std::filesystem::path prepared_folder(const std::filesystem::path& folder);
 
 struct Pruned {
-  std::uintmax_t entries = 0, bytes = 0;  // removed
-  std::uintmax_t entries_left = 0, bytes_left = 0;
+  struct Count {
+    std::uintmax_t results = 0, prepared = 0, bytes = 0;
+  };
+  Count removed, left;
 };
 
 // Remove the entries that were not used for longest until the store in `folder` holds at most

@@ -48,7 +48,9 @@ KeptResults::~KeptResults() {
   if (!store_) return;
   for (const std::string& note : store_->notes()) std::cerr << "note: " << note << '\n';
   const fs::path folder = store_->folder();
+  const bool can_be_written = store_->can_be_written();
   store_.reset();
+  if (!can_be_written) return;
   try {
     if (is_due(folder / "pruned")) prune_store(folder, kMostKept, false);
   } catch (const std::system_error& error) {

@@ -7,6 +7,16 @@
 #include "cli/size.h"
 
 namespace mjcourse {
+namespace {
+
+// "3 results and 1 prepared header (12 MB)"
+std::string in_words(const Pruned::Count& count) {
+  return counted(count.results, "result", "results") + " and " +
+         counted(count.prepared, "prepared header", "prepared headers") + " (" +
+         size_text(count.bytes) + ")";
+}
+
+}  // namespace
 
 int store(const Options& options) {
   if (options.where != std::vector<std::string>{"prune"}) {
@@ -16,9 +26,8 @@ int store(const Options& options) {
   }
   const std::filesystem::path folder = store_folder(options.store);
   const Pruned pruned = prune_store(folder, options.keep, true).value();
-  std::cout << "forgot " << counted(pruned.entries, "result", "results") << " ("
-            << size_text(pruned.bytes) << "); " << pruned.entries_left << " are kept ("
-            << size_text(pruned.bytes_left) << ")\n";
+  std::cout << "forgot " << in_words(pruned.removed) << "; kept are " << in_words(pruned.left)
+            << '\n';
   return kClean;
 }
 

@@ -73,7 +73,9 @@ try {
   const half = Math.floor(size() / 2);
   const pruned = run(mjcourse, ["store", "prune", "--keep", String(half), "--store", store]);
   expect(
-    /^forgot \d+ results \([\d.]+ [kM]B\); \d+ are kept \([\d.]+ [kM]B\)\n$/.test(pruned.stdout),
+    /^forgot \d+ results and \d+ prepared headers? \([\d.]+ [kM]B\); kept are \d+ results? and \d+ prepared headers? \([\d.]+ [kM]B\)\n$/.test(
+      pruned.stdout,
+    ),
     `pruning says ${pruned.stdout}${pruned.stderr}`,
   );
   expect(size() <= half && size() > 0, `${size()} bytes are left of ${2 * half}`);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdint>
@@ -148,10 +149,10 @@ TEST_F(DiskStoreTest, ForgetsWhatWasNotUsedForLongest) {
   write_file(folder() / "tmp" / "AbCdEf", "left by a killed process");
   const auto pruned = prune_store(folder(), 2500, true);
   ASSERT_TRUE(pruned);
-  EXPECT_EQ(pruned->entries, 1);
-  EXPECT_EQ(pruned->bytes, 1000);
-  EXPECT_EQ(pruned->entries_left, 2);
-  EXPECT_EQ(pruned->bytes_left, 2000);
+  EXPECT_EQ(pruned->removed.results, 1);
+  EXPECT_EQ(pruned->removed.bytes, 1000);
+  EXPECT_EQ(pruned->left.results, 2);
+  EXPECT_EQ(pruned->left.bytes, 2000);
   EXPECT_FALSE(fs::exists(path_of(old)));
   EXPECT_TRUE(fs::exists(path_of(used)));
   EXPECT_TRUE(fs::is_empty(folder() / "tmp"));
@@ -162,11 +163,59 @@ TEST_F(DiskStoreTest, CountsWhatProgramsShare) {
   write_file(prepared_folder(folder()) / "b/entry/header.pch", std::string(8192, 'b'));
   for (const char* name : {"a", "b"}) write_file(prepared_folder(folder()) / name / "current", "");
   age(prepared_folder(folder()) / "a/current", std::chrono::hours(1));
-  const std::uintmax_t all = prune_store(folder(), UINT64_MAX, true)->bytes_left;
+  const std::uintmax_t all = prune_store(folder(), UINT64_MAX, true)->left.bytes;
   EXPECT_GE(all, 16384);
-  EXPECT_EQ(prune_store(folder(), all - 1, true)->entries, 1);
+  const auto pruned = prune_store(folder(), all - 1, true);
+  EXPECT_EQ(pruned->removed.prepared, 1);
+  EXPECT_EQ(pruned->left.prepared, 1);
+  EXPECT_EQ(pruned->removed.results + pruned->left.results, 0);
   EXPECT_FALSE(fs::exists(prepared_folder(folder()) / "a"));
   EXPECT_TRUE(fs::exists(prepared_folder(folder()) / "b/entry/header.pch"));
+}
+
+TEST_F(DiskStoreTest, SaysWhatStandsWhereHeadersBelong) {
+  write_file(prepared_folder(folder()), "a file");
+  {
+    DiskStore store(folder());
+    ASSERT_EQ(store.notes().size(), 1);
+    EXPECT_EQ(store.notes()[0], prepared_folder(folder()).string() +
+                                    " is not a folder, so headers are compiled in each run; "
+                                    "remove it");
+    EXPECT_TRUE(store.put(kAction, "an answer"));
+  }
+  EXPECT_EQ(prune_store(folder(), UINT64_MAX, true)->left.results, 1);
+  EXPECT_FALSE(fs::exists(prepared_folder(folder())));
+  write_file(folder() / "cas", "a file");
+  EXPECT_TRUE(prune_store(folder(), 0, true));
+}
+
+// Where we are root, who may write everywhere, as somebody else.
+TEST_F(DiskStoreTest, IsReadWhereItCannotBeWritten) {
+  {
+    DiskStore store(folder());
+    store.put(kAction, "an answer");
+  }
+  const auto add = fs::perm_options::add;
+  fs::permissions(folder().parent_path(), fs::perms::group_exec | fs::perms::others_exec, add);
+  fs::permissions(path_of(kAction), fs::perms::group_read | fs::perms::others_read, add);
+  for (const fs::path& path : {folder() / "lock", folder() / "tmp", folder()}) {
+    fs::permissions(path, fs::perms::all & ~(fs::perms::owner_write | fs::perms::group_write |
+                                             fs::perms::others_write));
+  }
+  const uid_t root = geteuid();
+  if (root == 0) ASSERT_EQ(seteuid(54321), 0);
+  {
+    DiskStore store(folder());
+    EXPECT_FALSE(store.can_be_written());
+    EXPECT_EQ(store.get(kAction), "an answer");
+    EXPECT_FALSE(store.put("ac/" + sha256("another question"), "another"));
+    EXPECT_EQ(store.notes(),
+              std::vector<std::string>{"the store is read and not written: " +
+                                       (folder() / "tmp").string() + ": Permission denied"});
+  }
+  if (root == 0) ASSERT_EQ(seteuid(root), 0);
+  fs::permissions(folder(), fs::perms::owner_all, fs::perm_options::add);
+  fs::permissions(folder() / "tmp", fs::perms::owner_all, fs::perm_options::add);
 }
 
 TEST_F(DiskStoreTest, IsNotPrunedWhileItIsUsed) {
