@@ -1,18 +1,31 @@
 #include "preview/preview_server.h"
 
+#include <arpa/inet.h>
 #include <httplib.h>
+#include <sys/socket.h>
 
 #include <atomic>
+#include <condition_variable>
+#include <filesystem>
+#include <functional>
 #include <map>
+#include <mutex>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 namespace mjcourse {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
 constexpr int kFirstPort = 8000, kLastPort = 8099;
-// Each browser holds one connection for news, and asks with a few more.
-constexpr std::size_t kThreads = 64;
+// A browser holds one connection for news, and asks with a few more. Each has a thread of its own,
+// so one that says nothing, or reads nothing, holds up no other.
+constexpr std::size_t kMostConnections = 512;
+// Of these, for news. A browser whose news end asks again, so the oldest give way.
+constexpr std::size_t kMostStreams = 64;
+// After how long a connection ends that says nothing, or takes nothing of its answer.
+constexpr std::time_t kPatience = 5;  // seconds
 // Between two signs of life, so that a browser that is gone is noticed.
 constexpr std::chrono::seconds kSignOfLife{15};
 
@@ -50,12 +63,55 @@ void give(std::string bytes, const std::string& type, httplib::Response& respons
       });
 }
 
+// A thread for each connection.
+class ConnectionThreads : public httplib::TaskQueue {
+ public:
+  void enqueue(std::function<void()> serve) override {
+    std::unique_lock lock(mutex_);
+    ended_.wait(lock, [&] { return running_ < kMostConnections; });
+    ++running_;
+    std::thread([this, serve = std::move(serve)] {
+      serve();
+      const std::lock_guard guard(mutex_);
+      --running_;
+      ended_.notify_all();
+    }).detach();
+  }
+
+  void shutdown() override {
+    std::unique_lock lock(mutex_);
+    ended_.wait(lock, [&] { return running_ == 0; });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  std::size_t running_ = 0;
+};
+
+// Ends all connections of this process at its port `port`: whoever waits for them waits no more.
+void end_connections(int port) {
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", ignored)) {
+    const int descriptor = std::stoi(entry.path().filename().string());
+    sockaddr_in address{};
+    socklen_t size = sizeof address;
+    const bool known = getsockname(descriptor, reinterpret_cast<sockaddr*>(&address), &size) == 0;
+    if (known && address.sin_family == AF_INET && ntohs(address.sin_port) == port) {
+      ::shutdown(descriptor, SHUT_RDWR);
+    }
+  }
+}
+
 }  // namespace
 
 class PreviewServer::Http {
  public:
   Http(Preview& preview, std::optional<int> port) : preview_(preview) {
-    server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
+    server_.new_task_queue = [] { return new ConnectionThreads; };
+    server_.set_read_timeout(kPatience);
+    server_.set_write_timeout(kPatience);
+    server_.set_keep_alive_timeout(kPatience);
     server_.set_tcp_nodelay(true);
     // The library's own options would let two previews share a port.
     server_.set_socket_options([](int socket) {
@@ -88,6 +144,7 @@ class PreviewServer::Http {
   void stop() {
     stopped_ = true;
     server_.stop();
+    end_connections(port_);
   }
 
  private:
@@ -116,24 +173,41 @@ class PreviewServer::Http {
            (origin.empty() || (origin.starts_with(scheme) && known(origin.substr(scheme.size()))));
   }
 
+  // What a browser knows that is told of news.
+  struct Stream {
+    std::size_t version = 0;
+    std::chrono::steady_clock::time_point spoken;
+    std::atomic<bool> given_up = false;
+  };
+
+  std::shared_ptr<Stream> new_stream() {
+    auto stream = std::make_shared<Stream>();
+    const std::lock_guard lock(mutex_);
+    std::erase_if(streams_, [](const auto& other) { return other.expired(); });
+    streams_.push_back(stream);
+    if (streams_.size() <= kMostStreams) return stream;
+    if (const auto oldest = streams_.front().lock()) oldest->given_up = true;
+    streams_.erase(streams_.begin());
+    return stream;
+  }
+
   // Server-sent events: each is the number of a version.
   void tell_news(httplib::Response& response) {
-    auto known = std::make_shared<std::size_t>(0);
-    auto silent = std::make_shared<std::chrono::steady_clock::time_point>();
     response.set_chunked_content_provider(
-        "text/event-stream", [this, known, silent](std::size_t, httplib::DataSink& sink) {
-          const std::size_t version = preview_.wait(*known, std::chrono::milliseconds(200));
-          if (stopped_) return false;
+        "text/event-stream", [this, stream = new_stream()](std::size_t, httplib::DataSink& sink) {
+          const std::size_t version =
+              preview_.wait(stream->version, std::chrono::milliseconds(200));
+          if (stopped_ || stream->given_up) return false;
           const auto now = std::chrono::steady_clock::now();
           std::string text;
-          if (version != *known) {
+          if (version != stream->version) {
             text = "data: " + std::to_string(version) + "\n\n";
-          } else if (now - *silent > kSignOfLife) {
+          } else if (now - stream->spoken > kSignOfLife) {
             text = ": still here\n\n";
           }
-          *known = version;
+          stream->version = version;
           if (text.empty()) return true;
-          *silent = now;
+          stream->spoken = now;
           return sink.write(text.data(), text.size());
         });
   }
@@ -159,6 +233,8 @@ class PreviewServer::Http {
   httplib::Server server_;
   int port_ = 0;
   std::atomic<bool> stopped_ = false;
+  std::mutex mutex_;  // of the streams
+  std::vector<std::weak_ptr<Stream>> streams_;
 };
 
 PreviewServer::PreviewServer(Preview& preview, std::optional<int> port)
