@@ -131,7 +131,7 @@ std::optional<ExampleResult> evaluate_commands(const Commands& commands, const L
   const Stopwatch stopwatch;
   Outcome outcome = run(command);
   const double seconds = stopwatch.seconds();
-  if (auto wrong = judge_run(outcome, {"listing", commands.seconds})) {
+  if (auto wrong = judge_run(outcome, {"listing", commands.seconds, 0, *command.sandbox})) {
     wrong->place = place_of(*lesson.source, commands.span);
     diagnostics.push_back(*std::move(wrong));
     return std::nullopt;

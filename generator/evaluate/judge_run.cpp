@@ -106,6 +106,12 @@ std::optional<Diagnostic> judge_text(const std::string& out, const ExpectedRun& 
   return found;
 }
 
+// "128 MiB"
+std::string size_in_words(std::uint64_t bytes) {
+  const bool large = bytes % (1 << 30) == 0;
+  return std::to_string(bytes >> (large ? 30 : 20)) + (large ? " GiB" : " MiB");
+}
+
 Diagnostic killed(const Outcome& outcome, const ExpectedRun& expected) {
   Diagnostic found;
   if (const auto thrown = find_uncaught_exception(outcome.err)) {
@@ -118,7 +124,10 @@ Diagnostic killed(const Outcome& outcome, const ExpectedRun& expected) {
   found.id = "E-example-signal";
   found.message = "the " + expected.what + " was killed: " + strsignal(outcome.code);
   found.detail = tail(outcome.err);
-  if (outcome.code == SIGXFSZ) found.cure = "a file of a " + expected.what + " may be 32 MiB";
+  if (outcome.code == SIGXFSZ) {
+    found.cure =
+        "a file of a " + expected.what + " may be " + size_in_words(expected.sandbox.file_bytes);
+  }
   return found;
 }
 
@@ -158,7 +167,9 @@ std::optional<Diagnostic> judge_run(const Outcome& outcome, const ExpectedRun& e
     case Outcome::End::overfilled:
       found.id = "E-example-disk";
       found.message = "the " + expected.what + " wrote too many files, and was stopped";
-      found.cure = "all files of a " + expected.what + " may be 128 MiB and 10000 in number";
+      found.cure = "all files of a " + expected.what + " may be " +
+                   size_in_words(expected.sandbox.folder_bytes) + " and " +
+                   std::to_string(expected.sandbox.folder_entries) + " in number";
       break;
     case Outcome::End::exhausted:
       found.id = "E-example-memory";

@@ -13,6 +13,7 @@ struct ExpectedRun {
   std::string what;  // as messages call it: "program"
   double seconds = 10;
   int exit_code = 0;
+  Sandbox sandbox = {};  // that it ran in, whose limits are told
 };
 
 // Nothing when the run ended as it was to end; else a diagnostic that has no place yet.

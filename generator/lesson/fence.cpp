@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <string_view>
 
 #include "base/nearest.h"
@@ -103,14 +104,17 @@ std::optional<LocatedText> Fence::option(const std::string& name) const {
   return std::nullopt;
 }
 
-std::optional<double> Fence::number(const std::string& name, Reading& reading) const {
+std::optional<double> Fence::number(const std::string& name, Reading& reading, double most) const {
   const std::optional<LocatedText> text = option(name);
   if (!text) return std::nullopt;
   double value = 0;
   const char* end = text->text.data() + text->text.size();
   const auto [stop, failure] = std::from_chars(text->text.data(), end, value);
-  if (failure == std::errc() && stop == end && value >= 0) return value;
-  reading.error("E-fence-option", text->span(), "`" + name + "` must be a number, not less than 0");
+  if (failure == std::errc() && stop == end && value >= 0 && value <= most) return value;
+  const bool bounded = most < std::numeric_limits<double>::max();
+  reading.error("E-fence-option", text->span(),
+                "`" + name + "` must be a number, not less than 0" +
+                    (bounded ? " and not more than " + std::to_string(std::lround(most)) : ""));
   return std::nullopt;
 }
 

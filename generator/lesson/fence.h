@@ -1,6 +1,7 @@
 // Fence: a fenced code block as the author wrote it: its words, its options, its body.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -30,8 +31,10 @@ class Fence {
 
   // The value of `name=value` or `name="value"`; nothing when it is not there.
   std::optional<LocatedText> option(const std::string& name) const;
-  // The value of `name=5`; nothing (reported) when it is no number, or less than 0.
-  std::optional<double> number(const std::string& name, Reading& reading) const;
+  // The value of `name=5`; nothing (reported) when it is no number, less than 0 or more than
+  // `most`.
+  std::optional<double> number(const std::string& name, Reading& reading,
+                               double most = std::numeric_limits<double>::max()) const;
   // Is the word `name` among those behind the kind's own?
   bool flag(const std::string& name) const;
   // Report what stands behind the words of `kind` ("lab simlab") and is none of its options.

@@ -38,7 +38,9 @@ inline constexpr std::array<std::string_view, 1> kModelEnds{"error"};
 inline constexpr FenceOption kFile{
     "file", "The program: `examples/NAME.cpp`; one region of it: `examples/NAME.cpp#REGION`.",
     true};
-inline constexpr FenceOption kTimeout{"timeout", "After how many seconds it is stopped."};
+inline constexpr FenceOption kTimeout{"timeout",
+                                      "After how many seconds, at most 600, it is stopped."};
+inline constexpr double kMostSeconds = 600;
 
 inline constexpr std::array kProgram{
     kFile, kTimeout,

@@ -74,7 +74,8 @@ std::optional<Example> read_example(Fence& fence, Reading& reading) {
     fence.finish("cpp", fences::kRegion, reading);
     return example;
   }
-  example.seconds = fence.number("timeout", reading).value_or(example.seconds);
+  example.seconds =
+      fence.number("timeout", reading, fences::kMostSeconds).value_or(example.seconds);
   example.optimize = fence.flag("optimize");
   read_expectation(fence, example, reading);
   read_arguments(fence, example);
@@ -108,7 +109,8 @@ std::optional<Snippet> read_snippet(Fence& fence, Reading& reading) {
   }
   Snippet snippet{*model, fence.body(), ""};
   snippet.span = fence.span();
-  snippet.seconds = fence.number("timeout", reading).value_or(snippet.seconds);
+  snippet.seconds =
+      fence.number("timeout", reading, fences::kMostSeconds).value_or(snippet.seconds);
   hide_lines(snippet);
   if (snippet.shown.find_first_not_of(" \n") == std::string::npos) {
     reading.error("E-snippet-empty", fence.span(), "this snippet shows nothing",

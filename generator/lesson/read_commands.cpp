@@ -41,7 +41,8 @@ Commands read_commands(Fence& fence, Reading& reading) {
   Commands commands{fence.body(),
                     read_files(fence.option("files").value_or(LocatedText{}), reading)};
   commands.span = fence.span();
-  commands.seconds = fence.number("timeout", reading).value_or(commands.seconds);
+  commands.seconds =
+      fence.number("timeout", reading, fences::kMostSeconds).value_or(commands.seconds);
   if (commands.code.text.find_first_not_of(" \n") == std::string::npos) {
     reading.error("E-commands-empty", fence.span(), "these commands are none",
                   "write at least one, as a reader would type it");

@@ -114,11 +114,12 @@ TEST(Fence, RefusesOptionsThatNobodyKnows) {
 }
 
 TEST(Fence, RefusesATimeoutThatIsNoTime) {
-  for (const std::string value : {"-1", "soon", "5s", ""}) {
+  for (const std::string value : {"-1", "soon", "5s", "601", "inf", ""}) {
     const std::string fence = "```cpp file=examples/a.cpp timeout=" + value;
     const std::string marks = value.empty() ? "" : std::string(value.size() - 1, '~');
     EXPECT_EQ(mistakes_in(fence + "\n```\n"),
-              "content/1-a/1.1-x.md:4:36: error: `timeout` must be a number, not less than 0 "
+              "content/1-a/1.1-x.md:4:36: error: `timeout` must be a number, not less than 0 and "
+              "not more than 600 "
               "[E-fence-option]\n"
               "  4 | " +
                   fence + "\n    |" + std::string(36, ' ') + "^" + marks + "\n");
