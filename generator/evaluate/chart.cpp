@@ -9,6 +9,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t kMostValues = 200'000;  // of a table that is drawn
+
 // The member or item of `value` that `step` leads to, and its key where it has one.
 struct Step {
   const JsonValue* value = nullptr;
@@ -73,6 +75,13 @@ std::optional<ChartResult> evaluate_chart(const Chart& chart, std::size_t index,
                                    "the table `" + chart.table.text + "` has no rows",
                                    "see why " + chart.example.text + " reported none"));
     table = nullptr;
+  }
+  if (table != nullptr && table->front().values.size() * table->size() > kMostValues) {
+    diagnostics.push_back(error_at(
+        place_of(*lesson.source, chart.table.span()), "E-plot-size",
+        "the table `" + chart.table.text + "` has more than 200000 numbers, too many for a plot",
+        "let the example report fewer rows, say every tenth"));
+    return std::nullopt;
   }
   auto drawn = workshop.chart_press().draw(chart.json, table ? columns_of(*table) : json(),
                                            block_name(lesson, index));

@@ -15,6 +15,8 @@ namespace {
 
 using nlohmann::json;
 
+constexpr std::size_t kMostRecordCount = 10'000, kMostFaults = 100;
+
 // Thrown and caught in here: what is wrong with the value of one record.
 class Unfit : public std::runtime_error {
  public:
@@ -128,7 +130,19 @@ class Reader {
 Records read_records(const std::string& lines, std::vector<RecordFault>& faults) {
   Reader reader(faults);
   std::istringstream text(lines);
-  for (std::string line; std::getline(text, line);) reader.read(line);
+  std::size_t count = 0;
+  for (std::string line; std::getline(text, line);) {
+    if (++count > kMostRecordCount) {
+      faults.push_back({"", "the program reported more than 10000 records",
+                        "report lists as one record: `table`, or a list as a `result`"});
+      break;
+    }
+    reader.read(line);
+    if (faults.size() < kMostFaults) continue;
+    faults.push_back({"", "a hundred records are wrong; those behind them were not read",
+                      "mend the first ones: others often follow from them"});
+    break;
+  }
   return reader.take();
 }
 

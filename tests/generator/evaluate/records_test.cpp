@@ -140,5 +140,22 @@ TEST(Records, AreBlamedWhereTheProgramNamesThem) {
 )");
 }
 
+TEST(Records, AreTenThousandAndAHundredWrongOnes) {
+  std::vector<RecordFault> faults;
+  EXPECT_TRUE(read_records(std::string(1 << 24, '\n'), faults).results.empty());
+  ASSERT_EQ(faults.size(), 101U);
+  EXPECT_EQ(faults[100].message, "a hundred records are wrong; those behind them were not read");
+  EXPECT_EQ(faults[100].cure, "mend the first ones: others often follow from them");
+  faults.clear();
+  std::string lines;
+  for (int i = 0; i < 10'002; ++i) {
+    lines += R"({"result": "r)" + std::to_string(i) + R"(", "value": 1})" + "\n";
+  }
+  EXPECT_EQ(read_records(lines, faults).results.size(), 10'000U);
+  ASSERT_EQ(faults.size(), 1U);
+  EXPECT_EQ(faults[0].message, "the program reported more than 10000 records");
+  EXPECT_EQ(faults[0].cure, "report lists as one record: `table`, or a list as a `result`");
+}
+
 }  // namespace
 }  // namespace mjcourse
