@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -12,6 +13,7 @@
 #include "evaluate/image.h"
 #include "evaluate/inline_value.h"
 #include "evaluate/lab.h"
+#include "evaluate/lab_scripts.h"
 #include "evaluate/model_listing.h"
 #include "evaluate/question.h"
 #include "evaluate/recipe.h"
@@ -183,7 +185,14 @@ bool BlockTask::work_apart(Workshop& workshop, Finding& finding) {
 }
 
 bool BlockTask::work(Workshop& workshop, Finding& finding) {
-  return is_apart() || find_out(workshop, finding);
+  if (!is_apart()) return find_out(workshop, finding);
+  const auto found = finding.results.find(block());
+  auto* result = found == finding.results.end() ? nullptr : std::get_if<LabResult>(&found->second);
+  if (result == nullptr ||
+      guard_scripts(std::get<Lab>(block_), lesson(), workshop, result->scripts)) {
+    return true;
+  }
+  throw std::runtime_error("the lab was rehearsed with a script that no page runs");
 }
 
 bool BlockTask::find_out(Workshop& workshop, Finding& finding) const {

@@ -83,4 +83,12 @@ bool guard_scripts(const LabBench& bench, LabScripts& scripts,
   return Guarding(bench, scripts, doubtful).run();
 }
 
+bool guard_scripts(const Lab& lab, const Lesson& lesson, Workshop& workshop, LabScripts& scripts) {
+  scripts.clear();
+  Diagnostics told;  // of what the worker has passed, and should not have
+  std::vector<DoubtfulScript> doubtful;
+  const LabBench bench(lab, scripts, lesson, workshop, told);
+  return guard_scripts(bench, scripts, doubtful) && doubtful.empty();
+}
+
 }  // namespace mjcourse

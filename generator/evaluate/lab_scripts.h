@@ -5,12 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "lesson/located_text.h"
+#include "lesson/lesson.h"
 #include "script/script_guard.h"
 
 namespace mjcourse {
 
 class LabBench;
+class Workshop;
 
 // By kind and text; of those alone that guards were put into.
 using LabScripts = std::map<std::string, std::string>;
@@ -29,5 +30,9 @@ struct DoubtfulScript {
 // Of the lab on `bench`. False where the page would refuse one, which is reported.
 bool guard_scripts(const LabBench& bench, LabScripts& scripts,
                    std::vector<DoubtfulScript>& doubtful);
+
+// The same of a lab whose result a worker has given: a page runs only what was guarded here. False
+// where a script would have been refused.
+bool guard_scripts(const Lab& lab, const Lesson& lesson, Workshop& workshop, LabScripts& scripts);
 
 }  // namespace mjcourse

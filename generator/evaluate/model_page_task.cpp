@@ -1,7 +1,13 @@
 #include "evaluate/model_page_task.h"
 
+#include <stdexcept>
+#include <variant>
+
 #include "evaluate/bench.h"
+#include "evaluate/lab_scripts.h"
+#include "evaluate/model_lab.h"
 #include "evaluate/recipe.h"
+#include "evaluate/result_fits.h"
 
 namespace mjcourse {
 
@@ -14,6 +20,17 @@ bool ModelPageTask::work_apart(Workshop& workshop, Finding& finding) {
   Diagnostics& diagnostics = trouble_ == Trouble::reported ? finding.diagnostics : known;
   finding.model_page = evaluate_model_page(name_, Bench(lesson(), workshop, diagnostics));
   return finding.model_page.has_value();
+}
+
+bool ModelPageTask::work(Workshop& workshop, Finding& finding) {
+  if (!finding.model_page || !finding.model_page->lab) return true;
+  const Lesson page = lesson_of_lab(*finding.model_page);
+  const auto* lab = page.blocks.size() == 1 ? std::get_if<Lab>(&page.blocks.front()) : nullptr;
+  LabResult& result = finding.model_page->lab->result;
+  if (lab != nullptr && fits(page.blocks.front(), result) && guard_scripts(*lab, page, workshop, result.scripts)) {
+    return true;
+  }
+  throw std::runtime_error("the model's lab was rehearsed with a script that no page runs");
 }
 
 }  // namespace mjcourse

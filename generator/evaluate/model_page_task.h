@@ -22,6 +22,7 @@ class ModelPageTask : public Task {
   Dependencies recipe(const Setting& setting) const override;
   bool is_apart() const override { return true; }
   bool work_apart(Workshop& workshop, Finding& finding) override;
+  bool work(Workshop& workshop, Finding& finding) override;
 
  private:
   LocatedText name_;

@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "base/beneath.h"
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -27,6 +28,14 @@ bool has_parts_of(const Lab& lab, const LabResult& result) {
   }
   return std::ranges::all_of(result.runs,
                              [&](const LabRunResult& run) { return has_parts_of(lab, run); });
+}
+
+// Which become names of a page's script.
+bool are_names(const std::vector<std::string>& names) {
+  return std::ranges::all_of(names, [](const std::string& name) {
+    return !name.empty() && (name[0] < '0' || name[0] > '9') &&
+           std::ranges::all_of(name, [](char c) { return is_word_character(c) || c == '$'; });
+  });
 }
 
 bool is_pinned_as(const LocatedText& pin, const std::optional<PinComparison>& found) {
@@ -54,7 +63,8 @@ struct Fits {
   bool operator()(const Chart&) const { return is<ChartResult>(); }
   bool operator()(const Lab& lab) const {
     const auto* known = std::get_if<LabResult>(&result);
-    return known != nullptr && has_parts_of(lab, *known) && is_pinned_as(lab.pin, known->pin);
+    return known != nullptr && has_parts_of(lab, *known) && are_names(known->script_names) &&
+           is_pinned_as(lab.pin, known->pin);
   }
   bool operator()(const Quiz& quiz) const {
     const auto* known = std::get_if<QuizResult>(&result);
