@@ -3,11 +3,14 @@
 //   node tests/run.mjs --test-dir build/release --parallel 2 …     all that ctest takes
 //
 // What ctest says goes through as it comes, but its last word: "100% tests passed, …" stands at the
-// very end. On a terminal the rest is a line of its own that changes, and elsewhere it is behind each
-// test that has ended. The exit code is ctest's.
+// very end. On a terminal the rest is a line of its own that changes, and elsewhere it is said at the
+// start and behind each test that has ended. A test that looks at many files (tests/lint/look.mjs) says
+// how far it is in a file of the folder MJCOURSE_PROGRESS: `DONE ALL SECONDS`, the last of which are those
+// that the rest will take, where that is known. The exit code is ctest's.
 
 import { spawn, spawnSync } from "node:child_process";
-import { existsSync, readFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { createInterface } from "node:readline";
 
@@ -64,7 +67,39 @@ function say(text, stream = process.stdout) {
   if (terminal) process.stderr.write("\r\x1b[K");
   stream.write(text);
   const left = rest(waiting, former);
-  if (terminal && left) process.stderr.write(`${all - waiting.size}/${all} tests; ${left}`);
+  if (terminal && left) process.stderr.write([count(), left, ...marches()].join("; "));
+}
+const count = () => `${all - waiting.size}/${all} tests`;
+
+// Of a test that looks at files: how many it has to look at, and how many are done.
+const progress = mkdtempSync(join(tmpdir(), "mjcourse-progress-"));
+const looking = new Map();
+const marchOf = (name, { done, files }) => `${name} ${done}/${files} files`;
+
+// The tests that look at files now.
+function marches() {
+  const now = [...looking].filter(([name, { done, files }]) => waiting.has(name) && done < files);
+  return now.map(([name, one]) => marchOf(name, one));
+}
+
+// Reads how far such tests are, whose rest is then what they say, and not what they took last time. In a
+// log there is a line at its start and at each quarter.
+function follow() {
+  const before = marches().join();
+  for (const name of readdirSync(progress).filter((file) => waiting.has(file))) {
+    const told = readFileSync(join(progress, name), "utf8").split(" ").map(Number);
+    const [done, files, seconds] = told;
+    const one = looking.get(name) ?? { quarters: -1 };
+    looking.set(name, Object.assign(one, { done, files }));
+    if (seconds !== undefined) former.set(name, seconds);
+    else former.delete(name);
+    const quarters = Math.floor((4 * done) / files);
+    if (terminal || files === 0 || quarters <= one.quarters || quarters === 4) continue;
+    one.quarters = quarters;
+    const left = rest(waiting, former);
+    say(`${marchOf(name, one)}${left && `; ${left}`}\n`);
+  }
+  if (terminal && marches().join() !== before) say("");
 }
 
 // What ctest says from its last "N% tests passed" on, to be said once the slowest tests are.
@@ -96,7 +131,13 @@ function slowest() {
   return first.length > 1 ? `The slowest tests:\n${rows.join("")}\n` : "";
 }
 
-const ctest = spawn("ctest", words, { stdio: ["inherit", "pipe", "pipe"] });
+const lists = words.some((word) => /^(-N|--show-only(=.*)?)$/.test(word));
+if (!lists && all > 0) say(terminal ? "" : `${count()}; ${rest(waiting, former)}\n`);
+const ctest = spawn("ctest", words, {
+  stdio: ["inherit", "pipe", "pipe"],
+  env: { ...process.env, MJCOURSE_PROGRESS: progress },
+});
+const following = setInterval(follow, 500);
 // Ctrl-C comes to both; a signal to this process alone is handed on.
 for (const signal of ["SIGINT", "SIGTERM", "SIGHUP"]) process.on(signal, () => ctest.kill(signal));
 
@@ -115,6 +156,8 @@ ctest.stderr.on("data", (text) => {
 });
 
 ctest.on("close", (code, signal) => {
+  clearInterval(following);
+  rmSync(progress, { recursive: true });
   waiting.clear();
   const [summary, ...lines] = closing;
   const rows = lines.join("\n").trim();

@@ -5,7 +5,7 @@
 
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, beforeEach, test } from "node:test";
@@ -29,6 +29,7 @@ add_test(long "sleep" "1.5")
 add_test(wrong "sh" "-c" "sleep 1.2; echo 50% tests passed; exit 1")
 add_test(left_out "sh" "-c" "sleep 0.6; exit 77")
 add_test(broken "echo" "one")
+add_test(looks "sh" "-c" "cd $MJCOURSE_PROGRESS; echo 0 8 >looks; sleep 1.5; echo 5 8 240 >looks; sleep 1.5")
 set_tests_properties(fresh PROPERTIES DEPENDS brief)
 set_tests_properties(long PROPERTIES DEPENDS fresh)
 set_tests_properties(wrong PROPERTIES DEPENDS long)
@@ -50,12 +51,20 @@ function run(...more) {
   return [status, withoutTimes(stdout), stderr];
 }
 
+// What it says on a terminal, with a word for what clears its last line.
+function onTerminal(...more) {
+  const command = [process.execPath, ...words(...more)].map((word) => `'${word}'`).join(" ");
+  const { stdout } = spawnSync("script", ["-qec", command, "/dev/null"], { encoding: "utf8" });
+  return withoutTimes(stdout).replaceAll("\r\x1b[K", "\nCLEARED:").replaceAll("\r\n", "\n");
+}
+
 test("in a log, each test that has ended says how long the rest took", () => {
   const [status, stdout, stderr] = run("-R", "brief|fresh|long");
   assert.equal(stderr, "");
   assert.equal(
     stdout,
-    `Internal ctest changing into directory: FOLDER
+    `0/3 tests; about 10 min left, and 1 test never timed
+Internal ctest changing into directory: FOLDER
 Test project FOLDER
     Start 1: brief
 1/3 Test #1: brief ............................   Passed T sec; about 10 min left, and 1 test never timed
@@ -77,12 +86,30 @@ Total Test time (real) = T sec
   assert.equal(status, 0);
 });
 
+test("a test that looks at many files says how far it is", () => {
+  const [status, stdout, stderr] = run("-R", "looks|brief");
+  assert.equal(stderr, "");
+  const lines = stdout.split("\n");
+  assert.deepEqual(lines.filter((line) => /left/.test(line)).map(withoutTimes), [
+    "0/2 tests; about 80 s left, and 1 test never timed",
+    "1/2 Test #1: brief ............................   Passed T sec; 1 test left, never timed",
+    "looks 0/8 files; 1 test left, never timed",
+    "looks 5/8 files; about 4 min left",
+  ]);
+  assert.equal(status, 0);
+  assert.match(
+    onTerminal("-R", "looks"),
+    /CLEARED:0\/1 tests; about 4 min left; looks 5\/8 files\n/,
+  );
+});
+
 test("what failed, what was skipped and ctest's exit code stay as they are", () => {
   const [status, stdout, stderr] = run("--output-on-failure", "-R", "wrong|left_out|broken");
   assert.equal(stderr, "Errors while running CTest\n");
   assert.equal(
     stdout,
-    `Internal ctest changing into directory: FOLDER
+    `0/3 tests; 3 tests left, never timed
+Internal ctest changing into directory: FOLDER
 Test project FOLDER
     Start 4: wrong
 1/3 Test #4: wrong ............................***Failed T sec; 2 tests left, never timed
@@ -128,13 +155,10 @@ Total Tests: 2
 });
 
 test("on a terminal there is one line that changes", () => {
-  const command = [process.execPath, ...words("-R", "brief|long")]
-    .map((word) => `'${word}'`)
-    .join(" ");
-  const { stdout } = spawnSync("script", ["-qec", command, "/dev/null"], { encoding: "utf8" });
   assert.equal(
-    withoutTimes(stdout).replaceAll("\r\x1b[K", "\nCLEARED:").replaceAll("\r\n", "\n"),
+    onTerminal("-R", "brief|long"),
     `
+CLEARED:0/2 tests; about 10 min left
 CLEARED:Internal ctest changing into directory: FOLDER
 0/2 tests; about 10 min left
 CLEARED:Test project FOLDER
@@ -159,6 +183,26 @@ CLEARED:
 100% tests passed, 0 tests failed out of 2
 `,
   );
+});
+
+test("lint says how many files it has to look at, and how long that will take", () => {
+  const script = `import { lookAt } from ${JSON.stringify(join(import.meta.dirname, "lint/look.mjs"))};
+    import { readFileSync } from "node:fs";
+    const told = [];
+    const look = (i) => () => {
+      told.push(readFileSync("${folder}/looks", "utf8").split(" ").length);
+      return i === 20 ? "wrong" : "";
+    };
+    const stamps = { name: "looks", pace: undefined, has: (stamp) => stamp === "good", put() {} };
+    const task = (stamp, i) => ({ name: "x.cpp", stamp, look: look(i) });
+    await lookAt(stamps, [task("good", 0), ...Array.from({ length: 40 }, (_, i) => task("new", i))]);
+    console.log(told[0], told.at(-1), stamps.pace > 0);`;
+  const { stdout } = spawnSync(process.execPath, ["--input-type=module", "--eval", script], {
+    env: { ...process.env, MJCOURSE_PROGRESS: folder },
+    encoding: "utf8",
+  });
+  assert.equal(stdout, "wrong41 checks, 40 done anew, complaints in 1\n2 3 true\n");
+  assert.equal(readFileSync(join(folder, "looks"), "utf8"), "40 40 0\n");
 });
 
 test("a signal ends both", async () => {

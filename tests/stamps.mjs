@@ -4,7 +4,7 @@
 // Enter at new Stamps("tidy").
 
 import { createHash } from "node:crypto";
-import { existsSync, mkdirSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { homedir } from "node:os";
 import { join } from "node:path";
 
@@ -12,6 +12,7 @@ export class Stamps {
   #folder;
 
   constructor(name) {
+    this.name = name;
     const cache = process.env.XDG_CACHE_HOME || join(homedir(), ".cache");
     this.#folder = join(cache, "mjcourse", name);
     mkdirSync(this.#folder, { recursive: true });
@@ -26,6 +27,15 @@ export class Stamps {
 
   has(stamp) {
     return existsSync(join(this.#folder, stamp));
+  }
+
+  // The seconds that each took last time, several at once; nothing where that is not known.
+  get pace() {
+    const file = join(this.#folder, "pace");
+    return existsSync(file) ? Number(readFileSync(file, "utf8")) : undefined;
+  }
+  set pace(seconds) {
+    writeFileSync(join(this.#folder, "pace"), String(seconds));
   }
 
   // `what` is for whoever looks into the folder.
