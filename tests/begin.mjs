@@ -11,12 +11,17 @@ import { join, resolve } from "node:path";
 import { after, test } from "node:test";
 
 const mjcourse = resolve(process.env.MJCOURSE ?? "build/release/generator/mjcourse");
+let called = ""; // by which name, as the launcher says it
 const folder = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
 after(() => rmSync(folder, { recursive: true }));
 
 // What it says, as [exit code, stdout, stderr].
 function run(...words) {
-  const { status, stdout, stderr } = spawnSync(mjcourse, words, { cwd: folder, encoding: "utf8" });
+  const { status, stdout, stderr } = spawnSync(mjcourse, words, {
+    cwd: folder,
+    encoding: "utf8",
+    env: { ...process.env, MJCOURSE_CALLED: called },
+  });
   return [status, stdout, stderr];
 }
 const read = (path) => readFileSync(join(folder, path), "utf8");
@@ -112,6 +117,18 @@ test("what is there stays", () => {
     "mjcourse: rigid-bodies is not empty: it has .github\n" +
       "  cure: name a new or an empty folder; `mjcourse new` adds to a course\n",
   ]);
+});
+
+test("what there is to type begins as the reader typed it", () => {
+  called = "../here/mjcourse";
+  assert.match(run("init", "called")[1], /^now: `\.\.\/here\/mjcourse check --course called`/m);
+  const lesson = join(folder, "called/content/1-first-steps/1.1-a-pendulum.md");
+  writeFileSync(lesson, readFileSync(lesson, "utf8").replace("[-0.12]", "[-0.19]"));
+  assert.match(
+    run("check", "--course", "called")[2],
+    /cure: if the program is right, `\.\.\/here\/mjcourse accept` writes its lines here\n/,
+  );
+  called = "";
 });
 
 test("init takes a new repository, and no file", () => {

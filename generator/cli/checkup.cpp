@@ -10,12 +10,14 @@
 #include "base/files.h"
 #include "base/find_program.h"
 #include "base/folder_size.h"
+#include "base/our_command.h"
 #include "base/sandbox.h"
 #include "base/subprocess.h"
 #include "base/temporary_folder.h"
 #include "cli/size.h"
 #include "evaluate/compiler.h"
 #include "evaluate/containment.h"
+#include "evaluate/toolchain.h"
 #include "evaluate/versions.h"
 #include "physics/renderer.h"
 
@@ -42,9 +44,11 @@ Sign mujoco() {
 
 // Compiles and runs a program as a lesson's.
 Sign compiler() {
-  const char* const cure = "`apt-get install clang-16 mold libmujoco-dev libeigen3-dev`";
+  const auto cure = [] {
+    return "`apt-get install " + compiler_package() + " mold libmujoco-dev libeigen3-dev`";
+  };
   const std::optional<Compiler> found = Compiler::find({}, std::nullopt);
-  if (!found) return {"compiler", Grade::missing, "none: no program can be run", cure};
+  if (!found) return {"compiler", Grade::missing, "none: no program can be run", cure()};
   const TemporaryFolder folder;
   const fs::path source = folder.path() / "program.cpp", binary = folder.path() / "program";
   write_file(source, kProgram);
@@ -52,7 +56,7 @@ Sign compiler() {
   if (!compiled.succeeded) {
     const std::string why = compiled.stopped.empty() ? compiled.raw : compiled.stopped;
     return {"compiler", Grade::missing,
-            found->version() + " cannot compile: " + why.substr(0, why.find('\n')), cure};
+            found->version() + " cannot compile: " + why.substr(0, why.find('\n')), cure()};
   }
   Command command;
   command.arguments = {binary.string()};
@@ -61,14 +65,15 @@ Sign compiler() {
   command.sandbox = program_sandbox(binary, command.folder, {}, folder.path());
   const Outcome outcome = run(command);
   if (outcome.end != Outcome::End::exited || outcome.out != mj_versionString()) {
-    return {"compiler", Grade::missing, found->version() + " makes programs that do not run", cure};
+    return {"compiler", Grade::missing, found->version() + " makes programs that do not run",
+            cure()};
   }
   const Toolchain& toolchain = found->toolchain();
   if (!toolchain.is_clang() || !toolchain.has_mold) {
     return {
         "compiler", Grade::slow,
         found->version() + (toolchain.has_mold ? ", mold" : ", no mold") + ": programs take longer",
-        "`apt-get install clang-16 mold`"};
+        "`apt-get install " + compiler_package() + " mold`"};
   }
   return {"compiler", Grade::good, found->version() + ", mold", ""};
 }
@@ -130,7 +135,7 @@ Sign cache(const fs::path& store) {
   if (error || space.available < kEnoughSpace) {
     return {"store", Grade::slow,
             state + (error ? ": " + error.message() : "; " + size_text(space.available) + " free"),
-            "make room, or `mjcourse store prune --keep 200MB`"};
+            "make room, or " + our_command("store prune --keep 200MB")};
   }
   return {"store", Grade::good, state + "; " + size_text(space.available) + " free", ""};
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/our_command.h"
 #include "base/utf8.h"
 #include "cli/run.h"
 
@@ -9,7 +10,7 @@ namespace mjcourse {
 
 Refusal no_course(const std::string& why) {
   return {kCourseErrors, "there is no course here: " + why,
-          "name its folder with --course DIR, or begin one: `mjcourse init DIR`"};
+          "name its folder with --course DIR, or begin one: " + our_command("init DIR")};
 }
 
 const ListedLevel* CourseFile::find_level(const std::string& name) const {
@@ -31,7 +32,7 @@ tl::expected<CourseFile, Refusal> read_course_file(const Files& course) {
   auto levels = read_listing(*yaml);
   if (!levels) {
     return wrong_course(std::string(kCoursePath) + " has mistakes, so nothing was written",
-                        "mend them first: `mjcourse check` shows them");
+                        "mend them first: " + our_command("check") + " shows them");
   }
   return CourseFile{*yaml, *std::move(levels)};
 }

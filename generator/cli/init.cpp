@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/our_command.h"
 #include "cli/commands.h"
 #include "cli/course_file.h"
 #include "cli/new_files.h"
@@ -75,16 +76,15 @@ tl::expected<void, Refusal> look_at(const fs::path& folder, const std::string& n
   const std::string first = first_of(folder);
   if (first.empty()) return {};
   return wrong_course(named + " is not empty: it has " + first,
-                      "name a new or an empty folder; `mjcourse new` adds to a course");
+                      "name a new or an empty folder; " + our_command("new") + " adds to a course");
 }
 
 }  // namespace
 
 int init(const Options& options) {
   const std::vector<std::string>& words = options.where;
-  const char* const form = "`mjcourse init my-course \"My course\"`";
-  if (words.empty())
-    return tell({kWrongUsage, "init needs a folder", std::string("as in ") + form});
+  const std::string form = our_command("init my-course \"My course\"");
+  if (words.empty()) return tell({kWrongUsage, "init needs a folder", "as in " + form});
   if (words.size() > 2) {
     return tell({kWrongUsage, "init takes a folder and a title, and not `" + words[2] + "`",
                  std::string("put a title of several words into quotes: ") + form});
@@ -99,7 +99,7 @@ int init(const Options& options) {
   const std::vector<NewFile> files = course_files(DiskFiles(assets_folder()), title);
   if (const auto written = write_new_files(named, files); !written) return tell(written.error());
   tell(files);
-  std::cout << "now: `mjcourse check --course " << words[0] << "`, and read its README.md\n";
+  std::cout << "now: " << our_command("check --course " + words[0]) << ", and read its README.md\n";
   return kClean;
 }
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/nearest.h"
+#include "base/our_command.h"
 
 namespace mjcourse {
 namespace {
@@ -21,7 +22,7 @@ tl::unexpected<Refusal> no_lesson_name(const std::string& name) {
 
 tl::unexpected<Refusal> no_level(const CourseFile& file, const std::string& name) {
   const std::vector<std::string> known = file.folders();
-  const std::string new_level = "`mjcourse new level " + name + "` makes it; ";
+  const std::string new_level = our_command("new level " + name) + " makes it; ";
   return wrong_words("there is no level " + name + " in content/course.yaml",
                      (nearest(name, known).empty() ? new_level : "") + suggest(name, known));
 }
@@ -30,14 +31,14 @@ AddressOrRefusal in_level(const ListedLevel& level, const LessonNumbers& numbers
                           const Words& words) {
   if (words.size() < 2) {
     return wrong_words("a lesson of " + level.folder + " needs a title",
-                       "`mjcourse new lesson " + level.folder + " \"TITLE\"`");
+                       our_command("new lesson " + level.folder + " \"TITLE\""));
   }
   const std::string slug = slug_of(words[1]);
   if (!slug.empty()) return LessonAddress{&level, numbers.next(level, slug), words[1]};
   return wrong_words(
       "no file's name is made of `" + words[1] + "`: it has letters that are not English, or none",
-      "name the file too, as in `mjcourse new lesson " + level.folder + "/" +
-          numbers.next(level, "NAME").text() + " \"TITLE\"`");
+      "name the file too, as in " + our_command("new lesson " + level.folder + "/" +
+                                                numbers.next(level, "NAME").text() + " \"TITLE\""));
 }
 
 // "forces" or "2.1-forces" in `level`; null: in the level that has such numbers.
@@ -51,7 +52,7 @@ AddressOrRefusal named(const CourseFile& file, const ListedLevel* level, const s
   if (level == nullptr) {
     return wrong_words(
         "no level in content/course.yaml has lessons with numbers as " + wanted->number(),
-        "name the level too: `mjcourse new lesson LEVEL/" + wanted->text() + "`; " +
+        "name the level too: " + our_command("new lesson LEVEL/" + wanted->text()) + "; " +
             suggest("", file.folders()));
   }
   if (!level->number.empty() && wanted->level != level->number) {
@@ -68,9 +69,10 @@ tl::expected<LessonAddress, Refusal> lesson_address(const CourseFile& file,
                                                     const LessonNumbers& numbers,
                                                     const Words& words) {
   if (words.empty()) {
-    return wrong_words("new lesson needs a level and a title",
-                       "`mjcourse new lesson 2-dynamics \"Forces\"` takes the level's next number, "
-                       "`mjcourse new lesson 2-dynamics/2.1-forces \"Forces\"` names all of it");
+    return wrong_words(
+        "new lesson needs a level and a title",
+        our_command("new lesson 2-dynamics \"Forces\"") + " takes the level's next number, " +
+            our_command("new lesson 2-dynamics/2.1-forces \"Forces\"") + " names all of it");
   }
   if (words.size() > 2) {
     return wrong_words("new lesson takes a name and a title, and not `" + words[2] + "`",

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/counted.h"
+#include "base/our_command.h"
 #include "base/utf8.h"
 #include "cli/commands.h"
 #include "cli/run.h"
@@ -105,7 +106,8 @@ int list(const Options& options) {
   }
   print(rows);
   const std::ptrdiff_t errors = count_errors(verified.evaluation.diagnostics);
-  if (errors > 0) std::cout << counted(errors, "error") << "; `mjcourse check` shows them\n";
+  if (errors > 0)
+    std::cout << counted(errors, "error") << "; " << our_command("check") << " shows them\n";
   return errors > 0 ? kCourseErrors : kClean;
 }
 

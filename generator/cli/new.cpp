@@ -4,6 +4,7 @@
 
 #include "base/beneath.h"
 #include "base/nearest.h"
+#include "base/our_command.h"
 #include "cli/commands.h"
 #include "cli/course_file.h"
 #include "cli/new_part.h"
@@ -16,9 +17,8 @@ NewPartOrRefusal new_part(const Files& course, const Files& assets,
                           const std::vector<std::string>& words) {
   const std::vector<std::string> kinds{"level", "lesson", "model", "example"};
   if (words.empty()) {
-    return wrong_words("new what?",
-                       "a level, a lesson, a model or an example, as in "
-                       "`mjcourse new lesson 2-dynamics \"Forces\"`");
+    return wrong_words("new what?", "a level, a lesson, a model or an example, as in " +
+                                        our_command("new lesson 2-dynamics \"Forces\""));
   }
   const std::vector<std::string> rest(words.begin() + 1, words.end());
   if (words[0] == "level") return new_level(course, rest);

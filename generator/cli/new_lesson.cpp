@@ -4,6 +4,7 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "base/our_command.h"
 #include "cli/lesson_address.h"
 #include "cli/new_part.h"
 #include "cli/skeleton.h"
@@ -65,8 +66,9 @@ NewPartOrRefusal new_lesson(const Files& course, const Files& assets,
   std::vector<NewFile> files = lesson_files(*address, assets);
   files.push_back(*std::move(listed));
   return NewPart{std::move(files), "",
-                 "it is a draft: `mjcourse check` proves it, and the site does not have it until "
-                 "its line `draft: true` is gone"};
+                 "it is a draft: " + our_command("check") +
+                     " proves it, and the site does not have it until "
+                     "its line `draft: true` is gone"};
 }
 
 }  // namespace mjcourse

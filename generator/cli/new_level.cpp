@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/our_command.h"
 #include "cli/course_file.h"
 #include "cli/new_part.h"
 #include "course/lesson_name.h"
@@ -9,7 +10,9 @@
 namespace mjcourse {
 namespace {
 
-constexpr const char* kForm = "`mjcourse new level 2-dynamics \"Dynamics\"`";
+std::string level_form() {
+  return our_command("new level 2-dynamics \"Dynamics\"");
+}
 
 struct Named {
   std::string folder, title;
@@ -29,11 +32,11 @@ tl::expected<Named, Refusal> name_of(const CourseFile& file,
                                      const std::vector<std::string>& words) {
   static const RE2 folder(R"((\d{1,6}-)?[a-z][a-z0-9]*(-[a-z0-9]+)*)");
   if (words.empty()) {
-    return wrong_words("new level needs a name", std::string("as in ") + kForm);
+    return wrong_words("new level needs a name", "as in " + level_form());
   }
   if (words.size() > 2) {
     return wrong_words("new level takes a name and a title, and not `" + words[2] + "`",
-                       std::string("put a title of several words into quotes: ") + kForm);
+                       "put a title of several words into quotes: " + level_form());
   }
   if (const auto good = check_title(words.back()); !good) return tl::unexpected(good.error());
   if (RE2::FullMatch(words[0], folder)) {
@@ -48,8 +51,8 @@ tl::expected<Named, Refusal> name_of(const CourseFile& file,
     return Named{next_number(file) + "-" + slug, words[0]};
   }
   return wrong_words("`" + words[0] + "` is no name for a level",
-                     "a number, then small letters, digits and hyphens, as in " +
-                         std::string(kForm) + (is_slug ? "; did you mean `" + slug + "`?" : ""));
+                     "a number, then small letters, digits and hyphens, as in " + level_form() +
+                         (is_slug ? "; did you mean `" + slug + "`?" : ""));
 }
 
 }  // namespace
@@ -75,7 +78,7 @@ NewPartOrRefusal new_level(const Files& course, const std::vector<std::string>& 
   if (!edited) return tl::unexpected(edited.error());
   return NewPart{{*std::move(edited)},
                  "content/" + named->folder,
-                 "its first lesson: `mjcourse new lesson " + named->folder + " \"TITLE\"`"};
+                 "its first lesson: " + our_command("new lesson " + named->folder + " \"TITLE\"")};
 }
 
 }  // namespace mjcourse

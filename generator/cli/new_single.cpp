@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "base/nearest.h"
+#include "base/our_command.h"
 #include "cli/new_part.h"
 #include "cli/skeleton.h"
 #include "course/lesson_name.h"
@@ -60,13 +61,13 @@ tl::expected<std::string, Refusal> model_for(const Files& course, const std::str
   if (has(example)) return example;
   if (!models.empty()) return models.front();
   return wrong_course("there is no model that " + example + " could load",
-                      "`mjcourse new model NAME` makes one");
+                      our_command("new model NAME") + " makes one");
 }
 
 }  // namespace
 
 NewPartOrRefusal new_model(const Files& assets, const std::vector<std::string>& words) {
-  const std::string form = "`mjcourse new model pendulum`";
+  const std::string form = our_command("new model pendulum");
   const auto name = name_of("model", "models/", ".xml", words, form);
   if (!name) return tl::unexpected(name.error());
   if (words.size() > 1) {
@@ -83,9 +84,8 @@ NewPartOrRefusal new_model(const Files& assets, const std::vector<std::string>& 
 
 NewPartOrRefusal new_example(const Files& course, const Files& assets,
                              const std::vector<std::string>& words) {
-  const std::string form =
-      "`mjcourse new example l2_1_forces` or `mjcourse new example l2_1_forces "
-      "MODEL`";
+  const std::string form = our_command("new example l2_1_forces") + " or " +
+                           our_command("new example l2_1_forces MODEL");
   const auto name = name_of("example", "examples/", ".cpp", words, form);
   if (!name) return tl::unexpected(name.error());
   if (words.size() > 2) {
@@ -100,9 +100,8 @@ NewPartOrRefusal new_example(const Files& course, const Files& assets,
                  "it loads models/" + *model +
                      ".xml; a lesson runs it with a fence "
                      "`cpp file=examples/" +
-                     *name +
-                     ".cpp`, and `mjcourse accept` writes what it prints "
-                     "into an empty `text` fence below"};
+                     *name + ".cpp`, and " + our_command("accept") +
+                     " writes what it prints into an empty `text` fence below"};
 }
 
 }  // namespace mjcourse

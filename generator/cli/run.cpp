@@ -10,6 +10,7 @@
 
 #include "base/cache_folder.h"
 #include "base/nearest.h"
+#include "base/our_command.h"
 #include "cli/commands.h"
 #include "cli/log_guard.h"
 #include "cli/out_place.h"
@@ -162,7 +163,7 @@ const std::vector<NamedCommand>& commands() {
 }
 
 constexpr std::string_view kHelp =
-    "usage: mjcourse COMMAND [OPTIONS]\n"
+    " COMMAND [OPTIONS]\n"
     "\n"
     "  build              evaluate the course and write its site\n"
     "  preview            show the course in a browser while it is being written\n"
@@ -177,6 +178,7 @@ constexpr std::string_view kHelp =
     "  init DIR [TITLE]   begin a course in a new folder\n"
     "  doctor             try out what this machine has of all that courses need\n"
     "  store prune        forget the results that were not used for longest\n"
+    "  --version          which version this is\n"
     "\n"
     "  WHERE          a lesson (1.2, its slug or its path), or the block at one of its lines\n"
     "                 (1.2:210); none means all\n"
@@ -215,7 +217,7 @@ constexpr std::string_view kHelp =
     "2 wrong usage, 3 our fault.\n";
 
 int wrong_usage(const std::string& message) {
-  std::cerr << "mjcourse: " << message << "\n`mjcourse --help` shows the commands\n";
+  std::cerr << "mjcourse: " << message << "\n" << our_command("--help") << " shows the commands\n";
   return kWrongUsage;
 }
 
@@ -240,7 +242,7 @@ int run_named(const NamedCommand& named, const std::vector<std::string>& argumen
     const bool joined = arguments[i].starts_with("--") && equals != std::string::npos;
     const std::string argument = joined ? arguments[i].substr(0, equals) : arguments[i];
     if (argument == "--help") {
-      std::cout << kHelp;
+      std::cout << "usage: " << called_as() << kHelp;
       return kClean;
     }
     const auto option =
@@ -278,7 +280,7 @@ int run_named(const NamedCommand& named, const std::vector<std::string>& argumen
 int run_command(const std::vector<std::string>& arguments) {
   if (arguments.empty()) return wrong_usage("which command?");
   if (arguments[0] == "--help" || arguments[0] == "help") {
-    std::cout << kHelp;
+    std::cout << "usage: " << called_as() << kHelp;
     return kClean;
   }
   if (arguments[0] == "--version") {

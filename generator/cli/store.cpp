@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "base/counted.h"
+#include "base/our_command.h"
 #include "cli/commands.h"
 #include "cli/run.h"
 #include "cli/size.h"
@@ -20,8 +21,8 @@ std::string in_words(const Pruned::Count& count) {
 
 int store(const Options& options) {
   if (options.where != std::vector<std::string>{"prune"}) {
-    std::cerr << "mjcourse: store what? `mjcourse store prune` forgets old results\n"
-                 "`mjcourse --help` shows the commands\n";
+    std::cerr << "mjcourse: store what? " << our_command("store prune") << " forgets old results\n"
+              << our_command("--help") << " shows the commands\n";
     return kWrongUsage;
   }
   const std::filesystem::path folder = store_folder(options.store);

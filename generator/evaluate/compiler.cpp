@@ -100,7 +100,8 @@ struct Compiler::Program {
 };
 
 Diagnostic no_compiler() {
-  return error_at({}, "E-example-compiler", "no C++ compiler was found", "install clang-16");
+  return error_at({}, "E-example-compiler", "no C++ compiler was found",
+                  "install " + compiler_package());
 }
 
 bool Compiled::refused() const {

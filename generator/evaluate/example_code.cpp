@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/our_command.h"
 #include "evaluate/region.h"
 
 namespace mjcourse {
@@ -70,9 +71,11 @@ void offer_file(const Example& example, const ShownProgram& shown, const Lesson&
     return;
   }
   const bool crlf = file && file->find("\r\n") != file->npos;
-  differs.cure = file ? "the fence is what a reader sees, the file what a learner builds: "
-                        "`mjcourse accept` writes the fence's text into the file"
-                      : "`mjcourse accept` saves the fence's text as " + path;
+  const std::string accept = our_command("accept");
+  differs.cure =
+      file ? "the fence is what a reader sees, the file what a learner builds: " + accept +
+                 " writes the fence's text into the file"
+           : accept + " saves the fence's text as " + path;
   differs.edit = Edit{path, std::nullopt, with_line_ends(example.code.text, crlf ? "\r\n" : "\n"),
                       "the program that lesson " + lesson.number + " shows"};
   if (file) differs.edit->before = *file;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/counted.h"
+#include "base/our_command.h"
 #include "evaluate/output_diff.h"
 #include "evaluate/output_edit.h"
 #include "report/diff_text.h"
@@ -23,13 +24,13 @@ Diagnostic differs(const Output& output, const std::vector<DiffLine>& changes,
     return error_at(
         place_of(*lesson.source, output.span), "E-output-differs",
         "this output is empty, and the program prints " + counted(come, "line") + " (+)",
-        "`mjcourse accept` writes them here");
+        our_command("accept") + " writes them here");
   }
   const Span line = output.text.span_at(changes.front().line, 1, 1000);
   return error_at(place_of(*lesson.source, line), "E-output-differs",
                   "the program prints something else: " + counted(gone, "line") +
                       " of the lesson (-), " + counted(come, "line") + " of the program (+)",
-                  "if the program is right, `mjcourse accept` writes its lines here");
+                  "if the program is right, " + our_command("accept") + " writes its lines here");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/our_command.h"
 #include "course/reference_picture.h"
 #include "physics/picture_difference.h"
 #include "physics/thumbnail.h"
@@ -13,10 +14,11 @@ namespace mjcourse {
 namespace {
 
 constexpr int kReferenceWidth = 160;  // pixels, of a new reference
-constexpr const char* kAccept =
-    "look at it (`check --report DIR` shows it); if it is as you mean it, `mjcourse accept` keeps "
-    "it "
-    "as the reference";
+
+std::string accept_cure() {
+  return "look at it (`check --report DIR` shows it); if it is as you mean it, " +
+         our_command("accept") + " keeps it as the reference";
+}
 
 // Of `picture` made `width` wide.
 int height_at(int width, const Picture& picture) {
@@ -55,7 +57,8 @@ class Pin {
       return result_;
     }
     if (!files.exists(path_)) {
-      report("E-picture-unpinned", "there is no reference picture " + path_ + " yet", kAccept);
+      report("E-picture-unpinned", "there is no reference picture " + path_ + " yet",
+             accept_cure());
       return result_;
     }
     const auto bytes = files.read(path_);
@@ -63,7 +66,8 @@ class Pin {
     if (!reference) {
       report("E-picture-unreadable",
              "the reference picture " + path_ + " cannot be read: " + reference.error(),
-             "bring it back from your version control, or let `mjcourse accept` make it anew");
+             "bring it back from your version control, or let " + our_command("accept") +
+                 " make it anew");
       return result_;
     }
     result_.reference = Blob(*bytes);
@@ -84,7 +88,7 @@ class Pin {
       report("E-picture-differs",
              "this picture has not the shape of its reference " + path_ + ": that is " +
                  size_text(reference) + " pixels, and this would be " + size_text(small_),
-             kAccept);
+             accept_cure());
       return;
     }
     keep(reference.width);
@@ -95,10 +99,10 @@ class Pin {
     report("E-picture-differs",
            percent(difference) + " of this picture differs from its reference " + path_ + ", " +
                difference.where,
-           kAccept);
+           accept_cure());
   }
 
-  void report(const char* id, const std::string& message, const char* cure) {
+  void report(const char* id, const std::string& message, const std::string& cure) {
     bench_.error(id, pin_.span(), message, cure);
     bench_.diagnostics().back().edit =
         Edit{path_, std::nullopt, actual_,

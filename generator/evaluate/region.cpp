@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/nearest.h"
+#include "base/our_command.h"
 #include "evaluate/region_lines.h"
 
 namespace mjcourse {
@@ -83,7 +84,7 @@ std::optional<std::string> evaluate_region(const Example& example, const SourceT
       may_edit ? replace_region(program, *region, example.code.text) : std::nullopt;
   if (replacement) {
     differs.cure =
-        "`mjcourse accept` writes the fence's lines into the file; or leave the fence empty";
+        our_command("accept") + " writes the fence's lines into the file; or leave the fence empty";
     differs.edit =
         Edit{program.path(), replacement->span, replacement->text,
              "the region `" + example.region->text + "` that lesson " + lesson.number + " shows",

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/cache_folder.h"
+#include "base/known_package.h"
 #include "evaluate/containment.h"
 #include "evaluate/tool_versions.h"
 
@@ -64,6 +65,10 @@ std::string compile_flags(bool optimize) {
   std::string text = level(optimize);
   for (const std::string& flag : kFlags) text += " " + flag;
   return text;
+}
+
+std::string compiler_package() {
+  return known_package({"clang-16", "clang-19"});
 }
 
 Outcome run_tool(std::vector<std::string> arguments, const std::filesystem::path& folder,

@@ -30,6 +30,9 @@ struct Toolchain {
 // The flags in their order, without those that hold a path of the course.
 std::string compile_flags(bool optimize);
 
+// The Debian package of the compiler that we like best, by its name in this system's release.
+std::string compiler_package();
+
 inline constexpr double kToolSeconds = 120;  // wall clock
 
 // Runs the compiler, or one of its kin, in its sandbox: it writes into `folder` alone, and reads

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/our_command.h"
 #include "base/utf8.h"
 #include "report/colours.h"
 #include "report/wrapped.h"
@@ -161,7 +162,7 @@ std::string format_for_terminal(const Diagnostics& diagnostics, const TerminalSt
     text += format_for_terminal(diagnostic, style) + "\n";
   }
   if (style.wraps && !diagnostics.empty()) {
-    text += "`mjcourse explain " + diagnostics.front().id + "` tells more of a message\n\n";
+    text += our_command("explain " + diagnostics.front().id) + " tells more of a message\n\n";
   }
   return text;
 }

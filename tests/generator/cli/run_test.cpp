@@ -40,8 +40,19 @@ TEST(Run, HelpsOnStdout) {
     const Ran result = ran({word});
     EXPECT_EQ(result.code, kClean);
     EXPECT_TRUE(result.out.starts_with("usage: mjcourse COMMAND [OPTIONS]\n")) << result.out;
+    EXPECT_NE(result.out.find("\n  --version          which version this is\n"), std::string::npos);
     EXPECT_EQ(result.err, "");
   }
+}
+
+TEST(Run, GoesByTheNameThatItWasCalledBy) {
+  setenv("MJCOURSE_CALLED", "./mjcourse", 1);
+  const Ran help = ran({"--help"}), wrong = ran({"biuld"});
+  unsetenv("MJCOURSE_CALLED");
+  EXPECT_TRUE(help.out.starts_with("usage: ./mjcourse COMMAND [OPTIONS]\n")) << help.out;
+  EXPECT_EQ(wrong.err,
+            "mjcourse: there is no command biuld; did you mean `build`?\n"
+            "`./mjcourse --help` shows the commands\n");
 }
 
 TEST(Run, TellsItsVersion) {
