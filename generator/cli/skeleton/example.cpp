@@ -1,8 +1,8 @@
-// @name@: what this program shows, in a sentence.
+// @name@: @model@.xml moves for one second.
 //
-// INPUT    @model@.xml, in its first keyframe where it has one
-// PROCESS  one simulated second
-// OUTPUT   the pose at the end
+// INPUT    @model@.xml, as its first keyframe sets it, if it has one
+// PROCESS  steps of MuJoCo until a second has passed
+// OUTPUT   the positions at the end (qpos); the first of them as a result that the lesson can quote
 //
 // Run: cmake -S examples -B build/examples && cmake --build build/examples
 //      build/examples/@name@
@@ -20,5 +20,5 @@ int main() {
   while (data->time - begin < 1) mj_step(model, data);
 
   print("qpos after 1 s:", qpos(model, data));
-  if (model->nq > 0) result("first", data->qpos[0]);  // for the lesson's text
+  if (model->nq > 0) result("first", data->qpos[0]);  // in the lesson: {@name@} first
 }
