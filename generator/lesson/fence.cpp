@@ -123,6 +123,15 @@ bool Fence::flag(const std::string& name) const {
                      [&](const LocatedText& word) { return word.text == name; });
 }
 
+bool Fence::refuse_second_word(const std::vector<std::string>& known, Reading& reading) const {
+  if (words_.size() < 2) return false;
+  const LocatedText& second = words_[1];
+  reading.error("E-fence-kind", second.span(),
+                "there is no fence `" + words_[0].text + " " + second.text + "`",
+                suggest(second.text, known));
+  return true;
+}
+
 void Fence::finish(const std::string& kind, std::span<const FenceOption> options,
                    Reading& reading) const {
   const auto check = [&](const LocatedText& name, bool has_value) {

@@ -37,6 +37,9 @@ class Fence {
                                double most = std::numeric_limits<double>::max()) const;
   // Is the word `name` among those behind the kind's own?
   bool flag(const std::string& name) const;
+  // Report its second word, which makes no kind with the first as `known` ones do; false where it
+  // has none.
+  bool refuse_second_word(const std::vector<std::string>& known, Reading& reading) const;
   // Report what stands behind the words of `kind` ("lab simlab") and is none of its options.
   void finish(const std::string& kind, std::span<const FenceOption> options,
               Reading& reading) const;

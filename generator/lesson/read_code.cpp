@@ -55,6 +55,10 @@ std::optional<LocatedText> take_region(LocatedText& file) {
 std::optional<Example> read_example(Fence& fence, Reading& reading) {
   std::optional<LocatedText> file = fence.option("file");
   if (!file) {
+    const bool plain = fence.flag("optimize");  // an option of programs
+    if (!plain && fence.refuse_second_word({"snippet", "file=NAME", "unchecked"}, reading)) {
+      return std::nullopt;
+    }
     reading.error("E-fence-kind", fence.span(),
                   "a plain `cpp` fence would show code that nobody ran",
                   "name the program's file: `cpp file=examples/NAME.cpp`; or let it be the body of "

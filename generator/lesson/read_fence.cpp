@@ -83,8 +83,10 @@ void LessonReader::read_fence(cmark_node* node, Region& region) {
       add(node, std::move(*lab));
     }
   } else if (kind == "lab") {
-    reading_.error("E-fence-kind", fence.span(), "a lab says of which kind it is",
-                   "write `lab simlab`");
+    if (!fence.refuse_second_word({"simlab"}, reading_)) {
+      reading_.error("E-fence-kind", fence.span(), "a lab says of which kind it is",
+                     "write `lab simlab`");
+    }
   } else if (kind == "plot") {
     if (auto chart = read_chart(fence, *this)) add(node, std::move(*chart));
   } else if (kind == "quiz") {

@@ -21,13 +21,10 @@ std::optional<Block> read_inline_model(Fence& fence, Reading& reading) {
 }  // namespace
 
 std::optional<Block> read_model_fence(Fence& fence, Reading& reading) {
-  if (fence.words().size() > 1) {
-    if (fence.words()[1].text == "mjcf") return read_inline_model(fence, reading);
-    reading.error("E-fence-kind", fence.words()[1].span(),
-                  "there is no fence `xml " + fence.words()[1].text + "`",
-                  suggest(fence.words()[1].text, {"mjcf", "model=NAME", "unchecked"}));
-    return std::nullopt;
+  if (fence.words().size() > 1 && fence.words()[1].text == "mjcf") {
+    return read_inline_model(fence, reading);
   }
+  if (fence.refuse_second_word({"mjcf", "model=NAME", "unchecked"}, reading)) return std::nullopt;
   const std::optional<LocatedText> model = fence.option("model");
   if (!model) {
     reading.error("E-fence-kind", fence.span(),

@@ -21,6 +21,9 @@ Unchecked read_unchecked(Fence& fence, Reading& reading) {
 
 void refuse_plain(const Fence& fence, Reading& reading) {
   const std::string language = fence.words()[0].text;
+  std::vector<std::string> kinds{"unchecked"};
+  if (language == "sh") kinds.insert(kinds.begin(), "run");
+  if (fence.refuse_second_word(kinds, reading)) return;
   reading.error("E-fence-kind", fence.span(),
                 "a plain `" + language + "` fence would show code that nobody ran",
                 (language == "sh" ? "let it run: `sh run`; or say that nobody does, and why: `"

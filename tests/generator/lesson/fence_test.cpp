@@ -98,6 +98,26 @@ TEST(Fence, SuggestsTheKindThatWasMeant) {
 )");
 }
 
+TEST(Fence, SuggestsTheSecondWordThatWasMeant) {
+  const auto misspelt = [](const std::string& first, const std::string& second,
+                           const std::string& cure) {
+    const std::string column = std::to_string(first.size() + 5);
+    return "content/1-a/1.1-x.md:4:" + column + ": error: there is no fence `" + first + " " +
+           second + "` [E-fence-kind]\n  4 | ```" + first + " " + second + "\n    |" +
+           std::string(first.size() + 5, ' ') + "^" + std::string(second.size() - 1, '~') +
+           "\n  cure: " + cure + "\n";
+  };
+  EXPECT_EQ(mistakes_in("```lab simlb\n{}\n```\n"),
+            misspelt("lab", "simlb", "did you mean `simlab`?"));
+  EXPECT_EQ(mistakes_in("```cpp snipet\nint x;\n```\n"),
+            misspelt("cpp", "snipet", "did you mean `snippet`?"));
+  EXPECT_EQ(mistakes_in("```xml mjfc\n<mujoco/>\n```\n"),
+            misspelt("xml", "mjfc", "did you mean `mjcf`?"));
+  EXPECT_EQ(mistakes_in("```sh rnu\nls\n```\n"), misspelt("sh", "rnu", "did you mean `run`?"));
+  EXPECT_EQ(mistakes_in("```python uncheckd\n1\n```\n"),
+            misspelt("python", "uncheckd", "did you mean `unchecked`?"));
+}
+
 TEST(Fence, RefusesOptionsThatNobodyKnows) {
   EXPECT_EQ(
       mistakes_in("```cpp file=examples/a.cpp tiemout=2\n```\n"),
