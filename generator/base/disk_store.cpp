@@ -30,6 +30,17 @@ void mark_used(const fs::path& path) {
   utimensat(AT_FDCWD, path.c_str(), nullptr, 0);
 }
 
+// Whether `name` is one of a store's. It may come out of an entry that anybody wrote, and becomes a
+// path.
+bool is_name(std::string_view name) {
+  for (const std::string_view kind : {"ac/", "cas/"}) {
+    if (!name.starts_with(kind)) continue;
+    const std::string_view hash = name.substr(kind.size());
+    return hash.size() == 64 && hash.find_first_not_of("0123456789abcdef") == hash.npos;
+  }
+  return false;
+}
+
 // Of the name too, so that no entry can take another's place.
 std::string hash_of_entry(const std::string& name, std::string_view bytes) {
   return Sha256().add(name).add(bytes).hex();
@@ -122,6 +133,7 @@ fs::path DiskStore::path_of(const std::string& name) const {
 }
 
 std::optional<std::string> DiskStore::get(const std::string& name) {
+  if (!is_name(name)) return std::nullopt;
   const fs::path path = path_of(name);
   std::optional<std::string> bytes = read_entry(path);
   if (!bytes || is_of_another_version(*bytes)) return std::nullopt;
@@ -137,7 +149,7 @@ std::optional<std::string> DiskStore::get(const std::string& name) {
 }
 
 bool DiskStore::put(const std::string& name, std::string_view bytes) {
-  if (!writable_) return false;
+  if (!writable_ || !is_name(name)) return false;
   const fs::path path = path_of(name);
   const bool blob = name.starts_with("cas/");
   if (blob && get(name)) return true;

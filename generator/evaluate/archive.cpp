@@ -10,7 +10,10 @@ bool Archive::find(const Task& task, TaskRecord& record, bool noted) {
   std::optional<ResultStore::Found> found = results_.find(record.recipe);
   if (!found) return false;
   std::optional<Finding> finding = codec_.decode(found->bytes, task.block());
-  if (!finding || !fits(task, *finding, root_)) return false;
+  if (!finding || finding->model_page.has_value() == task.model().empty() ||
+      !fits(task, *finding, root_)) {
+    return false;
+  }
   record.traced = std::move(found->traced);
   // What was said when the task was prepared, stays said.
   finding->diagnostics = std::move(record.finding.diagnostics);

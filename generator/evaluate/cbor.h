@@ -10,8 +10,8 @@ namespace mjcourse {
 
 std::string to_cbor(const nlohmann::json& value);
 
-// Nothing where the bytes are no CBOR, or have lists in lists beyond any need: the library calls
-// itself for each.
+// Nothing where the bytes are no CBOR, have a text that is not UTF-8, or lists in lists beyond any
+// need: the library calls itself for each.
 std::optional<nlohmann::json> from_cbor(std::string_view bytes);
 
 }  // namespace mjcourse

@@ -30,6 +30,7 @@ std::string fingerprint(const fs::path& path, const struct stat& status) {
     for (const std::string& name : names) hash.add(name);
     return hash.hex();
   }
+  if (!S_ISREG(status.st_mode)) return kUnreadable;  // a device or a pipe, which may have no end
   const auto bytes = read_file(path);
   return bytes ? sha256(*bytes) : kUnreadable;
 }

@@ -132,10 +132,6 @@ View portrait_of(const Model& model) {
 
 }  // namespace
 
-std::string model_task_name(const std::string& model) {
-  return "draw the model " + model;
-}
-
 std::string alt_of(const ModelPage& page) {
   return "The model " + page.name + " in its initial state";
 }

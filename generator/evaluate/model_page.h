@@ -55,9 +55,6 @@ struct ModelPage {
   std::optional<LiveLab> lab;  // nothing for a model that does not bear to be simulated
 };
 
-// What the task is called that finds out all this.
-std::string model_task_name(const std::string& model);
-
 // What its poster shows, in words.
 std::string alt_of(const ModelPage& page);
 

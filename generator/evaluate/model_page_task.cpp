@@ -7,7 +7,6 @@
 #include "evaluate/lab_scripts.h"
 #include "evaluate/model_lab.h"
 #include "evaluate/recipe.h"
-#include "evaluate/result_fits.h"
 
 namespace mjcourse {
 
@@ -25,11 +24,8 @@ bool ModelPageTask::work_apart(Workshop& workshop, Finding& finding) {
 bool ModelPageTask::work(Workshop& workshop, Finding& finding) {
   if (!finding.model_page || !finding.model_page->lab) return true;
   const Lesson page = lesson_of_lab(*finding.model_page);
-  const auto* lab = page.blocks.size() == 1 ? std::get_if<Lab>(&page.blocks.front()) : nullptr;
-  LabResult& result = finding.model_page->lab->result;
-  if (lab != nullptr && fits(page.blocks.front(), result) && guard_scripts(*lab, page, workshop, result.scripts)) {
-    return true;
-  }
+  LabScripts& scripts = finding.model_page->lab->result.scripts;
+  if (guard_scripts(std::get<Lab>(page.blocks.at(0)), page, workshop, scripts)) return true;
   throw std::runtime_error("the model's lab was rehearsed with a script that no page runs");
 }
 

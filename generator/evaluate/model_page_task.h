@@ -12,11 +12,12 @@ class ModelPageTask : public Task {
 
   // `lesson` is the first to link to it or to show it, there as `name`.
   ModelPageTask(const Lesson& lesson, std::size_t page, LocatedText name, Trouble trouble)
-      : Task(lesson, page, 0, model_task_name(name.text)),
+      : Task(lesson, page, 0, "draw the model " + name.text),
         name_(std::move(name)),
         trouble_(trouble) {}
 
   std::vector<std::size_t> blocks() const override { return {}; }
+  std::string model() const override { return name_.text; }
   bool draws() const override { return true; }
   double effort() const override { return 0.2; }
   Dependencies recipe(const Setting& setting) const override;

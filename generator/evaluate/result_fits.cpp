@@ -5,6 +5,7 @@
 
 #include "base/beneath.h"
 #include "base/utf8.h"
+#include "evaluate/model_lab.h"
 
 namespace mjcourse {
 namespace {
@@ -42,6 +43,18 @@ bool is_pinned_as(const LocatedText& pin, const std::optional<PinComparison>& fo
   return !found || found->name == pin.text;
 }
 
+bool is_of(const Lab& lab, const LabResult& result) {
+  return has_parts_of(lab, result) && are_names(result.script_names) &&
+         is_pinned_as(lab.pin, result.pin);
+}
+
+// Are its columns equally long?
+bool is_table(const Table& table) {
+  return std::ranges::all_of(table, [&](const Column& column) {
+    return column.values.size() == table.front().values.size();
+  });
+}
+
 struct Fits {
   const Result& result;
 
@@ -51,7 +64,7 @@ struct Fits {
   }
   bool operator()(const Math&) const { return is<FormulaResult>(); }
   bool operator()(const InlineValue&) const { return is<ValueResult>(); }
-  bool operator()(const Example&) const { return is<ExampleResult>(); }
+  bool operator()(const Example&) const { return is_program(); }
   bool operator()(const ModelExcerpt&) const { return is<ModelResult>(); }
   bool operator()(const InlineModel&) const { return is<ModelResult>(); }
   bool operator()(const Output&) const { return is<OutputResult>(); }
@@ -60,11 +73,13 @@ struct Fits {
     const auto* known = std::get_if<FigureResult>(&result);
     return known != nullptr && is_pinned_as(figure.pin, known->pin);
   }
-  bool operator()(const Chart&) const { return is<ChartResult>(); }
+  bool operator()(const Chart&) const {
+    const auto* known = std::get_if<ChartResult>(&result);
+    return known != nullptr && is_table(known->table);
+  }
   bool operator()(const Lab& lab) const {
     const auto* known = std::get_if<LabResult>(&result);
-    return known != nullptr && has_parts_of(lab, *known) && are_names(known->script_names) &&
-           is_pinned_as(lab.pin, known->pin);
+    return known != nullptr && is_of(lab, *known);
   }
   bool operator()(const Quiz& quiz) const {
     const auto* known = std::get_if<QuizResult>(&result);
@@ -73,7 +88,14 @@ struct Fits {
   // Snippets and commands are programs; of other kinds there is no result.
   template <typename Other>
   bool operator()(const Other&) const {
-    return is<ExampleResult>();
+    return is_program();
+  }
+
+  bool is_program() const {
+    const auto* known = std::get_if<ExampleResult>(&result);
+    return known != nullptr && std::ranges::all_of(known->records.tables, [](const auto& named) {
+             return is_table(named.second);
+           });
   }
 };
 
@@ -89,15 +111,17 @@ bool lies_in(const fs::path& root, const Result& result) {
   return lab == nullptr || lie_in(root, *lab);
 }
 
+// A lab that can be shown, and files that the site may have.
 bool is_page_of(const Task& task, const ModelPage& page, const fs::path& root) {
-  return task.what() == model_task_name(page.name) &&
-         std::ranges::all_of(page.files,
-                             [](const ModelPage::File& file) {
-                               const fs::path path = file.path;
-                               return path == path.lexically_normal() && path.is_relative() &&
-                                      *path.begin() == "models";
-                             }) &&
-         (!page.lab || lie_in(root, page.lab->result));
+  const bool has_own_files = std::ranges::all_of(page.files, [](const ModelPage::File& file) {
+    const fs::path path = file.path;
+    return path == path.lexically_normal() && path.is_relative() && *path.begin() == "models";
+  });
+  if (page.name != task.model() || !has_own_files) return false;
+  if (!page.lab) return true;
+  const Lesson lesson = lesson_of_lab(page);
+  return lesson.blocks.size() == 1 && fits(lesson.blocks.front(), page.lab->result) &&
+         lie_in(root, page.lab->result);
 }
 
 }  // namespace
@@ -116,6 +140,11 @@ bool fits(const Task& task, const Finding& finding, const fs::path& root) {
 
 bool fits(const Block& block, const Result& result) {
   return std::visit(Fits{result}, block);
+}
+
+bool fits(const Block& block, const LabResult& result) {
+  const auto* lab = std::get_if<Lab>(&block);
+  return lab != nullptr && is_of(*lab, result);
 }
 
 }  // namespace mjcourse

@@ -11,6 +11,7 @@
 namespace mjcourse {
 
 bool fits(const Block& block, const Result& result);
+bool fits(const Block& block, const LabResult& result);
 
 // Is all of `finding` what `task` may find out, in a course in `root`? It then names no file
 // outside of that, and no place of a site but its own.

@@ -34,6 +34,8 @@ class Task {
 
   // All blocks that it finds results of.
   virtual std::vector<std::size_t> blocks() const { return {block_}; }
+  // The model whose page it makes; "" where it makes none.
+  virtual std::string model() const { return ""; }
   // What of its lesson it is, also after an edit.
   virtual std::string name() const { return what_; }
   // Must all programs have been run?

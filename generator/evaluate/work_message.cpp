@@ -12,11 +12,36 @@ namespace mjcourse {
 
 using nlohmann::json;
 
+namespace {
+
+json binary_of(const std::string& bytes) {
+  return json::binary({bytes.begin(), bytes.end()});
+}
+
+std::string bytes_in(const json& value) {
+  const json::binary_t& bytes = value.get_binary();
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
 #define MJCOURSE_FIELDS NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE
 MJCOURSE_FIELDS(Span, begin, end)
 MJCOURSE_FIELDS(Place, file, line, column, width, excerpt, excerpt_column)
 MJCOURSE_FIELDS(Note, message, place)
-MJCOURSE_FIELDS(Edit, file, span, text, what, before)
+void to_json(json& value, const Edit& edit) {
+  value = {{"file", edit.file}, {"span", edit.span}, {"what", edit.what}};
+  value["text"] = binary_of(edit.text);
+  value["before"] = edit.before ? binary_of(*edit.before) : json();
+}
+
+void from_json(const json& value, Edit& edit) {
+  value.at("file").get_to(edit.file);
+  value.at("span").get_to(edit.span);
+  value.at("what").get_to(edit.what);
+  edit.text = bytes_in(value.at("text"));
+  if (!value.at("before").is_null()) edit.before = bytes_in(value.at("before"));
+}
 MJCOURSE_FIELDS(Diagnostic, id, severity, place, message, detail, notes, cure, edit)
 MJCOURSE_FIELDS(Finding, results, seconds, model_page, diagnostics)
 MJCOURSE_FIELDS(WorkQuestion, models, page, text, block, what, reports)
@@ -51,21 +76,21 @@ bool may_propose(const Diagnostic& diagnostic) {
 }
 
 // Bytes go beside the results, which only have their hashes.
-std::map<std::string, std::string> bytes_of(Finding finding) {
-  std::map<std::string, std::string> bytes;
+json bytes_of(Finding finding) {
+  json bytes = json::object();
   for (const Blob* blob : blobs_of(finding)) {
-    if (!blob->empty()) bytes.try_emplace(blob->hash(), blob->bytes());
+    if (!blob->empty()) bytes[blob->hash()] = binary_of(blob->bytes());
   }
   return bytes;
 }
 
 // False where some are missing.
-bool take_bytes(Finding& finding, const std::map<std::string, std::string>& bytes) {
+bool take_bytes(Finding& finding, const json& bytes) {
   for (Blob* blob : blobs_of(finding)) {
     if (blob->empty()) continue;
     const auto found = bytes.find(blob->hash());
-    if (found == bytes.end()) return false;
-    Blob taken(found->second);
+    if (found == bytes.end() || !found->is_binary()) return false;
+    Blob taken(bytes_in(*found));
     if (taken.hash() != blob->hash()) return false;
     *blob = std::move(taken);
   }
@@ -95,9 +120,8 @@ std::optional<WorkAnswer> decode_answer(std::string_view bytes, const Task& task
   if (!value) return std::nullopt;
   auto answer = message_in<WorkAnswer>(*value);
   if (!answer || !value->contains("bytes")) return std::nullopt;
-  const auto pictures = message_in<std::map<std::string, std::string>>(value->at("bytes"));
   Finding& finding = answer->finding;
-  if (!pictures || !take_bytes(finding, *pictures) || !fits(task, finding, root) ||
+  if (!take_bytes(finding, value->at("bytes")) || !fits(task, finding, root) ||
       !std::ranges::all_of(answer->looked_at, may_look_at) ||
       !std::ranges::all_of(finding.diagnostics, may_propose)) {
     return std::nullopt;

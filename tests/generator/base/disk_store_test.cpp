@@ -92,6 +92,25 @@ TEST_F(DiskStoreTest, TakesNoEntryForAnother) {
   EXPECT_EQ(store.get(other), "to another question");
 }
 
+TEST_F(DiskStoreTest, HasNothingUnderWhatIsNoName) {
+  DiskStore store(folder());
+  const fs::path kept = folder().parent_path() / "kept";
+  fs::create_directory(kept);
+  write_file(kept / "file", "mine");
+  const std::string digits(62, '7');
+  for (const std::string name :
+       {"", "a", "ac/", "cas/a", "cas/ab/../../../../kept", "../kept", "kept", "lock"}) {
+    EXPECT_EQ(store.get(name), std::nullopt) << name;
+    EXPECT_FALSE(store.put(name, "bytes")) << name;
+  }
+  for (const std::string end : {"", "7", "7/", "7G", "777"}) {
+    EXPECT_FALSE(store.put("ac/" + digits + end, "bytes")) << end;
+  }
+  EXPECT_TRUE(store.put("ac/" + digits + "7a", "bytes"));
+  EXPECT_TRUE(fs::exists(kept / "file"));
+  EXPECT_EQ(store.notes(), std::vector<std::string>());
+}
+
 TEST_F(DiskStoreTest, PassesOverWhatAnotherVersionWrote) {
   DiskStore store(folder());
   write_file(path_of(kAction), "mjcourse-store 1 " + sha256("an answer") + "\nan answer");

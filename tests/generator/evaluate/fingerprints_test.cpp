@@ -39,6 +39,12 @@ TEST_F(FingerprintsTest, AreOfTheBytesAsTheyAre) {
   EXPECT_EQ(prints_.of("models/a.xml"), sha256("six"));
 }
 
+TEST_F(FingerprintsTest, OfWhatIsNoFileAreOfNoBytes) {
+  ASSERT_EQ(mkfifo((folder_.path() / "pipe").c_str(), 0600), 0);
+  EXPECT_EQ(prints_.of((folder_.path() / "pipe").string()), "unreadable");  // and not waited for
+  EXPECT_EQ(prints_.of("/dev/zero"), "unreadable");
+}
+
 TEST_F(FingerprintsTest, OfAFolderAreOfItsNames) {
   write("models/a.xml", "one");
   const std::string before = prints_.of("models");
