@@ -1,5 +1,7 @@
 #include "script/exception.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <sstream>
 #include <string_view>
@@ -19,9 +21,16 @@ std::string string_property(JSContextRef context, JSObjectRef object, const char
   return JSValueIsString(context, value) ? text_of(context, value) : "";
 }
 
-int int_property(JSContextRef context, JSObjectRef object, const char* name) {
-  JSValueRef value = property(context, object, name);
-  return static_cast<int>(JSValueToNumber(context, value, nullptr));
+// A script may throw anything, and say of it what it likes: a line, or how many tokens there are.
+constexpr int kMostLines = 1'000'000, kMostTokens = 10;
+
+// Of what is said to be line or column `number`; 0 where there is none.
+int sensible(double number) {
+  return number >= 1 && number <= kMostLines ? static_cast<int>(number) : 0;
+}
+
+int count_property(JSContextRef context, JSObjectRef object, const char* name) {
+  return sensible(JSValueToNumber(context, property(context, object, name), nullptr));
 }
 
 // The first frame of `url` on a stack of lines `function@url:line:column`.
@@ -32,8 +41,8 @@ void find_frame(const std::string& stack, const std::string& url, Exception& exc
     const std::size_t at = frame.find(mark);
     if (at == std::string::npos) continue;
     char* rest = nullptr;
-    exception.line = static_cast<int>(std::strtol(frame.c_str() + at + mark.size(), &rest, 10));
-    if (*rest == ':') exception.column = static_cast<int>(std::strtol(rest + 1, nullptr, 10));
+    exception.line = sensible(std::strtod(frame.c_str() + at + mark.size(), &rest));
+    if (*rest == ':') exception.column = sensible(std::strtod(rest + 1, nullptr));
     return;
   }
 }
@@ -42,8 +51,8 @@ std::vector<std::string> strict_tokens(JSContextRef context, JSObjectRef error) 
   std::vector<std::string> tokens;
   JSObjectRef array = object_in(context, property(context, error, "tokens"));
   if (array == nullptr) return tokens;
-  const auto count = static_cast<unsigned>(int_property(context, array, "length"));
-  for (unsigned i = 0; i < count; ++i) {
+  const int count = std::min(count_property(context, array, "length"), kMostTokens);
+  for (unsigned i = 0; i < static_cast<unsigned>(count); ++i) {
     tokens.push_back(text_of(context, JSObjectGetPropertyAtIndex(context, array, i, nullptr)));
   }
   return tokens;
@@ -80,15 +89,27 @@ Exception read_exception(JSContextRef context, JSValueRef exception, const std::
   find_frame(string_property(context, error, "stack"), url, result);
   // a text that does not parse never ran, so it has no frame
   if (result.line == 0 && string_property(context, error, "sourceURL") == url) {
-    result.line = int_property(context, error, "line");
+    result.line = count_property(context, error, "line");
   }
   return result;
 }
 
+namespace {
+
+// The ids of the strict layer (site/script/fault.ts) and of the world beneath it. Another is of the
+// script's own making.
+bool is_fault(const std::string& id) {
+  constexpr std::array<std::string_view, 4> known{"E-script-name", "E-script-range",
+                                                  "E-script-value", "E-script-mujoco"};
+  return std::ranges::find(known, id) != known.end();
+}
+
+}  // namespace
+
 ScriptError explain(const Exception& exception, const std::vector<std::string>& names) {
   ScriptError error;
   error.message = exception.message;
-  if (!exception.id.empty()) {
+  if (is_fault(exception.id)) {
     error.id = exception.id;
     error.cure = exception.cure;
   } else if (exception.kind == "SyntaxError") {

@@ -237,6 +237,19 @@ TEST_F(WorldTest, ThrownErrorsKeepTheirPlace) {
             "undefined) | ");
 }
 
+TEST_F(WorldTest, WhatAScriptThrowsSaysNothingThatIsNotSo) {
+  const auto thrown = [&](const std::string& more) {
+    return run_error("throw Object.assign(new Error('no luck'), {" + more + "})");
+  };
+  const std::string here = thrown("");
+  EXPECT_EQ(here, "E-script-throw 1:25+5 no luck | ");
+  EXPECT_EQ(thrown("id: 'E-made-up\\x1b', cure: 'x'"), here);
+  EXPECT_EQ(thrown("tokens: {length: 4294967295}"), here);
+  EXPECT_EQ(thrown("tokens: {}"), here);
+  // The stack is its own, too.
+  EXPECT_EQ(thrown("stack: '@lesson.js:99999999999:-5'"), "E-script-throw 1:1+79 no luck | ");
+}
+
 TEST_F(WorldTest, MujocosTroubleEndsTheScript) {
   EXPECT_EQ(
       run_error("data.qvel[0] = 1e11;\nstep(10)"),
