@@ -32,9 +32,10 @@ int SourceText::characters_before(std::size_t offset) const {
 Position SourceText::position(std::size_t offset) const {
   offset = std::min(offset, text_.size());
   const auto after = std::upper_bound(starts_.begin(), starts_.end(), offset);
-  const auto line = static_cast<int>(after - starts_.begin());
-  const std::size_t start = starts_[static_cast<std::size_t>(line - 1)];
-  return {line, 1 + characters_before(offset) - characters_before(start)};
+  const auto number = static_cast<int>(after - starts_.begin());
+  const std::size_t start = starts_[static_cast<std::size_t>(number - 1)];
+  offset = std::min(offset, start + line(number).size());  // a line's end is none of its characters
+  return {number, 1 + characters_before(offset) - characters_before(start)};
 }
 
 std::string_view SourceText::line(int line) const {

@@ -31,7 +31,7 @@ class SourceText {
   const std::string& path() const { return path_; }
   std::string_view text() const { return text_; }
 
-  // An offset past the end is taken as the end.
+  // An offset past the end is taken as the end, and one within a line's end as its beginning.
   Position position(std::size_t offset) const;
   // The bytes of line `line` (from 1) without its line end; empty past the last line.
   std::string_view line(int line) const;

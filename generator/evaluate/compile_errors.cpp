@@ -77,14 +77,14 @@ void report_compile_messages(const Compiled& compiled, const CompiledText& text,
     if (message.severity == "note") continue;
     const bool warning = message.severity == "warning";
     if (!warning && ++errors > kMostErrors) break;
-    Diagnostic found;
-    found.id = warning ? "W-example-compile" : "E-example-compile";
-    found.severity = warning ? Severity::warning : Severity::error;
-    found.message = message.text;
     const bool own = message.file == text.name;
+    const bool is_blank = message.text.find_first_not_of(' ') == message.text.npos;  // of #error
     const CompilerMessage* at = own ? &message : cause_of(compiled, i, text.name);
-    found.place =
-        at != nullptr ? place_of_message(*at, text, lesson) : place_of(*lesson.source, text.fence);
+    Diagnostic found = error_at(
+        at != nullptr ? place_of_message(*at, text, lesson) : place_of(*lesson.source, text.fence),
+        warning ? "W-example-compile" : "E-example-compile",
+        is_blank ? "the compiler gives no reason" : message.text);
+    found.severity = warning ? Severity::warning : Severity::error;
     if (!own) {
       const std::string file = std::filesystem::path(message.file).lexically_normal().string();
       found.detail = "in " + file + ":" + std::to_string(message.line) + "\n";

@@ -74,7 +74,7 @@ State snapshot_of(const json& value) {
 std::string beginning(const std::string& text) {
   constexpr std::size_t most = 60;
   if (text.size() <= most) return text;
-  return text.substr(0, most) + "…";
+  return text.substr(0, character_start(text, most)) + "…";
 }
 
 class Reader {

@@ -202,10 +202,7 @@ ModelError other_error(std::string_view answer, const std::string& file) {
   return {file, 0, 0, on_one_line(std::string(scanner.rest()))};
 }
 
-}  // namespace
-
-ModelError explain_load_error(const std::string& answer, const std::string& file,
-                              const std::string& mjcf) {
+ModelError error_in(const std::string& answer, const std::string& file, const std::string& mjcf) {
   if (const auto error = include_error(answer, file, mjcf)) return *error;
   if (const auto error = parse_error(answer, file)) return *error;
   auto error = element_error(answer, file);
@@ -216,6 +213,15 @@ ModelError explain_load_error(const std::string& answer, const std::string& file
     error->message += " (in a file that this one includes)";
   }
   return *error;
+}
+
+}  // namespace
+
+ModelError explain_load_error(const std::string& answer, const std::string& file,
+                              const std::string& mjcf) {
+  ModelError error = error_in(answer, file, mjcf);
+  error.message = on_one_line(error.message);  // whatever names it has in it
+  return error;
 }
 
 }  // namespace mjcourse

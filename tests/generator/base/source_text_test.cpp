@@ -44,6 +44,14 @@ TEST(SourceText, TakesAnOffsetPastTheEndAsTheEnd) {
   EXPECT_EQ(place(SourceText("a.md", ""), 7), "1:1");
 }
 
+TEST(SourceText, HasAWholeLineEndBehindTheLastCharacter) {
+  const SourceText source("a.md", "ab\r\nc\r");
+  EXPECT_EQ(place(source, 2), "1:3");
+  EXPECT_EQ(place(source, 3), "1:3");
+  EXPECT_EQ(place(source, 4), "2:1");
+  EXPECT_EQ(place(source, 6), "2:2");
+}
+
 TEST(SourceText, GivesLinesWithoutTheirEnds) {
   const SourceText source("a.md", "one\r\ntwo\n\rthree");
   EXPECT_EQ(source.line(1), "one");

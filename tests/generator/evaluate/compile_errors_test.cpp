@@ -50,6 +50,26 @@ TEST_F(CompileErrors, MayBeWarnings) {
 )");
 }
 
+TEST_F(CompileErrors, AreTextWhateverTheyQuote) {
+  CompilerMessage error = error_;
+  error.text = "\xff\x1b[2J";
+  EXPECT_EQ(report({error}),
+            R"(content/1-a/1.1-x.md:6:7: error: �\x1b[2J [E-example-compile]
+  6 | >   é(undeclared);
+    |       ^~~~~~~~~~
+)");
+}
+
+TEST_F(CompileErrors, SayThatThereIsNoReason) {
+  CompilerMessage error = error_;
+  error.text = "";
+  EXPECT_EQ(report({error}),
+            R"(content/1-a/1.1-x.md:6:7: error: the compiler gives no reason [E-example-compile]
+  6 | >   é(undeclared);
+    |       ^~~~~~~~~~
+)");
+}
+
 TEST_F(CompileErrors, OfAHeaderStandAtTheLineThatCausedThem) {
   EXPECT_EQ(report({in_header_,
                     {"/usr/include/Eigen/Dense", 7, 1, "note", "in instantiation of 'Inner'"},

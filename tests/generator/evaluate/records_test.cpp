@@ -93,6 +93,12 @@ TEST(Records, OfALongNameAreRefused) {
                 "`largest_error`\n");
 }
 
+TEST(Records, AreQuotedInWholeCharacters) {
+  const std::string line = std::string(59, '-') + "€";
+  EXPECT_EQ(faults_of(line), "<> what the program reported cannot be read: `" + line.substr(0, 59) +
+                                 "…` | report UTF-8, and from one thread at a time\n");
+}
+
 // A program with the course's own helper header.
 EvaluationOf program(const std::string& statements) {
   const std::string code =

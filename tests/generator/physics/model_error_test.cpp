@@ -37,6 +37,15 @@ TEST(ModelError, ReadsTheSchemasSpelling) {
       (ModelError{"models/arm.xml", 5, 0, "element 'geom': problem reading attribute 'size'"}));
 }
 
+TEST(ModelError, IsOneLineWhateverNamesAreInIt) {
+  EXPECT_EQ(explain("XML Error: unrecognized element\nElement 'a\nb', line 5, column 3\n").message,
+            "element 'a b': unrecognized element");
+  EXPECT_EQ(explain("XML parse error 14:\nError=XML_ERROR_MISMATCHED\nELEMENT ErrorID=14 (0xe) "
+                    "Line number=3:\n")
+                .message,
+            "not well-formed XML: mismatched element");
+}
+
 TEST(ModelError, ReadsTheCompilersSpelling) {
   EXPECT_EQ(explain("Error: mass is too small\nObject name = b, id = 1, line = 7, column = -1"),
             (ModelError{"models/arm.xml", 7, 0, "object 'b': mass is too small"}));
