@@ -84,13 +84,7 @@ void Desk::open(const json& params) {
 void Desk::change(const json& params) {
   const auto name = name_in(params);
   if (!name) return;
-  std::vector<OpenDocuments::Change> changes;
-  for (const json& one : params.at("contentChanges")) {
-    const bool part = one.contains("range");
-    changes.push_back({part ? std::optional(read_range(one.at("range"))) : std::nullopt,
-                       one.at("text").get<std::string>()});
-  }
-  documents_->change(*name, changes, units_);
+  documents_->change(*name, OpenDocuments::read_changes(params.at("contentChanges")), units_);
   typed_.disturb();
 }
 

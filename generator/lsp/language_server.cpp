@@ -67,7 +67,7 @@ bool LanguageServer::run(std::istream& in) {
 }
 
 void LanguageServer::take(const std::string& body) {
-  const json message = json::parse(body, nullptr, false);
+  const json message = parse_message(body);
   if (message.is_discarded()) return connection_.refuse(nullptr, Fault::no_json, "this is no JSON");
   const json id = message.is_object() ? message.value("id", json()) : json();
   const json method = message.is_object() ? message.value("method", json()) : json();

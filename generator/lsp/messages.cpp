@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <istream>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <string_view>
 
@@ -52,6 +53,19 @@ std::optional<std::string> read_message(std::istream& in) {
   std::string body(*length, '\0');
   if (!in.read(body.data(), static_cast<std::streamsize>(body.size()))) return std::nullopt;
   return body;
+}
+
+nlohmann::json parse_message(const std::string& body) {
+  using nlohmann::json;
+  bool too_deep = false;
+  const auto keep = [&](int depth, json::parse_event_t event, const json&) {
+    const bool begins =
+        event == json::parse_event_t::array_start || event == json::parse_event_t::object_start;
+    too_deep = too_deep || (begins && depth >= kDeepestMessage);
+    return !too_deep;
+  };
+  json message = json::parse(body, keep, false);
+  return too_deep ? json(json::value_t::discarded) : message;
 }
 
 void write_message(std::ostream& out, const std::string& body) {

@@ -1,6 +1,7 @@
 #include "lsp/open_documents.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "base/utf8.h"
@@ -33,6 +34,16 @@ std::optional<std::string> OpenDocuments::name_of(std::string_view uri) const {
 
 std::string OpenDocuments::uri_of(const std::string& name) const {
   return mjcourse::uri_of(root_ / name);
+}
+
+std::vector<OpenDocuments::Change> OpenDocuments::read_changes(const nlohmann::json& changes) {
+  std::vector<Change> read;
+  for (const nlohmann::json& one : changes) {
+    const bool part = one.contains("range");
+    read.push_back({part ? std::optional(read_range(one.at("range"))) : std::nullopt,
+                    one.at("text").get<std::string>()});
+  }
+  return read;
 }
 
 void OpenDocuments::open(const std::string& name, std::string text) {

@@ -31,6 +31,8 @@ class OpenDocuments : public Files {
     std::optional<TextRange> range;  // nothing: all of it
     std::string text;
   };
+  // `contentChanges`, as the protocol has them. Throws nlohmann's exceptions.
+  static std::vector<Change> read_changes(const nlohmann::json& changes);
   void open(const std::string& name, std::string text);
   // One after the other. What is not open stays closed.
   void change(const std::string& name, const std::vector<Change>& changes, Units units);

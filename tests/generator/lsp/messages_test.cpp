@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace mjcourse {
@@ -30,6 +31,17 @@ TEST(Messages, EndWhereTheyCannotBeTold) {
   }
   std::istringstream endless(std::string(100000, 'x'));
   EXPECT_EQ(read_message(endless), std::nullopt);
+}
+
+TEST(Messages, NestNoDeeperThanAnyEditors) {
+  const auto nested = [](int depth) {
+    const auto size = static_cast<std::size_t>(depth);
+    return std::string(size, '[') + std::string(size, ']');
+  };
+  EXPECT_EQ(parse_message(nested(kDeepestMessage)).dump(), nested(kDeepestMessage));
+  EXPECT_TRUE(parse_message(nested(kDeepestMessage + 1)).is_discarded());
+  EXPECT_TRUE(parse_message("{\"id\":" + nested(300000) + "}").is_discarded());
+  EXPECT_TRUE(parse_message("{\"id\":").is_discarded());
 }
 
 TEST(Messages, WhatIsWrittenCanBeRead) {
