@@ -19,13 +19,13 @@ const seeds = `${resolve(program)}.seeds`;
 rmSync(seeds, { recursive: true, force: true });
 mkdirSync(seeds);
 const count = writeSeeds(name, seeds);
-if (count === 0) throw new Error(`no seeds for ${name}`);
-
 const folders = [seeds];
 for (const kept of ["seeds", "found"]) {
   const folder = join(here, kept, name);
   if (existsSync(folder)) folders.push(folder);
 }
+if (count === 0 && folders.at(-1) === seeds) throw new Error(`no seeds for ${name}`);
+
 const flags = [];
 if (seconds) {
   const corpus = `${resolve(program)}.corpus`;
@@ -34,7 +34,13 @@ if (seconds) {
   flags.push(`-max_total_time=${seconds}`, "-timeout=10", "-rss_limit_mb=2048", "-max_len=20000");
   flags.push(`-artifact_prefix=${resolve(program)}.`, `-dict=${join(here, "lesson.dict")}`);
   flags.push("-print_final_stats=1");
+  // What a script engine has yet to collect looks like a leak after each input, which takes a second.
+  if (name === "script_error") flags.push("-detect_leaks=0");
 }
-const run = spawnSync(program, [...flags, ...folders], { stdio: "inherit" });
+const leaks = `suppressions=${resolve(here, "../leaks.txt")}:print_suppressions=0`; // of libraries
+const run = spawnSync(program, [...flags, ...folders], {
+  stdio: "inherit",
+  env: { ...process.env, LSAN_OPTIONS: leaks },
+});
 console.log(`${count} seeds`);
 process.exitCode = run.status ?? 1;

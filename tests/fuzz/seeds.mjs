@@ -1,4 +1,5 @@
-// What the fuzzers begin with: the lessons, glossaries and course files that the project has.
+// What the fuzzers begin with, beside seeds/NAME: the lessons, glossaries, course files and models that
+// the project has.
 
 import { createHash } from "node:crypto";
 import { existsSync, globSync, readFileSync, writeFileSync } from "node:fs";
@@ -24,6 +25,9 @@ function textOf(file) {
   return existsSync(file) ? [readFileSync(file, "utf8")] : [];
 }
 
+// Code spans such as `{joint_zoo} model.nq`.
+const values = (text) => [...text.matchAll(/`(\{[^`\n]+)`/g)].map(([, code]) => code);
+
 const seedsOf = {
   lesson: lessons,
   front_matter: () => lessons().flatMap((text) => /^---\n(.*?)\n---\n/s.exec(text)?.[1] ?? []),
@@ -47,6 +51,11 @@ const seedsOf = {
       ];
       return parts.join("%%%\n");
     }),
+  value: () => lessons().flatMap(values),
+  model: () =>
+    globSync("{models,tests/**/models}/*.xml", { cwd: root })
+      .sort()
+      .flatMap((file) => textOf(join(root, file))),
   output: () =>
     lessons().flatMap((text) =>
       [...text.matchAll(/^`{3,}text[^\n]*\n(.*?)^`{3,}$/gms)].map(
@@ -57,7 +66,7 @@ const seedsOf = {
 
 // Writes the seeds of fuzzer `name` into `folder`; gives how many there are.
 export function writeSeeds(name, folder) {
-  const seeds = new Set(seedsOf[name]());
+  const seeds = new Set(seedsOf[name]?.());
   for (const seed of seeds) {
     writeFileSync(join(folder, createHash("sha1").update(seed).digest("hex")), seed);
   }

@@ -1,0 +1,19 @@
+// A picture's file of any bytes: how large it is. The input's first line is the file's name.
+#include <algorithm>
+
+#include "evaluate/image_size.h"
+#include "fuzz.h"
+#include "require.h"
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string input = mjcourse::text_of_input(data, size);
+  const std::size_t end = std::min(input.find('\n'), input.size());
+  const auto found =
+      mjcourse::image_size(input.substr(0, end), input.substr(std::min(end + 1, input.size())));
+  mjcourse::require(found || !found.error().empty(), "what is no picture is said to be none");
+  if (!found) return 0;
+  const bool sensible =
+      found->width >= 1 && found->height >= 1 && found->width <= 100000 && found->height <= 100000;
+  mjcourse::require(sensible, "a picture has a size");
+  return 0;
+}
