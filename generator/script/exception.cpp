@@ -99,9 +99,8 @@ namespace {
 // The ids of the strict layer (site/script/fault.ts) and of the world beneath it. Another is of the
 // script's own making.
 bool is_fault(const std::string& id) {
-  constexpr std::array<std::string_view, 5> known{"E-script-foreign", "E-script-name",
-                                                  "E-script-range", "E-script-value",
-                                                  "E-script-mujoco"};
+  constexpr std::array<std::string_view, 5> known{
+      "E-script-foreign", "E-script-name", "E-script-range", "E-script-value", "E-script-mujoco"};
   return std::ranges::find(known, id) != known.end();
 }
 

@@ -182,7 +182,12 @@ try {
     renamedCompiler(),
   );
   expect("the compiler that was before", []);
-  expect("the scripts' version", ["a", "b", "lab", "picture"], ["^  script/world.js changed"], otherScripts());
+  expect(
+    "the scripts' version",
+    ["a", "b", "lab", "picture"],
+    ["^  script/world.js changed"],
+    otherScripts(),
+  );
   // A library more is another set of libraries.
   const library = { LD_PRELOAD: "libutil.so.1" };
   expect("the libraries' versions", names, ["^  libraries changed"], library);
