@@ -12,8 +12,9 @@ struct FolderSize {
 };
 
 // Adds what is in the file or folder `path`, and stops counting behind `most` entries. What is
-// removed meanwhile is not counted; no link is followed. A folder that we may not look into may
-// hold anything: it counts as more than `most`.
+// removed meanwhile is not counted; no link is followed. A folder that we may not or cannot look
+// into may hold anything, as may one that is a hundred levels deep: it counts as more than `most`,
+// where that can be.
 void add_size(const std::string& path, std::uint64_t most, FolderSize& size);
 
 }  // namespace mjcourse

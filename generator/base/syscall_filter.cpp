@@ -149,7 +149,12 @@ class Builder {
     for (const std::uint32_t owner : kOwners) add(no, SCMP_SYS(fcntl), argument_is(1, owner));
     for (const int call : kScheduling) add(asked(), call, argument(0, SCMP_CMP_NE, 0));
     add(no, SCMP_SYS(prlimit64), argument(0, SCMP_CMP_NE, 0));
-    add(no, SCMP_SYS(socketpair), argument(0, SCMP_CMP_NE, AF_UNIX));
+    // Files that lie in a socket, on their way, are counted by nobody.
+    if (kind_.processes) {
+      add(no, SCMP_SYS(socketpair), argument(0, SCMP_CMP_NE, AF_UNIX));
+    } else {
+      deny(SCMP_SYS(socketpair));
+    }
     // The C library asks its name service over a local socket, and does well without.
     add(no, SCMP_SYS(socket), argument(0, SCMP_CMP_EQ, AF_UNIX));
     add(told(), SCMP_SYS(socket), argument(0, SCMP_CMP_NE, AF_UNIX));

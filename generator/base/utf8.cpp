@@ -14,13 +14,25 @@ bool is_continuation(char c) {
   return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
 }
 
-bool is_control(char c) {
-  const auto byte = static_cast<std::uint8_t>(c);
-  return byte < 0x20 || byte == 0x7F;
+// The code of the control character at `at`, or nothing. Those of two bytes, U+0080 to U+009F, a
+// terminal obeys as it does an escape: U+009B begins what U+001B and `[` do.
+std::optional<std::uint8_t> control_at(std::string_view text, std::size_t at) {
+  const auto byte = static_cast<std::uint8_t>(text[at]);
+  if (byte < 0x20 || byte == 0x7F) return byte;
+  if (byte != 0xC2 || at + 1 == text.size()) return std::nullopt;
+  const auto second = static_cast<std::uint8_t>(text[at + 1]);
+  return second >= 0x80 && second < 0xA0 ? std::optional(second) : std::nullopt;
+}
+
+bool has_control(std::string_view text) {
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (control_at(text, at)) return true;
+  }
+  return false;
 }
 
 // "\\n", "\\x1b".
-std::string escape_of(char control) {
+std::string escape_of(std::uint8_t control) {
   if (control == '\n') return "\\n";
   if (control == '\r') return "\\r";
   if (control == '\t') return "\\t";
@@ -120,20 +132,20 @@ std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
 std::optional<std::size_t> find_control_character(std::string_view text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
     const bool ends_line = text[at] == '\r' && (at + 1 == text.size() || text[at + 1] == '\n');
-    if (is_control(text[at]) && text[at] != '\n' && text[at] != '\t' && !ends_line) return at;
+    if (control_at(text, at) && text[at] != '\n' && text[at] != '\t' && !ends_line) return at;
   }
   return std::nullopt;
 }
 
 std::string readable(std::string text) {
-  if (std::none_of(text.begin(), text.end(), is_control) && !find_invalid_utf8(text)) return text;
+  if (!has_control(text) && !find_invalid_utf8(text)) return text;
   std::string line;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = sequence_length(std::string_view(text).substr(at));
     if (length == 0) {
       line += "\uFFFD";
-    } else if (is_control(text[at])) {
-      line += escape_of(text[at]);
+    } else if (const auto control = control_at(text, at)) {
+      line += escape_of(*control);
     } else {
       line.append(text, at, length);
     }

@@ -24,7 +24,8 @@ std::size_t character_start(std::string_view text, std::size_t at);
 std::optional<std::size_t> find_invalid_utf8(std::string_view text);
 
 // The offset of the first control character that no text holds: all but tabs, line feeds, and a
-// carriage return before one or at the very end; or nothing.
+// carriage return before one or at the very end; or nothing. Those from U+0080 to U+009F have two
+// bytes.
 std::optional<std::size_t> find_control_character(std::string_view text);
 
 // Is it an ASCII letter, a digit or `_`: a word character, as regular expressions have them (`\w`)?

@@ -6,11 +6,25 @@ namespace mjcourse {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Is all that its programs include to be read? A compiler waits for ever at a pipe.
+bool is_sound(const DiskFiles& course) {
+  if (!course.refusal("examples/include").empty()) return false;
+  for (const std::string folder : {"examples/include", "examples/include/mjcourse"}) {
+    for (const std::string& name : course.list(folder)) {
+      if (!course.refusal(folder + "/" + name).empty()) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
 IncludeFolders include_folders_of(const fs::path& examples, const fs::path& helper) {
   IncludeFolders folders;
-  // What leads out of the course is nobody's to compile; read_course() tells of it.
-  const bool ours = DiskFiles(examples.parent_path()).refusal("examples/include").empty();
-  if (ours) folders.push_back(examples / "include");
+  // What is refused is nobody's to compile; read_course() tells of it.
+  if (is_sound(DiskFiles(examples.parent_path()))) folders.push_back(examples / "include");
   const bool has_helper = !folder_with(kHelperHeader, folders).empty();
   if (!has_helper && !helper.empty()) folders.push_back(helper);
   return folders;

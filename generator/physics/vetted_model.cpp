@@ -77,7 +77,10 @@ std::optional<ModelError> verdict_of(Attempt attempt, const std::string& file) {
     case Attempt::crashed:
       break;
   }
-  return ModelError{file, 0, 0, "MuJoCo crashes on this model", ""};
+  return ModelError{
+      file, 0, 0, "MuJoCo crashes on this model",
+      "look for an index or a count in a mesh, a skin or a texture that the file does "
+      "not bear out"};
 }
 
 // What came of the first attempt with the same `key`, which stands for all that it read.

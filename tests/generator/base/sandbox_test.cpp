@@ -210,6 +210,28 @@ TEST_F(SandboxTest, BoundsAllFilesTogether) {
   EXPECT_EQ(run(command).end, End::overfilled);
 }
 
+// What lies so deep, or under so long a name, that counting it takes longer than filling it.
+TEST_F(SandboxTest, BoundsTheDepthOfFolders) {
+  Command command =
+      shell("i=0; while [ $i -lt 200 ]; do mkdir d; cd d; i=$((i+1)); done; sleep 60", 60);
+  command.sandbox->processes = true;
+  EXPECT_EQ(run(command).end, End::overfilled);
+  const std::string name(250, 'n');
+  command = shell("i=0; while [ $i -lt 20 ]; do mkdir " + name + "; cd " + name +
+                      "; i=$((i+1)); done; sleep 60",
+                  60);
+  command.sandbox->processes = true;
+  EXPECT_EQ(run(command).end, End::overfilled);
+}
+
+// Files on their way in a socket are held by it, and counted by nobody.
+TEST_F(SandboxTest, GivesAProgramNoSockets) {
+  EXPECT_EQ(
+      run(shell("exec perl -MSocket -e 'print socketpair(A, B, AF_UNIX, SOCK_STREAM, 0) ? 1 : 0'"))
+          .out,
+      "0");
+}
+
 // Each by itself is within the limit.
 TEST_F(SandboxTest, BoundsTheMemoryOfAllProcessesTogether) {
   const std::string one = "perl -e '$x = \"x\" x (60 << 20); print 1; sleep 60' & ";

@@ -59,6 +59,7 @@ TEST(Utf8, FindsControlCharactersButTabsAndLineEnds) {
   EXPECT_EQ(find_control_character(std::string_view("ab\0", 3)), 2u);
   EXPECT_EQ(find_control_character("\x1b[31m"), 0u);
   EXPECT_EQ(find_control_character("é\x7F"), 2u);
+  EXPECT_EQ(find_control_character("a\u00A0\u0085"), 3u);
 }
 
 TEST(Utf8, IsMadeReadableInOneLine) {
@@ -66,6 +67,7 @@ TEST(Utf8, IsMadeReadableInOneLine) {
   EXPECT_EQ(readable("a\nb\r\tc"), "a\\nb\\r\\tc");
   EXPECT_EQ(readable("\x1b[31m\x7F"), "\\x1b[31m\\x7f");
   EXPECT_EQ(readable(std::string("\0", 1)), "\\x00");
+  EXPECT_EQ(readable("\u009B31m\u00A0\u0080"), "\\x9b31m\u00A0\\x80");
   EXPECT_EQ(readable("\xC3 and \xF0\x9D"), "\uFFFD and \uFFFD\uFFFD");
 }
 

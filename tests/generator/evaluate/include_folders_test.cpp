@@ -1,6 +1,7 @@
 #include "evaluate/include_folders.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "base/files.h"
 #include "base/temporary_folder.h"
@@ -38,6 +39,13 @@ TEST_F(IncludeFoldersTest, OfACourseWithItsOwnHelperHeaderAreItsOwn) {
   write_file(own_ / "mjcourse/mjcourse.hpp", "");
   EXPECT_EQ(folders(), IncludeFolders{own_});
   EXPECT_EQ(handlers_source(folders()), "");
+}
+
+// As a compiler would wait at a pipe, in vain.
+TEST_F(IncludeFoldersTest, WithAPipeAreTheTools) {
+  std::filesystem::create_directories(own_ / "mjcourse");
+  ASSERT_EQ(mkfifo((own_ / "mjcourse/mjcourse.hpp").c_str(), 0600), 0);
+  EXPECT_EQ(folders(), IncludeFolders{helper_});
 }
 
 }  // namespace
