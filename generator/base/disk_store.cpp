@@ -94,7 +94,7 @@ void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
 }
 
 int open_lock(const fs::path& folder) {
-  return open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  return open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
 }
 
 }  // namespace
@@ -120,7 +120,12 @@ DiskStore::DiskStore(fs::path folder) : folder_(std::move(folder)) {
   }
 }
 
+// What it writes, and forgets, lies in itself: a link may lead anywhere.
 void DiskStore::prepare() {
+  for (const char* kind : {"ac", "cas", "tmp"}) {
+    if (!fs::is_symlink(folder_ / kind)) continue;
+    throw std::system_error(ENOTDIR, std::generic_category(), (folder_ / kind).string());
+  }
   fs::create_directories(folder_ / "tmp");
   if (eaccess((folder_ / "tmp").c_str(), W_OK) != 0) throw_errno(folder_ / "tmp");
   lock_ = Descriptor(open_lock(folder_));
@@ -234,13 +239,12 @@ std::vector<Entry> entries_of(const fs::path& folder) {
 void clear_unfinished(const fs::path& folder) {
   for (const fs::path& path :
        {folder / "ac", folder / "cas", folder / "tmp", prepared_folder(folder)}) {
-    if (fs::symlink_status(path).type() != fs::file_type::not_found && !fs::is_directory(path)) {
-      fs::remove(path);
-    }
+    const fs::file_status status = fs::symlink_status(path);
+    if (fs::exists(status) && !fs::is_directory(status)) fs::remove(path);
   }
   if (!fs::exists(folder / "tmp")) return;
-  for (const fs::directory_entry& file : fs::directory_iterator(folder / "tmp")) {
-    fs::remove(file.path());
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder / "tmp")) {
+    fs::remove_all(entry.path());
   }
 }
 

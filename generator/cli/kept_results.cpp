@@ -18,6 +18,7 @@ bool is_due(const fs::path& stamp) {
   std::error_code none;
   const auto last = fs::last_write_time(stamp, none);
   if (!none && fs::file_time_type::clock::now() - last < std::chrono::hours(24)) return false;
+  fs::remove(stamp, none);  // a link may lead to what is somebody's
   std::ofstream(stamp) << "";
   return true;
 }

@@ -56,7 +56,7 @@ Row row_of(const Lesson& lesson, const Claims& claims, const Files& files,
   const auto change = changes.find(lesson.source->path());
   const std::string& title = lesson.front.title.text;
   return {lesson.number,
-          (title.empty() ? lesson.slug : title) + (lesson.front.draft ? " (draft)" : ""),
+          readable(title.empty() ? lesson.slug : title) + (lesson.front.draft ? " (draft)" : ""),
           shown(count_words(lesson, files)),
           lesson.front.minutes ? std::to_string(*lesson.front.minutes) : "",
           shown(count(Claim::Status::proved) + count(Claim::Status::cited)),

@@ -12,6 +12,7 @@
 #include "base/counted.h"
 #include "base/sandbox.h"
 #include "base/stopwatch.h"
+#include "base/utf8.h"
 #include "cli/progress_bar.h"
 #include "cli/tally_text.h"
 #include "cli/timings.h"
@@ -50,7 +51,7 @@ void print_lessons(const Course& course, const Evaluation& evaluation, std::ostr
     const std::ptrdiff_t errors = errors_in(evaluation.diagnostics, lesson.source->path());
     const std::string& title = lesson.front.title.text;
     out << (errors == 0 ? "ok    " : "FAIL  ") << lesson.number << "  "
-        << (title.empty() ? lesson.slug : title) << ": "
+        << readable(title.empty() ? lesson.slug : title) << ": "
         << outcome_text(evaluation.lessons[i].tally, errors);
     if (lesson.front.draft) out << "; a draft, not in the site";
     if (errors > 0) out << "; " << counted(errors, "error");

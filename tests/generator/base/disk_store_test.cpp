@@ -237,6 +237,26 @@ TEST_F(DiskStoreTest, IsReadWhereItCannotBeWritten) {
   fs::permissions(folder() / "tmp", fs::perms::owner_all, fs::perm_options::add);
 }
 
+// A link in it leads to what is somebody's: nothing is written there, and nothing removed.
+TEST_F(DiskStoreTest, GoesThroughNoLink) {
+  const TemporaryFolder elsewhere;
+  write_file(elsewhere.path() / "letters" / "one", "precious");
+  for (const char* const kind : {"ac", "cas", "tmp", "prepared"}) {
+    fs::remove_all(folder());
+    fs::create_directories(folder());
+    fs::create_symlink(elsewhere.path(), folder() / kind);
+    if (kind != std::string("prepared")) {
+      EXPECT_THROW(DiskStore{folder()}, std::system_error) << kind;
+    }
+    EXPECT_EQ(prune_store(folder(), 0, true)->removed.results, 0U);
+    EXPECT_FALSE(fs::is_symlink(folder() / kind)) << kind;
+    EXPECT_EQ(read_file(elsewhere.path() / "letters" / "one").value(), "precious") << kind;
+  }
+  fs::create_directories(folder() / "tmp" / "left" / "behind");
+  EXPECT_TRUE(prune_store(folder(), 0, true).has_value());
+  EXPECT_TRUE(fs::is_empty(folder() / "tmp"));
+}
+
 TEST_F(DiskStoreTest, IsNotPrunedWhileItIsUsed) {
   DiskStore store(folder());
   put_blob(store, "a picture");

@@ -36,5 +36,18 @@ TEST(Formula, ShowsItsMistakeWhereItStands) {
   EXPECT_EQ(block_place.column, 3);
 }
 
+TEST(Formula, HasTenThousandBytesAtMost) {
+  const std::string x(9'999, 'x');
+  EXPECT_EQ(evaluated_mistakes("$" + x + "y$\n"), "");
+  const std::string mistakes = evaluated_mistakes("$" + x + "yz$\n");
+  EXPECT_TRUE(mistakes.starts_with(
+      "content/1-a/1.1-x.md:4:2: error: a formula may have 10000 bytes, and this one has 10001 "
+      "[E-math]\n"))
+      << mistakes;
+  EXPECT_TRUE(mistakes.ends_with(
+      "  cure: say it in several; numbers by the hundred are a table or a plot\n"))
+      << mistakes;
+}
+
 }  // namespace
 }  // namespace mjcourse
