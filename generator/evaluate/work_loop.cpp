@@ -68,9 +68,9 @@ class Answerer {
  public:
   Answerer(fs::path root, const Files& assets) : setting_(course_, std::move(root), assets) {}
 
-  WorkAnswer answer(WorkQuestion question) {
+  WorkAnswer answer(const WorkQuestion& question) {
     course_.models = question.models;
-    if (question.reports) take_reports(*std::move(question.reports));
+    if (question.reports) take_reports(*question.reports);
     Workshop& workshop = workshop_ ? *workshop_ : workshop_.emplace(setting_);
     workshop.trace().clear();
     WorkAnswer answer;
@@ -88,14 +88,14 @@ class Answerer {
   }
 
  private:
-  void take_reports(std::map<std::string, std::optional<Records>> reports) {
-    for (auto& [example, records] : reports) {
+  void take_reports(const std::map<std::string, std::optional<Records>>& reports) {
+    for (const auto& [example, records] : reports) {
       if (!records) {
         setting_.reports().add(example, nullptr);
         continue;
       }
       ExampleResult& result = programs_[example];
-      result.records = *std::move(records);
+      result.records = *records;
       setting_.reports().add(example, &result);
     }
   }
@@ -136,9 +136,9 @@ void answer_questions(const fs::path& root, const Files& assets) {
   dup2(STDERR_FILENO, STDOUT_FILENO);
   Answerer answerer(root, assets);
   while (const auto message = next_message()) {
-    auto question = decode_question(*message);
+    const auto question = decode_question(*message);
     if (!question) throw std::runtime_error("this is no question");
-    if (!say(answers, encode(answerer.answer(*std::move(question))))) return;
+    if (!say(answers, encode(answerer.answer(*question)))) return;
   }
 }
 

@@ -64,7 +64,7 @@ nlohmann::json parse_message(const std::string& body) {
     too_deep = too_deep || (begins && depth >= kDeepestMessage);
     return !too_deep;
   };
-  json message = json::parse(body, keep, false);
+  const json message = json::parse(body, keep, false);
   return too_deep ? json(json::value_t::discarded) : message;
 }
 
