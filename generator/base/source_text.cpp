@@ -14,9 +14,13 @@ constexpr std::size_t kStretch = 4096;  // bytes
 
 SourceText::SourceText(std::string path, std::string text)
     : path_(std::move(path)), text_(std::move(text)), starts_{0} {
+  std::size_t longest = 0;
   for (std::size_t i = 0; i < text_.size(); ++i) {
-    if (text_[i] == '\n') starts_.push_back(i + 1);
+    if (text_[i] != '\n') continue;
+    longest = std::max(longest, i - starts_.back());
+    starts_.push_back(i + 1);
   }
+  if (std::max(longest, text_.size() - starts_.back()) <= kStretch) return;
   characters_.push_back(0);
   for (std::size_t end = kStretch; end <= text_.size(); end += kStretch) {
     characters_.push_back(characters_.back() +
@@ -35,7 +39,9 @@ Position SourceText::position(std::size_t offset) const {
   const auto number = static_cast<int>(after - starts_.begin());
   const std::size_t start = starts_[static_cast<std::size_t>(number - 1)];
   offset = std::min(offset, start + line(number).size());  // a line's end is none of its characters
-  return {number, 1 + characters_before(offset) - characters_before(start)};
+  const int before = characters_.empty() ? count_characters(text().substr(start, offset - start))
+                                         : characters_before(offset) - characters_before(start);
+  return {number, 1 + before};
 }
 
 std::string_view SourceText::line(int line) const {

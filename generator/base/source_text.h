@@ -46,7 +46,9 @@ class SourceText {
   int characters_before(std::size_t offset) const;
 
   std::vector<std::size_t> starts_;  // of each line
-  std::vector<int> characters_;      // before each stretch of the text; a line may be all of it
+  // Before each stretch of the text, where it has a line so long that to count it again and again
+  // would take too long; else empty.
+  std::vector<int> characters_;
 };
 
 }  // namespace mjcourse
