@@ -1,5 +1,5 @@
-// How results become JSON values and come back; for what sends or keeps them, and nobody else, as
-// it takes long to compile.
+// Results as JSON values, and back. Only the store's codec and the messages of workers include this,
+// since it takes long to compile.
 #pragma once
 
 #include <nlohmann/json.hpp>

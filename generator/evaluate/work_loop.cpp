@@ -112,7 +112,7 @@ class Answerer {
   void read_page(const WorkQuestion& question, Page& page) {
     page.text = question.text;
     page.course.models = question.models;
-    Diagnostics known;  // to whoever asks
+    Diagnostics known;  // the generator that asks has them
     if (question.page == kGlossaryPath) {
       page.course.glossary = read_glossary(question.text, known);
     } else if (auto lesson = read_lesson(question.page, question.text, known)) {

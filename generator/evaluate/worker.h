@@ -1,11 +1,10 @@
 // Worker: a process of its own for what an author's scripts and models are worked on with.
 //
-// A script engine and MuJoCo take what they are given on trust, and whoever sends a change to a
-// course writes scripts and models. So a generator does not let them work in its own process, which
-// may read the user's files and knows what the environment has. A worker is the same program,
-// started with nothing of that and confined as a lesson's programs are; it is asked for one task
-// after the other (work_loop.h), and one that ends, or takes too much time or memory, costs the
-// task that it was at.
+// A script engine and MuJoCo trust what they are given, and the author of a change to a course may
+// be a stranger. So they do not work in the generator's own process, which may read the user's
+// files and knows the environment. A worker is the same program, started with nothing of that and
+// confined as a lesson's programs are. It is asked for one task after the other (work_loop.h); one
+// that ends, or takes too much time or memory, costs the task that it was at.
 //
 // Enter with work(). The process begins with the first task, and there is a new one after each that
 // ended.
