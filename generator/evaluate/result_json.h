@@ -1,5 +1,5 @@
-// Results as JSON values, and back. Only the store's codec and the messages of workers include this,
-// since it takes long to compile.
+// Results as JSON values, and back. Only the store's codec and the messages of workers include
+// this, since it takes long to compile.
 #pragma once
 
 #include <nlohmann/json.hpp>
