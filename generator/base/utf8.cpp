@@ -24,9 +24,19 @@ std::optional<std::uint8_t> control_at(std::string_view text, std::size_t at) {
   return second >= 0x80 && second < 0xA0 ? std::optional(second) : std::nullopt;
 }
 
-bool has_control(std::string_view text) {
+// Does what stands at `at` have a line shown in another order than it has, or broken in two: U+2028
+// to U+202E, U+2066 to U+2069? All of these have three bytes.
+bool is_layout_at(std::string_view text, std::size_t at) {
+  if (text.size() < at + 3 || text[at] != '\xE2') return false;
+  const auto second = static_cast<std::uint8_t>(text[at + 1]);
+  const auto third = static_cast<std::uint8_t>(text[at + 2]);
+  return (second == 0x80 && third >= 0xA8 && third <= 0xAE) ||
+         (second == 0x81 && third >= 0xA6 && third <= 0xA9);
+}
+
+bool has_unreadable(std::string_view text) {
   for (std::size_t at = 0; at < text.size(); ++at) {
-    if (control_at(text, at)) return true;
+    if (control_at(text, at) || is_layout_at(text, at)) return true;
   }
   return false;
 }
@@ -65,6 +75,13 @@ std::uint32_t code_point(std::string_view sequence) {
     point = point << 6 | (static_cast<std::uint8_t>(c) & 0x3F);
   }
   return point;
+}
+
+// "\\u202e", of one well-formed sequence.
+std::string escape_of_point(std::uint32_t point) {
+  char text[12];
+  std::snprintf(text, sizeof text, "\\u%04x", static_cast<unsigned>(point));
+  return text;
 }
 
 // The C library's own locale, which needs no file and knows the letters of every language; null
@@ -138,7 +155,7 @@ std::optional<std::size_t> find_control_character(std::string_view text) {
 }
 
 std::string readable(std::string text) {
-  if (!has_control(text) && !find_invalid_utf8(text)) return text;
+  if (!has_unreadable(text) && !find_invalid_utf8(text)) return text;
   std::string line;
   for (std::size_t at = 0; at < text.size();) {
     const std::size_t length = sequence_length(std::string_view(text).substr(at));
@@ -146,6 +163,8 @@ std::string readable(std::string text) {
       line += "\uFFFD";
     } else if (const auto control = control_at(text, at)) {
       line += escape_of(*control);
+    } else if (is_layout_at(text, at)) {
+      line += escape_of_point(code_point(std::string_view(text).substr(at, length)));
     } else {
       line.append(text, at, length);
     }

@@ -33,8 +33,9 @@ inline bool is_word_character(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
 }
 
-// `text` as one line that any terminal shows: control characters as C has them (`\n`, `\x1b`), and
-// U+FFFD for each byte that is not UTF-8.
+// `text` as one line that any terminal shows, and in the order it has: control characters as C has
+// them (`\n`, `\x1b`), so also what has a line turned round or broken (`\u202e`), and U+FFFD for
+// each byte that is not UTF-8.
 std::string readable(std::string text);
 
 // UTF-16 as UTF-8, with U+FFFD for each half of a surrogate pair that stands alone.

@@ -68,6 +68,8 @@ TEST(Utf8, IsMadeReadableInOneLine) {
   EXPECT_EQ(readable("\x1b[31m\x7F"), "\\x1b[31m\\x7f");
   EXPECT_EQ(readable(std::string("\0", 1)), "\\x00");
   EXPECT_EQ(readable("\u009B31m\u00A0\u0080"), "\\x9b31m\u00A0\\x80");
+  EXPECT_EQ(readable("a\u202Eb\u2066c\u2069\u2028"), "a\\u202eb\\u2066c\\u2069\\u2028");
+  EXPECT_EQ(readable("\u200Fא\u2027\u202F\u2065"), "\u200Fא\u2027\u202F\u2065");
   EXPECT_EQ(readable("\xC3 and \xF0\x9D"), "\uFFFD and \uFFFD\uFFFD");
 }
 
