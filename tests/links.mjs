@@ -315,13 +315,25 @@ function isNotWrittenThrough(user) {
     "a named site in a folder elsewhere",
     (c) => ["build", "--out", c.path("build/mine")],
     (c, there) => c.link(there, "build"),
-    place("build", "--out DIR"),
+    place("build/mine", "--out DIR"),
+  );
+  refused(
+    "a named site that is a link",
+    (c) => ["build", "--out", c.path("mine")],
+    (c, there) => c.link(there, "mine"),
+    place("mine", "--out DIR"),
+  );
+  refused(
+    "a report that is a link",
+    (c) => ["check", "--report", c.path("report")],
+    (c, there) => c.link(there, "report"),
+    place("report", "--report DIR"),
   );
   refused(
     "a report elsewhere",
     (c) => ["check", "--report", c.path("build/report")],
     (c, there) => c.link(there, "build"),
-    place("build", "--report DIR"),
+    place("build/report", "--report DIR"),
   );
   refused(
     "a trace elsewhere",

@@ -4,6 +4,7 @@
 
 #include "base/beneath.h"
 #include "cli/run.h"
+#include "page/site_directory.h"
 
 namespace mjcourse {
 namespace {
@@ -21,18 +22,25 @@ std::optional<Refusal> refused_place(const fs::path& course, const fs::path& pla
                  "name another place: `" + option + "`"};
 }
 
+// A site or a report takes its whole folder.
+std::optional<Refusal> refused_folder(const fs::path& course, const fs::path& place,
+                                      const std::string& option) {
+  auto refused = refused_place(course, place, option);
+  if (refused || SiteDirectory::may_replace(place)) return refused;
+  return Refusal{kWrongUsage,
+                 place.string() + " holds something that no build made, and would be replaced",
+                 "name an empty or a new folder: `" + option + "`"};
+}
+
 }  // namespace
 
-std::optional<Refusal> refused_out(const Options& options, std::string_view command,
-                                   bool out_was_named) {
+std::optional<Refusal> refused_out(const Options& options, std::string_view command) {
   std::optional<Refusal> refused;
   if (command == "build") {
-    const fs::path out = fs::absolute(options.out).lexically_normal();
-    refused = refused_place(options.course, out_was_named ? out.parent_path() : out, "--out DIR");
+    refused = refused_folder(options.course, options.out, "--out DIR");
   }
   if (!refused && !options.report.empty()) {
-    const fs::path report = fs::absolute(options.report).lexically_normal();
-    refused = refused_place(options.course, report.parent_path(), "--report DIR");
+    refused = refused_folder(options.course, options.report, "--report DIR");
   }
   if (!refused && !options.trace.empty()) {
     refused = refused_place(options.course, options.trace, "--trace FILE");

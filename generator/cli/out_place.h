@@ -10,8 +10,7 @@
 namespace mjcourse {
 
 // What is wrong with the places that `command` is to write to: those in the course that a link
-// leads out of it. A folder that the user named may itself be a link.
-std::optional<Refusal> refused_out(const Options& options, std::string_view command,
-                                   bool out_was_named);
+// leads out of it. A place elsewhere may be a link, as the user wants it.
+std::optional<Refusal> refused_out(const Options& options, std::string_view command);
 
 }  // namespace mjcourse

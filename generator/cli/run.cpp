@@ -265,10 +265,9 @@ int run_named(const NamedCommand& named, const std::vector<std::string>& argumen
       return wrong_usage(argument + " takes " + std::string(option->value) + ", and not " + value);
     }
   }
-  const bool out_was_named = !options.out.empty();
-  if (!out_was_named) options.out = options.course / "build" / "site";
+  if (options.out.empty()) options.out = options.course / "build" / "site";
   options.course = whole_path(options.course);
-  if (const auto refused = refused_out(options, named.name, out_was_named)) return tell(*refused);
+  if (const auto refused = refused_out(options, named.name)) return tell(*refused);
   set_up_mesa(user_cache_folder());
   // What other programs read is whole as it is.
   const LogGuard guard(options.format == Format::text && named.command != lsp);

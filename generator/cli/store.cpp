@@ -1,9 +1,13 @@
 // `mjcourse store prune --keep SIZE`.
 #include <iostream>
+#include <system_error>
 
 #include "base/counted.h"
+#include "base/disk_store.h"
 #include "base/our_command.h"
 #include "cli/commands.h"
+#include "cli/kept_results.h"
+#include "cli/new_files.h"
 #include "cli/run.h"
 #include "cli/size.h"
 
@@ -26,10 +30,15 @@ int store(const Options& options) {
     return kWrongUsage;
   }
   const std::filesystem::path folder = store_folder(options.store);
-  const Pruned pruned = prune_store(folder, options.keep, true).value();
-  std::cout << "forgot " << in_words(pruned.removed) << "; kept are " << in_words(pruned.left)
-            << '\n';
-  return kClean;
+  try {
+    const Pruned pruned = prune_store(folder, options.keep, true).value();
+    std::cout << "forgot " << in_words(pruned.removed) << "; kept are " << in_words(pruned.left)
+              << '\n';
+    return kClean;
+  } catch (const std::system_error& error) {
+    return tell(Refusal{kWrongUsage, "the store cannot be pruned: " + std::string(error.what()),
+                        "name a store that you may write: `--store DIR`"});
+  }
 }
 
 }  // namespace mjcourse

@@ -31,8 +31,7 @@ SiteDirectory::SiteDirectory(const fs::path& site, fs::path course)
     : site_(fs::weakly_canonical(site)), course_(std::move(course)) {
   if (site_.filename().empty()) site_ = site_.parent_path();
   staging_ = beside(site_, ".building");
-  if (fs::exists(site_) && !fs::exists(site_ / kMark) &&
-      !(fs::is_directory(site_) && fs::is_empty(site_))) {
+  if (!may_replace(site_)) {
     throw std::runtime_error(site_.string() +
                              " holds something that no build made; it would be "
                              "replaced. Name an empty or a new folder.");
@@ -50,6 +49,11 @@ SiteDirectory::SiteDirectory(const fs::path& site, fs::path course)
   // Made here, and no link that somebody put there.
   if (mkdir(staging_.c_str(), 0777) != 0) throw_errno(staging_);
   write_file(staging_ / kMark, "");
+}
+
+bool SiteDirectory::may_replace(const fs::path& site) {
+  return !fs::exists(site) || fs::exists(site / kMark) ||
+         (fs::is_directory(site) && fs::is_empty(site));
 }
 
 SiteDirectory::~SiteDirectory() {

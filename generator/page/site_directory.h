@@ -19,8 +19,11 @@ namespace mjcourse {
 
 class SiteDirectory : public SiteFiles {
  public:
-  // Throws std::runtime_error when `site` holds something that no build made, or when another build
-  // is at work on it; std::system_error where the disk fails.
+  // Is nothing in `site` but what a build made?
+  static bool may_replace(const std::filesystem::path& site);
+
+  // Throws std::runtime_error where `site` may not be replaced, or another build is at work on it;
+  // std::system_error where the disk fails.
   // What is copied is read beneath `course`.
   explicit SiteDirectory(const std::filesystem::path& site, std::filesystem::path course = {});
   ~SiteDirectory() override;

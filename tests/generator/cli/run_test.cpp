@@ -393,14 +393,19 @@ TEST_F(RunOnACourse, BlamesItselfForWhatNoAuthorCanMend) {
       "mjcourse: the site's assets are not built: script/typeset.js: No such file or directory\n");
 }
 
-TEST_F(RunOnACourse, BlamesItselfForASiteItMayNotReplace) {
+TEST_F(RunOnACourse, ReplacesNothingThatItDidNotMake) {
   write("mine/precious.txt", "work of years");
-  const fs::path site = folder_.path() / "mine";
-  const Ran result = on_course({"build", "--out", site.string()});
-  EXPECT_EQ(result.code, kOurFault);
-  EXPECT_EQ(result.err, "mjcourse: " + site.string() +
-                            " holds something that no build made; it would be replaced. Name an "
-                            "empty or a new folder.\n");
+  const fs::path mine = folder_.path() / "mine";
+  const std::string said = "mjcourse: " + mine.string() +
+                           " holds something that no build made, and would be replaced\n"
+                           "  cure: name an empty or a new folder: `";
+  const Ran site = on_course({"build", "--out", mine.string()});
+  EXPECT_EQ(site.code, kWrongUsage);
+  EXPECT_EQ(site.err, said + "--out DIR`\n");
+  const Ran report = on_course({"check", "--report", mine.string()});
+  EXPECT_EQ(report.code, kWrongUsage);
+  EXPECT_EQ(report.err, said + "--report DIR`\n");
+  EXPECT_EQ(read_file(mine / "precious.txt").value(), "work of years");
 }
 
 }  // namespace
