@@ -107,7 +107,7 @@ void LessonReader::walk(cmark_node* node, Region& region) {
   if (type == CMARK_NODE_IMAGE) return read_image(node, region);
   if (type == CMARK_NODE_BLOCK_QUOTE) read_callout(node);
   if (type == CMARK_NODE_HEADING) read_heading(node, region);
-  if (type == CMARK_NODE_FOOTNOTE_DEFINITION && in_document_) refuse_second_footnote(node);
+  if (type == CMARK_NODE_FOOTNOTE_DEFINITION) return read_footnote(node, region);
   if (type == CMARK_NODE_CODE) read_code_span(node, region);
   if (type == CMARK_NODE_LINK) read_link(node, region);
   if (type == CMARK_NODE_HTML_BLOCK || type == CMARK_NODE_HTML_INLINE) read_html(node, region);
@@ -252,6 +252,20 @@ void LessonReader::add_title_parts(cmark_node* node, std::vector<TitlePart>& tit
   cmark_node* child = cmark_node_first_child(node);
   if (child == nullptr) title.push_back({plain_text(node), std::nullopt});
   for (; child != nullptr; child = cmark_node_next(child)) add_title_parts(child, title);
+}
+
+// cmark moves footnotes to the end of the tree, where they stand by their first mention. So each is
+// looked for from where it begins.
+void LessonReader::read_footnote(cmark_node* node, const Region& region) {
+  const int line = cmark_node_get_start_line(node);
+  Region own{region.text, 0};
+  if (in_document_) {
+    refuse_second_footnote(node);
+    own.cursor = source().line_start(line);
+  } else {
+    for (int i = 1; i < line; ++i) own.cursor = region.text.text.find('\n', own.cursor) + 1;
+  }
+  walk_children(node, own);
 }
 
 // cmark sees to the names of one document; a demo is one of its own, on the same page.

@@ -49,6 +49,7 @@ class LessonReader {
   void read_heading(cmark_node* node, const Region& region);
   void read_title(cmark_node* heading);
   void add_title_parts(cmark_node* node, std::vector<TitlePart>& title) const;
+  void read_footnote(cmark_node* node, const Region& region);
   void refuse_second_footnote(cmark_node* node);
   void read_math(cmark_node* node, Region& region);
   void read_code_span(cmark_node* node, Region& region);
@@ -75,7 +76,8 @@ class LessonReader {
   bool in_document_ = false;
   bool in_demo_ = false;
   bool in_callout_title_ = false;
-  int parts_ = 0;  // that were walked
+  int parts_ = 0;                       // that were walked
+  std::set<std::string> refused_html_;  // names of elements
   std::set<std::string> heading_ids_;
   std::map<std::string, int> heading_numbers_;  // the last behind each slug that stands twice
   std::set<std::string> footnotes_;             // by their names

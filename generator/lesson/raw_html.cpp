@@ -108,7 +108,8 @@ bool is_blank(char c) {
 
 class HtmlReader {
  public:
-  explicit HtmlReader(std::string_view html) : html_(html) {}
+  HtmlReader(std::string_view html, std::set<std::string>& refused)
+      : html_(html), refused_(refused) {}
 
   std::vector<HtmlFault> faults() {
     while ((at_ = html_.find('<', at_)) < html_.size()) {
@@ -157,8 +158,8 @@ class HtmlReader {
     if (!skip(">")) return false;
     if (elements().contains(name)) {
       faults_.insert(faults_.end(), found.begin(), found.end());
-    } else if (!closes || opened_.find("<" + name + ">") == opened_.npos) {
-      opened_ += "<" + name + ">";  // its end is refused with it
+    } else if (const bool is_first = refused_.insert(name).second; is_first || !closes) {
+      // An end is refused with its beginning.
       refuse(begin, name_end, "E-html-element", "a lesson cannot have the element `" + name + "`",
              instead_of(name));
     }
@@ -238,14 +239,14 @@ class HtmlReader {
 
   std::string_view html_;
   std::size_t at_ = 0;
-  std::string opened_;  // elements that were refused
+  std::set<std::string>& refused_;
   std::vector<HtmlFault> faults_;
 };
 
 }  // namespace
 
-std::vector<HtmlFault> faults_of_html(std::string_view html) {
-  return HtmlReader(html).faults();
+std::vector<HtmlFault> faults_of_html(std::string_view html, std::set<std::string>& refused) {
+  return HtmlReader(html, refused).faults();
 }
 
 }  // namespace mjcourse

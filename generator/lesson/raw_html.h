@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,8 @@ struct HtmlFault {
   std::string id, message, cure;
 };
 
-std::vector<HtmlFault> faults_of_html(std::string_view html);
+// `refused` are the names of the lesson's elements that were refused before, and then those of
+// `html` as well.
+std::vector<HtmlFault> faults_of_html(std::string_view html, std::set<std::string>& refused);
 
 }  // namespace mjcourse

@@ -84,40 +84,34 @@ TEST(RawHtml, SaysWhereAndWhatToDo) {
 // What runs a script, loads something, or leads elsewhere.
 TEST(RawHtml, HasNoElementThatActs) {
   EXPECT_EQ(refused("<script>alert(1)</script>\n"), element("<script"));
-  EXPECT_EQ(refused("a <ScRiPt src=\"//a.example/x.js\"></sCrIpT>\n"),
-            element("<ScRiPt") + ", " + element("</sCrIpT"));
+  EXPECT_EQ(refused("a <ScRiPt src=\"//a.example/x.js\"></sCrIpT>\n"), element("<ScRiPt"));
   EXPECT_EQ(refused("a <base href=\"https://a.example/\"> b\n"), element("<base"));
   EXPECT_EQ(refused("<meta http-equiv=\"refresh\" content=\"0;url=https://a.example\">\n"),
             element("<meta"));
   EXPECT_EQ(refused("<form action=\"https://a.example\">\n<input name=\"password\">\n</form>\n"),
             element("<form") + ", " + element("<input"));
-  EXPECT_EQ(refused("a <object data=\"x.svg\"></object>\n"),
-            element("<object") + ", " + element("</object"));
+  EXPECT_EQ(refused("a <object data=\"x.svg\"></object>\n"), element("<object"));
   EXPECT_EQ(refused("a <embed src=\"x.svg\"> b\n"), element("<embed"));
   EXPECT_EQ(refused("<link rel=\"stylesheet\" href=\"https://a.example/x.css\">\n"),
             element("<link"));
   EXPECT_EQ(refused("<style>@import 'https://a.example/x.css';</style>\n"), element("<style"));
   EXPECT_EQ(refused("a <svg><script>alert(1)</script></svg>\n"),
-            element("<svg") + ", " + element("<script") + ", " + element("</script") + ", " +
-                element("</svg"));
+            element("<svg") + ", " + element("<script"));
   EXPECT_EQ(refused("a <svg/onload=alert(1)> b\n"), "");  // to Markdown, this is text
-  EXPECT_EQ(
-      refused("a <math><mi xlink:href=\"javascript:alert(1)\">x</mi></math>\n"),
-      element("<math") + ", " + element("<mi") + ", " + element("</mi") + ", " + element("</math"));
-  EXPECT_EQ(refused("a <a href=\"java&#115;cript&colon;alert(1)\">x</a>\n"),
-            element("<a") + ", " + element("</a"));
-  EXPECT_EQ(refused("a <a href=\"jAvA\tscript:alert(1)\">x</a>\n"),
-            element("<a") + ", " + element("</a"));
+  EXPECT_EQ(refused("a <math><mi xlink:href=\"javascript:alert(1)\">x</mi></math>\n"),
+            element("<math") + ", " + element("<mi"));
+  EXPECT_EQ(refused("a <a href=\"java&#115;cript&colon;alert(1)\">x</a>\n"), element("<a"));
+  EXPECT_EQ(refused("a <a href=\"jAvA\tscript:alert(1)\">x</a>\n"), element("<a"));
   EXPECT_EQ(refused("a <a href=\"data:text/html,<script>alert(1)</script>\">x</a>\n"),
-            element("<a") + ", " + element("</a"));
+            element("<a"));
   EXPECT_EQ(refused("a <img src=x onerror=alert(1)> b\n"), broken("<img src=x onerror=alert(1)>"));
   EXPECT_EQ(refused("<textarea>\n</textarea>\n"), element("<textarea"));
   EXPECT_EQ(refused("<template>\n<b>x</b>\n</template>\n"), element("<template"));
   EXPECT_EQ(refused("<noscript><p title=\"</noscript><img src=x onerror=alert(1)>\">\n"),
             element("<noscript"));
-  EXPECT_EQ(refused("<sim-lab data-module=\"labs/x.js\"></sim-lab>\n"),
-            element("<sim-lab") + ", " + element("</sim-lab"));
-  EXPECT_EQ(refused("a </main> b\n"), element("</main"));
+  EXPECT_EQ(refused("<sim-lab data-module=\"labs/x.js\"></sim-lab>\n"), element("<sim-lab"));
+  EXPECT_EQ(refused("a </main> b </main>\n"), element("</main"));
+  EXPECT_EQ(refused("a <u>b</u> <a>c</a> <a>d</a>\n"), element("<a") + ", " + element("<a"));
 }
 
 TEST(RawHtml, HasNoAttributeThatActs) {
@@ -174,8 +168,7 @@ TEST(RawHtml, HasStylesThatStayInTheirPlace) {
 }
 
 TEST(RawHtml, IsTheSameInAllMarkdown) {
-  EXPECT_EQ(refused("> [!note] A <blink>title</blink>\n>\n> text\n"),
-            element("<blink") + ", " + element("</blink"));
+  EXPECT_EQ(refused("> [!note] A <blink>title</blink>\n>\n> text\n"), element("<blink"));
   EXPECT_EQ(refused("| <iframe> |\n|---|\n| x |\n"), element("<iframe"));
   EXPECT_EQ(refused("```io\nINPUT: <iframe>\n```\n"), element("<iframe"));
   EXPECT_EQ(refused("````demo\n<iframe>\n````\n"), element("<iframe"));

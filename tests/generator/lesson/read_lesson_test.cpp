@@ -109,6 +109,25 @@ TEST(Link, KnowsWhereItsTargetStands) {
   EXPECT_EQ(links, "1.3 4:7\n1.3#x 4:28\n1.9 8:8\nhttps://a.example 6:13\n");
 }
 
+// A footnote stands at the tree's end, by its first mention, wherever it was written.
+TEST(Footnote, LeavesEverythingInItsPlace) {
+  const ReadingOf reading = reading_of(
+      "[^b]: [b](1.2) `{m} b`\n\n[a](1.1)[^a] and [^b]\n\n> [^a]: $a$ and\n> [a](1.3).\n\n"
+      "[b](1.4) $b$\n");
+  EXPECT_EQ(reading.mistakes(), "");
+  std::string places;
+  for (const Link& link : reading.lesson->links) {
+    places += link.target.text + " " + reading.place(link.target) + "\n";
+  }
+  for (const InlineValue* value : reading.all<InlineValue>()) {
+    places += value->expression.text + " " + reading.place(value->expression) + "\n";
+  }
+  for (const Math* math : reading.all<Math>()) {
+    places += math->tex.text + " " + reading.place(math->tex) + "\n";
+  }
+  EXPECT_EQ(places, "1.1 6:5\n1.4 11:5\n1.3 9:7\n1.2 4:11\nb 4:21\nb 11:11\na 8:10\n");
+}
+
 TEST(Lesson, ShowsAllItsMistakesInOneRun) {
   const ReadingOf reading = reading_of_file(R"(---
 titel: T
