@@ -2,6 +2,7 @@
 import katex from "katex";
 
 import { bytes } from "../bytes.js";
+import { boundExpansion, tooLong } from "../expansion.js";
 
 /** `display` is "true" or "false"; `macros` is JSON from `\name` to TeX; so is the answer JSON. */
 function typeset(tex: string, display: string, macros: string): string {
@@ -41,8 +42,13 @@ function describe(tex: string, error: ParseError, macros: Record<string, string>
       .replace(/(Unrecognized Unicode character .*) \(\d+\)$/, "$1"),
     offset: bytes(tex.slice(0, position)),
     length: bytes(tex.slice(position, position + length)),
-    cure: unknown === undefined ? "" : suggestCommand(unknown, macros),
+    cure: cureOf(error.rawMessage, unknown, macros),
   };
+}
+
+function cureOf(message: string, unknown: string | undefined, macros: Record<string, string>) {
+  if (message === tooLong) return "shorten its macros, or make several formulas of it";
+  return unknown === undefined ? "" : suggestCommand(unknown, macros);
 }
 
 /** KaTeX names characters beyond U+FFFF by their first half alone. */
@@ -80,4 +86,5 @@ function slips(name: string): string[] {
   ].filter((slip) => slip !== "" && slip !== name);
 }
 
+boundExpansion();
 Object.assign(globalThis, { typeset });

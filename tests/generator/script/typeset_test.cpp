@@ -89,6 +89,31 @@ TEST_F(TypesetterTest, WhatLatexWouldRefuseIsAnError) {
   EXPECT_EQ(error("\\left( x"), "8+0 Expected '\\right', got 'EOF' | ");
 }
 
+std::string times(int count, const std::string& text) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+TEST_F(TypesetterTest, BoundsWhatMacrosBecome) {
+  const std::string too_long =
+      "0+0 with its macros written out, this formula has more than 10000 letters and commands | "
+      "shorten its macros, or make several formulas of it";
+  const std::string hundred = "\\def\\a{" + times(100, "x") + "}";
+  EXPECT_EQ(error(hundred + times(100, "\\a ")), "no error");
+  EXPECT_EQ(error(hundred + times(101, "\\a ")), too_long);
+  const std::string repeat = "\\def\\a#1{" + times(100, "#1") + "}\\a{";
+  EXPECT_EQ(error(repeat + times(97, "x") + "}"), "no error");
+  EXPECT_EQ(error(repeat + times(100, "x") + "}"), too_long);
+  EXPECT_EQ(error("\\def\\a#1{" + times(2'000, "#1") + "}\\a{" + times(4'000, "x") + "}"),
+            too_long);
+  std::string doubled = "\\def\\a{x}";
+  for (int i = 0; i < 30; ++i) doubled += "\\edef\\a{\\a\\a}";
+  EXPECT_EQ(error(doubled + "\\a"),
+            "0+0 Too many expansions: infinite loop or need to increase maxExpand setting | ");
+  EXPECT_EQ(error("x"), "no error");
+}
+
 // KaTeX's own messages name but a half of them.
 TEST_F(TypesetterTest, NamesCharactersBeyondU10000) {
   EXPECT_EQ(error("a😀"), "1+4 not LaTeX: Unrecognized Unicode character \"😀\" | ");
