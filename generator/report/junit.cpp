@@ -62,7 +62,9 @@ class JunitWriter {
   }
 
   void attribute(const char* name, const std::string& value) {
-    xml_.PushAttribute(name, plain(value).c_str());
+    std::string line = plain(value);
+    std::replace(line.begin(), line.end(), '\n', ' ');
+    xml_.PushAttribute(name, line.c_str());
   }
   void close() { xml_.CloseElement(); }
 
