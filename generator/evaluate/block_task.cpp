@@ -175,24 +175,31 @@ Dependencies BlockTask::recipe(const Setting& setting) const {
   return recipe_of(setting, known.kind, known.text, known.scripts);
 }
 
-// A picture's size, and a plot of numbers, are found out without MuJoCo and an author's scripts.
+// A picture's size is found out without MuJoCo and the script engine.
 bool BlockTask::is_apart() const {
-  return !std::holds_alternative<Image>(block_) && !std::holds_alternative<Chart>(block_);
+  return !std::holds_alternative<Image>(block_);
 }
 
 bool BlockTask::work_apart(Workshop& workshop, Finding& finding) {
   return !is_apart() || find_out(workshop, finding);
 }
 
+// What a worker found and a page will run or draw is looked at here, where no author's text works.
 bool BlockTask::work(Workshop& workshop, Finding& finding) {
   if (!is_apart()) return find_out(workshop, finding);
   const auto found = finding.results.find(block());
-  auto* result = found == finding.results.end() ? nullptr : std::get_if<LabResult>(&found->second);
-  if (result == nullptr ||
-      guard_scripts(std::get<Lab>(block_), lesson(), workshop, result->scripts)) {
-    return true;
+  if (found == finding.results.end()) return true;
+  if (auto* lab = std::get_if<LabResult>(&found->second)) {
+    if (!guard_scripts(std::get<Lab>(block_), lesson(), workshop, lab->scripts)) {
+      throw std::runtime_error("the lab was rehearsed with a script that no page runs");
+    }
+  } else if (auto* chart = std::get_if<ChartResult>(&found->second)) {
+    if (!are_plain(chart->drawings)) {
+      throw std::runtime_error("the plot was drawn with what no page shows");
+    }
+    chart->file = file_of_example(std::get<Chart>(block_).example.text, workshop.course());
   }
-  throw std::runtime_error("the lab was rehearsed with a script that no page runs");
+  return true;
 }
 
 bool BlockTask::find_out(Workshop& workshop, Finding& finding) const {

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "evaluate/svg_faults.h"
+
 namespace mjcourse {
 namespace {
 
@@ -41,23 +43,21 @@ Span place_of_fault(const Chart& chart, const ChartFault& fault) {
   return at.value->span;
 }
 
+// In a page HTML's rules hold: the text of some elements is HTML's again, and `<!` and `<?` begin
+// comments. So the list is shorter than that of a file.
+bool is_plain(const ChartDrawing& drawing) {
+  for (const char* barred : {"<!", "<?", "<title", "<desc", "<style", "<svg", "</svg"}) {
+    if (drawing.svg.find(barred) != std::string::npos) return false;
+  }
+  return faults_of_svg("<svg>" + drawing.svg + "</svg>").empty();
+}
+
 json columns_of(const Table& table) {
   json columns = json::array();
   for (const Column& column : table) {
     columns.push_back(json::array({column.name, column.values}));
   }
   return columns;
-}
-
-// "examples/x.cpp" of the example `name`, wherever the course shows it.
-std::string file_of(const std::string& name, const Course& course) {
-  for (const Lesson& lesson : course.lessons) {
-    for (const Block& block : lesson.blocks) {
-      const auto* example = std::get_if<Example>(&block);
-      if (example != nullptr && example->name() == name) return example->file.text;
-    }
-  }
-  return "";
 }
 
 }  // namespace
@@ -93,7 +93,21 @@ std::optional<ChartResult> evaluate_chart(const Chart& chart, std::size_t index,
     return std::nullopt;
   }
   if (table == nullptr) return std::nullopt;
-  return ChartResult{*std::move(drawn), *table, file_of(chart.example.text, workshop.course())};
+  return ChartResult{*std::move(drawn), *table, ""};
+}
+
+bool are_plain(const ChartDrawings& drawings) {
+  return is_plain(drawings.wide) && (!drawings.narrow || is_plain(*drawings.narrow));
+}
+
+std::string file_of_example(const std::string& name, const Course& course) {
+  for (const Lesson& lesson : course.lessons) {
+    for (const Block& block : lesson.blocks) {
+      const auto* example = std::get_if<Example>(&block);
+      if (example != nullptr && example->name() == name) return example->file.text;
+    }
+  }
+  return "";
 }
 
 }  // namespace mjcourse
