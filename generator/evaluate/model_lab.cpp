@@ -1,11 +1,10 @@
 #include "evaluate/model_lab.h"
 
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "evaluate/lab.h"
-#include "lesson/lesson_reader.h"
+#include "evaluate/lesson_of_lab.h"
 
 namespace mjcourse {
 namespace {
@@ -69,22 +68,10 @@ std::string fence_of(const ModelPage& page, const View& view, json controls, jso
   return "```lab simlab\n" + lab.dump() + "\n```\n";
 }
 
-// Its mistakes are not an author's: whoever made the fence decides what they mean.
-Lesson read(const std::string& name, const std::string& fence, Diagnostics& mistakes) {
-  Lesson lesson;
-  lesson.folder = "models";
-  lesson.slug = lesson.number = name;
-  lesson.source = std::make_shared<SourceText>("the page of models/" + name + ".xml", fence);
-  lesson.document = parse_markdown(fence);
-  Reading reading(*lesson.source, mistakes);
-  LessonReader(lesson, reading).read_document();
-  return lesson;
-}
-
 std::optional<ModelPage::LiveLab> rehearsed(const std::string& name, std::string fence,
                                             Workshop& workshop) {
   Diagnostics mistakes;
-  const Lesson lesson = read(name, fence, mistakes);
+  const Lesson lesson = lesson_of_lab(name, fence, mistakes);
   if (!mistakes.empty() || lesson.blocks.size() != 1) return std::nullopt;
   const Lab& lab = std::get<Lab>(lesson.blocks.front());
   std::optional<LabResult> result = rehearse_lab(lab, lesson, workshop, mistakes);
@@ -101,11 +88,6 @@ std::optional<ModelPage::LiveLab> evaluate_model_lab(const ModelPage& page, cons
       rehearsed(page.name, fence_of(page, view, controls_of(page, model), readouts), workshop);
   if (lab) return lab;
   return rehearsed(page.name, fence_of(page, view, json::array(), readouts), workshop);
-}
-
-Lesson lesson_of_lab(const ModelPage& page) {
-  Diagnostics none;
-  return read(page.name, page.lab->fence, none);
 }
 
 }  // namespace mjcourse

@@ -19,7 +19,4 @@ namespace mjcourse {
 std::optional<ModelPage::LiveLab> evaluate_model_lab(const ModelPage& page, const Model& model,
                                                      const View& view, Workshop& workshop);
 
-// The page's lab as the one block of a lesson, whose page it is.
-Lesson lesson_of_lab(const ModelPage& page);
-
 }  // namespace mjcourse

@@ -5,7 +5,7 @@
 
 #include "evaluate/bench.h"
 #include "evaluate/lab_scripts.h"
-#include "evaluate/model_lab.h"
+#include "evaluate/lesson_of_lab.h"
 #include "evaluate/recipe.h"
 
 namespace mjcourse {

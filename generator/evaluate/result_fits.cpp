@@ -5,7 +5,7 @@
 
 #include "base/beneath.h"
 #include "base/utf8.h"
-#include "evaluate/model_lab.h"
+#include "evaluate/lesson_of_lab.h"
 
 namespace mjcourse {
 namespace {

@@ -1,7 +1,7 @@
 #include "page/model_page.h"
 
 #include "course/uses.h"
-#include "evaluate/model_lab.h"
+#include "evaluate/lesson_of_lab.h"
 #include "page/uses_data.h"
 
 namespace mjcourse {

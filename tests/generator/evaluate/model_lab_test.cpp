@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "evaluate/lesson_of_lab.h"
 #include "evaluation_of.h"
 
 namespace mjcourse {

@@ -1,0 +1,19 @@
+// A model page's lab as the one block of a lesson.
+//
+// The page is written as a lesson's is, and what a lab's result must have is known from its fence.
+#pragma once
+
+#include <string>
+
+#include "evaluate/model_page.h"
+
+namespace mjcourse {
+
+// Of the model `name`, whose page has the lab in `fence`. Its mistakes are no author's: a caller
+// decides what they mean.
+Lesson lesson_of_lab(const std::string& name, const std::string& fence, Diagnostics& mistakes);
+
+// `page` has a lab.
+Lesson lesson_of_lab(const ModelPage& page);
+
+}  // namespace mjcourse
