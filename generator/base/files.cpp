@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <fstream>
 #include <limits>
+#include <set>
 #include <string_view>
 #include <system_error>
 
@@ -116,6 +117,15 @@ std::vector<std::string> DiskFiles::list(const std::string& folder) const {
   return names;
 }
 
+std::vector<std::string> DiskFiles::folders(const std::string& folder) const {
+  std::vector<std::string> names;
+  for (const Named& one : names_in(beneath_, folder)) {
+    const std::string path = folder.empty() ? one.name : folder + "/" + one.name;
+    if (one.type == DT_DIR || (one.type == DT_LNK && is_folder(path))) names.push_back(one.name);
+  }
+  return names;
+}
+
 std::vector<DiskFiles::Entry> DiskFiles::below(const std::string& folder) const {
   std::vector<Entry> entries;
   for (const Named& one : names_in(beneath_, folder)) {
@@ -126,6 +136,12 @@ std::vector<DiskFiles::Entry> DiskFiles::below(const std::string& folder) const 
     entries.insert(entries.end(), inner.begin(), inner.end());
   }
   return entries;
+}
+
+std::string read_again(const Files& files, const std::string& path) {
+  auto bytes = files.read(path);
+  if (!bytes) throw LostFile(bytes.error());
+  return *std::move(bytes);
 }
 
 tl::expected<std::string, std::string> read_beneath(const fs::path& root, const fs::path& path) {
@@ -166,6 +182,16 @@ std::vector<std::string> MemoryFiles::list(const std::string& folder) const {
     if (name.find('/') == std::string::npos) names.push_back(name);
   }
   return names;
+}
+
+std::vector<std::string> MemoryFiles::folders(const std::string& folder) const {
+  std::set<std::string> names;
+  for (const auto& [path, bytes] : files_) {
+    if (!path.starts_with(folder + "/")) continue;
+    const std::size_t end = path.find('/', folder.size() + 1);
+    if (end != path.npos) names.insert(path.substr(folder.size() + 1, end - folder.size() - 1));
+  }
+  return {names.begin(), names.end()};
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <map>
+#include <stdexcept>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -25,6 +26,8 @@ class Files {
   // The names (not paths) of what is in `folder` and is no folder, sorted; empty when there is no
   // such folder.
   virtual std::vector<std::string> list(const std::string& folder) const = 0;
+  // The names of the folders in `folder`, sorted. Not all tell.
+  virtual std::vector<std::string> folders(const std::string& /*folder*/) const { return {}; }
   // Why the file or the folder `path`, which is there, is never read: "leads out of the course". ""
   // where it is not there, or is read.
   virtual std::string refusal(const std::string& /*path*/) const { return ""; }
@@ -39,6 +42,7 @@ class DiskFiles : public Files {
   tl::expected<std::string, std::string> read(const std::string& path) const override;
   bool exists(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  std::vector<std::string> folders(const std::string& folder) const override;
   std::string refusal(const std::string& path) const override;
 
   bool is_folder(const std::string& path) const;
@@ -63,10 +67,21 @@ class MemoryFiles : public Files {
   tl::expected<std::string, std::string> read(const std::string& path) const override;
   bool exists(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  std::vector<std::string> folders(const std::string& folder) const override;
 
  private:
   std::map<std::string, std::string> files_;
 };
+
+// A file of the course that was there is gone, or cannot be read: "models/x.xml: Permission
+// denied".
+class LostFile : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+// The bytes of a file that was looked at before. Throws LostFile.
+std::string read_again(const Files& files, const std::string& path);
 
 // The bytes of a plain file that is not of a course: of the system, of the user's cache, of our
 // own. Links are followed wherever they lead.

@@ -2,11 +2,12 @@
 #include <set>
 #include <utility>
 
-#include "base/nearest.h"
 #include "course/course.h"
 #include "course/former_page.h"
+#include "course/language.h"
 #include "course/lesson_shelf.h"
 #include "course/link_target.h"
+#include "course/missing_lesson.h"
 #include "course/reference_picture.h"
 #include "course/web_address.h"
 #include "lesson/is_text.h"
@@ -53,8 +54,7 @@ struct Listed {
   LocatedText entry;
   std::string path;
   std::optional<Lesson> lesson = {};
-  std::string unreadable = {};  // why its bytes cannot be had
-  std::string refusal = {};     // as Files has it
+  std::string refusal = {};  // as Files has it
   Diagnostics diagnostics = {};
 };
 
@@ -102,7 +102,6 @@ void read_listed(const Files& files, LessonShelf* shelf, Listed& listed, bool st
   if (!files.exists(listed.path)) return;
   tl::expected<std::string, std::string> bytes = files.read(listed.path);
   if (!bytes) {
-    listed.unreadable = bytes.error();
     listed.refusal = files.refusal(listed.path);
     return;
   }
@@ -124,15 +123,9 @@ void add_listed(const Files& files, Listed& listed, Reading& reading, Course& co
   if (!listed.refusal.empty()) {
     diagnostics.push_back(
         refused_file(place_of(reading.source(), span), listed.path, listed.refusal));
-  } else if (!listed.unreadable.empty()) {
-    reading.error("E-lesson-missing", span, "cannot read " + listed.unreadable);
   } else if (!listed.lesson && listed.diagnostics.empty()) {
-    std::vector<std::string> there;
-    for (const std::string& name : files.list("content/" + level.folder)) {
-      if (name.ends_with(".md")) there.push_back(name.substr(0, name.size() - 3));
-    }
-    reading.error("E-lesson-missing", span, "there is no file " + listed.path,
-                  suggest(listed.entry.text, there));
+    const MissingLesson missing = missing_lesson(files, level.folder, listed.entry.text);
+    reading.error("E-lesson-missing", span, missing.message, missing.cure);
   } else if (listed.lesson && course.find_lesson(listed.lesson->number) != nullptr) {
     reading.error("E-lesson-number", span,
                   "the number " + listed.lesson->number + " is taken by a lesson above",
@@ -169,6 +162,10 @@ void read_glossary_file(const Files& files, Course& course, Diagnostics& diagnos
   const tl::expected<std::string, std::string> bytes = files.read(kGlossaryPath);
   if (bytes) course.glossary = read_glossary(*bytes, diagnostics);
   report_refused(kGlossaryPath, files, diagnostics);
+  if (!bytes && files.exists(kGlossaryPath) && files.refusal(kGlossaryPath).empty()) {
+    diagnostics.push_back(error_at({kGlossaryPath, 0, 0, 1, ""}, "E-file-refused",
+                                   "cannot read " + bytes.error(), "let it be read"));
+  }
 }
 
 void check_terms(const Files& files, const Course& course, Diagnostics& diagnostics) {
@@ -268,7 +265,13 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
   course.title = map.required_string("title").text;
   course.description = map.string("description").text;
   if (const LocatedText language = map.string("language"); !language.text.empty()) {
-    course.language = language.text;
+    const auto cure = cure_of_language(language.text);
+    if (cure) {
+      reading.error("E-course-language", language.span(),
+                    "`" + language.text + "` is no tag of a language", *cure);
+    } else {
+      course.language = language.text;
+    }
   }
   course.macros = map.texts("macros");
   course.url = read_address(map, "url", "E-course-url", site_address_fault, reading);

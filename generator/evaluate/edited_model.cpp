@@ -26,7 +26,7 @@ std::optional<LocatedText> edited_model(const LabBench& bench, const Lab::Goal& 
   const LocatedText& model = bench.lab().model;
   const bool is_mjcf = model.text.starts_with('<');
   const std::string base =
-      is_mjcf ? model.text : bench.workshop().files().read("models/" + model.text + ".xml").value();
+      is_mjcf ? model.text : read_again(bench.workshop().files(), "models/" + model.text + ".xml");
   const auto refuse = [&](const LocatedText& text, const std::string& message,
                           const std::string& cure) {
     bench.error("E-lab-goal", text.span(), message, cure);

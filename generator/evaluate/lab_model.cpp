@@ -23,7 +23,9 @@ std::optional<LabModel> find_lab_model(const LabBench& bench) {
   if (!sources) return refuse(sources.error(), "rename a file, or leave one out");
   LabModel model{sources->main, {}, {sources->assets.begin(), sources->assets.end()}};
   for (const auto& [name, text_path] : sources->texts) {
-    model.texts[name] = read_beneath(root, text_path).value();
+    auto text = read_beneath(root, text_path);
+    if (!text) throw LostFile(text.error());
+    model.texts[name] = *std::move(text);
     if (find_invalid_utf8(model.texts[name])) {
       return refuse(name + " is not UTF-8, as the page needs it", "save it as UTF-8");
     }

@@ -24,7 +24,7 @@ std::optional<ModelResult> evaluate_excerpt(const ModelExcerpt& excerpt, const L
                                             Workshop& workshop, Diagnostics& diagnostics) {
   if (!workshop.simulate_named(excerpt.model, *lesson.source, diagnostics)) return std::nullopt;
   const std::string path = "models/" + excerpt.model.text + ".xml";
-  const SourceText file(path, workshop.files().read(path).value());
+  const SourceText file(path, read_again(workshop.files(), path));
   const Place fence = place_of(*lesson.source, excerpt.span);
   if (excerpt.text.text.find_first_not_of(" \n") == std::string::npos) {
     diagnostics.push_back(error_at(fence, "E-excerpt-empty", "this excerpt shows nothing",

@@ -118,7 +118,7 @@ std::vector<ModelPage::File> files_of(const fs::path& root, const std::string& m
     for (const auto& [name, path] : sources->texts) add(path, true);
     for (const auto& [name, path] : sources->assets) add(path, false);
   }
-  std::vector<ModelPage::File> files{{main, DiskFiles(root).read(main).value()}};
+  std::vector<ModelPage::File> files{{main, read_again(DiskFiles(root), main)}};
   for (const auto& [path, text] : others) files.push_back({path, text});
   return files;
 }

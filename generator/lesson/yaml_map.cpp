@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include "base/nearest.h"
@@ -16,6 +17,19 @@ Span span_of(const YAML::Mark& mark, std::size_t length, const LocatedText& text
   return text.span(begin, begin + std::max<std::size_t>(1, length));
 }
 
+// Where a tab indents a line of `text` up to the one after `last`, which YAML does not take; npos
+// for nowhere.
+std::size_t indenting_tab(std::string_view text, int last) {
+  std::size_t begin = 0;
+  for (int line = 0; line <= last + 1 && begin < text.size(); ++line) {
+    const std::size_t word = text.find_first_not_of(" -\t", begin);
+    const std::size_t tab = text.substr(0, word).find('\t', begin);
+    if (tab != text.npos) return tab;
+    begin = std::min(text.find('\n', begin), text.size() - 1) + 1;
+  }
+  return text.npos;
+}
+
 }  // namespace
 
 std::optional<YAML::Node> parse_yaml(const LocatedText& text, const std::string& what,
@@ -23,6 +37,13 @@ std::optional<YAML::Node> parse_yaml(const LocatedText& text, const std::string&
   try {
     return YAML::Load(text.text);
   } catch (const YAML::Exception& error) {
+    const std::size_t tab = indenting_tab(text.text, error.mark.line);
+    if (tab != std::string::npos) {
+      reading.error(id, text.span(tab, tab + 1),
+                    "the " + what + " is indented with a tab here, which YAML does not take",
+                    "indent with blanks");
+      return std::nullopt;
+    }
     reading.error(id, span_of(error.mark, 1, text), "the " + what + " is not YAML: " + error.msg,
                   "quote a value that holds `: ` or starts with a special character");
     return std::nullopt;

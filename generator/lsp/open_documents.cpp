@@ -105,6 +105,10 @@ std::string OpenDocuments::refusal(const std::string& path) const {
   return saved_.refusal(path);
 }
 
+std::vector<std::string> OpenDocuments::folders(const std::string& folder) const {
+  return saved_.folders(folder);
+}
+
 std::vector<std::string> OpenDocuments::list(const std::string& folder) const {
   std::vector<std::string> names = saved_.list(folder);
   const std::lock_guard lock(mutex_);

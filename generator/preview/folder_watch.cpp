@@ -42,6 +42,11 @@ bool is_in(const fs::path& path, const fs::path& folder) {
 
 FolderWatch::FolderWatch(const std::vector<fs::path>& folders)
     : notify_(inotify_init1(IN_CLOEXEC | IN_NONBLOCK)) {
+  if (notify_ < 0 && errno == EMFILE) {
+    throw std::system_error(errno, std::generic_category(),
+                            "too many programs watch folders; end one, or raise "
+                            "fs.inotify.max_user_instances");
+  }
   if (notify_ < 0) throw_errno("inotify");
   for (const fs::path& folder : folders) {
     folders_.push_back(fs::absolute(folder).lexically_normal());

@@ -100,5 +100,22 @@ TEST(TemporaryFolder, IsGoneWithEverythingInIt) {
   EXPECT_FALSE(fs::exists(second));
 }
 
+TEST(MemoryFiles, NamesFolders) {
+  const MemoryFiles files({{"a/b/c", ""}, {"a/d", ""}, {"a/e/f", ""}, {"g", ""}});
+  EXPECT_EQ(files.folders("a"), (std::vector<std::string>{"b", "e"}));
+  EXPECT_TRUE(files.folders("g").empty());
+}
+
+TEST(ReadAgain, NamesTheFileThatIsLost) {
+  const MemoryFiles files({{"a", "text"}});
+  EXPECT_EQ(read_again(files, "a"), "text");
+  try {
+    read_again(files, "b");
+    FAIL() << "nothing is thrown";
+  } catch (const LostFile& lost) {
+    EXPECT_STREQ(lost.what(), "b: No such file or directory");
+  }
+}
+
 }  // namespace
 }  // namespace mjcourse

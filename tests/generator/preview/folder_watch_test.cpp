@@ -1,6 +1,7 @@
 #include "preview/folder_watch.h"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <fstream>
 #include <functional>
@@ -124,6 +125,23 @@ TEST_F(FolderWatchTest, ForgetsWhatWasMovedAway) {
                 fs::rename(root_ / "content/deep", folder_.path() / "deep");
               }).contains("content/deep"));
   EXPECT_EQ(told([&] { write_file(folder_.path() / "deep/two.md", "2"); }), Paths{});
+}
+
+TEST(FolderWatchRoom, SaysWhatHelpsWhereNothingMoreCanBeWatched) {
+  rlimit before{};
+  getrlimit(RLIMIT_NOFILE, &before);
+  const rlimit none{0, before.rlim_max};  // fails as when a user has too many instances
+  setrlimit(RLIMIT_NOFILE, &none);
+  std::string said;
+  try {
+    const FolderWatch watch({"/tmp"});
+  } catch (const std::system_error& error) {
+    said = error.what();
+  }
+  setrlimit(RLIMIT_NOFILE, &before);
+  EXPECT_EQ(said,
+            "too many programs watch folders; end one, or raise fs.inotify.max_user_instances: "
+            "Too many open files");
 }
 
 }  // namespace

@@ -1,0 +1,15 @@
+// The language of a course, a tag of BCP 47: `de`, `en-GB`, `zh-Hans`.
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace mjcourse {
+
+// What to write instead of `tag`, which has not the form of one; nothing where it has.
+std::optional<std::string> cure_of_language(const std::string& tag);
+
+// Is it written from right to left?
+bool is_right_to_left(const std::string& tag);
+
+}  // namespace mjcourse
