@@ -26,10 +26,8 @@ std::optional<Refusal> refused_place(const fs::path& course, const fs::path& pla
 std::optional<Refusal> refused_folder(const fs::path& course, const fs::path& place,
                                       const std::string& option) {
   auto refused = refused_place(course, place, option);
-  if (refused || SiteDirectory::may_replace(place)) return refused;
-  return Refusal{kWrongUsage,
-                 place.string() + " holds something that no build made, and would be replaced",
-                 "name an empty or a new folder: `" + option + "`"};
+  if (!refused) SiteDirectory::refuse_others(place);
+  return refused;
 }
 
 }  // namespace

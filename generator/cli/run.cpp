@@ -18,6 +18,7 @@
 #include "course/web_address.h"
 #include "evaluate/work_loop.h"
 #include "evaluate/worker.h"
+#include "page/foreign_files.h"
 #include "physics/mesa.h"
 
 namespace mjcourse {
@@ -297,6 +298,11 @@ int run_command(const std::vector<std::string>& arguments) {
       names.emplace_back(named.name);
     }
     return wrong_usage("there is no command " + arguments[0] + "; " + suggest(arguments[0], names));
+  } catch (const FolderRefused& refused) {
+    return tell(Refusal{kWrongUsage, refused.what(), refused.cure()});
+  } catch (const LostFile& lost) {
+    return tell(Refusal{kCourseErrors, lost.what(),
+                        "it was there a moment ago: let it be read, and start again"});
   } catch (const std::exception& error) {
     std::cerr << "mjcourse: " << error.what() << '\n';
     return kOurFault;

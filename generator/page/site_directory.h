@@ -1,8 +1,10 @@
 // SiteDirectory: a site that is replaced as a whole or not at all.
 //
 // Files are written into a folder beside the site; commit() puts that folder in the site's place
-// with one rename, so a kill at any moment leaves either the old site or the new one. What a killed
-// build left behind is removed by the next.
+// with one rename, so a kill at any moment leaves either the old site or the new one. Then what is
+// foreign in the old one (foreign_files.h) is renamed into the new one; where that fails, all is
+// put back as it was. What a killed build left behind is removed by the next, which also moves what
+// is foreign in it.
 #pragma once
 
 #include <filesystem>
@@ -13,17 +15,18 @@
 #include <string>
 #include <string_view>
 
+#include "base/descriptor.h"
 #include "page/site_files.h"
 
 namespace mjcourse {
 
 class SiteDirectory : public SiteFiles {
  public:
-  // Is nothing in `site` but what a build made?
-  static bool may_replace(const std::filesystem::path& site);
+  // Throws FolderRefused where `site` holds something that no build made.
+  static void refuse_others(const std::filesystem::path& site);
 
-  // Throws std::runtime_error where `site` may not be replaced, or another build is at work on it;
-  // std::system_error where the disk fails.
+  // As refuse_others() throws; std::runtime_error when another build is
+  // at work on it; std::system_error where the disk fails.
   // What is copied is read beneath `course`.
   explicit SiteDirectory(const std::filesystem::path& site, std::filesystem::path course = {});
   ~SiteDirectory() override;
@@ -39,13 +42,16 @@ class SiteDirectory : public SiteFiles {
 
   // Where it is until commit().
   const std::filesystem::path& folder() const { return staging_; }
+  // Throws FolderRefused where something foreign is in the way of the new site.
   void commit();
 
  private:
   bool is_new(const std::string& path);
+  void put_back_foreign_files();
 
   std::filesystem::path site_, staging_, course_;
-  int lock_ = -1;
+  Descriptor lock_;
+  bool holds_foreign_files_ = false;  // in the staging folder
   std::mutex mutex_;
   std::set<std::string> copied_;  // paths
 };

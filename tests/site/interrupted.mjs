@@ -1,12 +1,13 @@
 // A build that is killed, at whatever moment, leaves the site as it was or, where the kill came too
-// late, the whole new one. The next build succeeds, and leaves nothing of the killed ones behind. And
-// the result store that all of them wrote into gives the same site as a new one.
+// late, the whole new one. The next build succeeds, and leaves nothing of the killed ones behind, and
+// all that the user put into the site. And the result store that all of them wrote into gives the same site as a new one.
 //
 //   node tests/site/interrupted.mjs MJCOURSE [KILLS]
 
 import { spawn } from "node:child_process";
 import { createHash } from "node:crypto";
 import {
+  existsSync,
   globSync,
   mkdirSync,
   mkdtempSync,
@@ -64,10 +65,14 @@ function startBuild(kept = store) {
   return { kill: () => generator.kill("SIGKILL"), ended, said: () => said };
 }
 
-// One hash for all names and bytes of the site.
+// What the user has in the site. A kill may come before they are moved; then the next build does it.
+const foreign = ["CNAME", ".git/HEAD", "1-level/notes.txt"];
+
+// One hash for all names and bytes of what builds wrote.
 function fingerprint() {
   const hash = createHash("sha256");
   for (const path of globSync("**", { cwd: out }).sort()) {
+    if (foreign.includes(path)) continue;
     if (statSync(join(out, path)).isFile()) hash.update(path).update(readFileSync(join(out, path)));
   }
   return hash.digest("hex");
@@ -88,6 +93,7 @@ try {
   const took = performance.now() - start;
   const clean = { beside: readdirSync(dirname(out)), temporary: readdirSync(temporary) };
   const before = fingerprint();
+  for (const path of foreign) write(join("out/site", path), path);
 
   const seen = [];
   writeCourse("after");
@@ -111,6 +117,10 @@ try {
     const whole = found === before || found === after;
     expect(whole, `kill ${i + 1} of ${kills} left neither the old site nor the new one`);
     expect(i === 0 || found !== before || seen[i - 1] !== after, "the old site came back");
+  }
+  for (const path of foreign) {
+    const kept = existsSync(join(out, path)) && readFileSync(join(out, path), "utf8") === path;
+    expect(kept, `${path} is lost`);
   }
   for (const [folder, names] of [
     [dirname(out), clean.beside],

@@ -7,6 +7,7 @@
 
 #include "base/files.h"
 #include "base/temporary_folder.h"
+#include "page/foreign_files.h"
 
 namespace mjcourse {
 namespace {
@@ -23,13 +24,13 @@ class SiteDirectoryTest : public testing::Test {
     directory.commit();
   }
 
-  // The site's files without the mark that tells it from other folders.
+  // The site's files without the list of them.
   Texts files() const {
     Texts texts;
     for (const auto& entry : fs::recursive_directory_iterator(site_)) {
       const std::string path = fs::relative(entry.path(), site_);
-      if (entry.is_regular_file() && path[0] != '.') {
-        texts[path] = DiskFiles(site_).read(path).value();
+      if (entry.is_regular_file() && path != kSiteList) {
+        texts[path] = read_file(entry.path()).value();
       }
     }
     return texts;
@@ -39,8 +40,22 @@ class SiteDirectoryTest : public testing::Test {
   std::string refusal() const {
     try {
       const SiteDirectory directory(site_);
+    } catch (const FolderRefused& refused) {
+      return refused.what() + ("; " + refused.cure());
     } catch (const std::runtime_error& error) {
       return error.what();
+    }
+    return "";
+  }
+
+  // What building a site of the file `path` throws.
+  std::string refusal_of(const std::string& path) const {
+    try {
+      SiteDirectory directory(site_);
+      directory.write(path, "new");
+      directory.commit();
+    } catch (const FolderRefused& refused) {
+      return refused.what() + ("; " + refused.cure());
     }
     return "";
   }
@@ -100,8 +115,8 @@ TEST_F(SiteDirectoryTest, RemovesWhatAKilledBuildLeft) {
 TEST_F(SiteDirectoryTest, RefusesAFolderThatNoBuildMade) {
   write_file(site_ / "precious.txt", "work of years");
   EXPECT_EQ(refusal(), site_.string() +
-                           " holds something that no build made; it would be replaced. "
-                           "Name an empty or a new folder.");
+                           " holds something that no build made, and would be replaced; "
+                           "name an empty or a new folder");
   EXPECT_EQ(files(), (Texts{{"precious.txt", "work of years"}}));
 }
 
@@ -191,6 +206,119 @@ TEST_F(SiteDirectoryTest, DoesNotWriteThroughALinkInTheWay) {
   build("new");
   EXPECT_EQ(files(), (Texts{{"page.html", "new"}}));
   EXPECT_TRUE(fs::is_empty(folder_.path() / "elsewhere"));
+}
+
+// What a user put into a site: a folder of git's, files at the top and beside ours, a link, and a
+// folder in which there is nothing yet.
+class ForeignFiles : public SiteDirectoryTest {
+ protected:
+  ForeignFiles() {
+    {
+      SiteDirectory directory(site_);
+      directory.write("page.html", "old");
+      directory.write("1-a/x.html", "old");
+      directory.write("2-b/deep/y.html", "old");
+      directory.commit();
+    }
+    for (const auto& [path, text] : own_) write_file(site_ / path, text);
+    fs::create_symlink("/nowhere", site_ / "link");
+    fs::create_directories(site_ / "2-b" / "empty");
+  }
+  // All that the user has in the site is there, beside a page that says `text`.
+  void expect_all(const std::string& text) const {
+    Texts expected = own_;
+    expected["page.html"] = text;
+    EXPECT_EQ(files(), expected);
+    EXPECT_EQ(fs::read_symlink(site_ / "link"), "/nowhere");
+    EXPECT_TRUE(fs::is_directory(site_ / "2-b" / "empty"));
+    EXPECT_FALSE(fs::exists(site_ / "2-b" / "deep"));
+    EXPECT_FALSE(fs::exists(staging_));
+  }
+
+  const Texts own_{{".git/HEAD", "ref"},
+                   {".nojekyll", ""},
+                   {"CNAME", "e.org"},
+                   {"1-a/notes.txt", "notes"},
+                   {"media/a/b", "b"}};
+  const fs::path staging_ = site_.parent_path() / ".site.building";
+};
+
+TEST_F(ForeignFiles, StayWhereTheSiteIsReplaced) {
+  build("new");
+  expect_all("new");
+  build("newer");
+  expect_all("newer");
+}
+
+TEST_F(ForeignFiles, StayWhereTheNewSiteHasTheirFolder) {
+  {
+    SiteDirectory directory(site_);
+    directory.write("page.html", "new");
+    directory.write("media/a/c", "new");
+    directory.commit();
+  }
+  fs::remove(site_ / "media" / "a" / "c");
+  expect_all("new");
+}
+
+// As a kill leaves them that comes right behind the exchange.
+TEST_F(ForeignFiles, ArePutBackByTheNextBuild) {
+  fs::rename(site_, folder_.path() / "old");
+  build("new");
+  fs::rename(folder_.path() / "old", staging_);
+  EXPECT_EQ(refusal(), "");
+  expect_all("new");
+}
+
+TEST_F(ForeignFiles, ArePutBackWhereTheSiteIsGone) {
+  fs::rename(site_, staging_);
+  build("new");
+  expect_all("new");
+}
+
+TEST_F(ForeignFiles, AreRefusedByNameWhereTheNewSiteNeedsTheirPlace) {
+  const std::string cure = "; move yours elsewhere, or give it another name";
+  const std::string stays = ", so it stays; but the new site has ";
+  const std::string site = site_.string() + "/";
+  EXPECT_EQ(refusal_of("CNAME"),
+            "no build wrote " + site + "CNAME" + stays + "a file of that name" + cure);
+  EXPECT_EQ(refusal_of(".git"),
+            "no build wrote " + site + ".git" + stays + "a file of that name" + cure);
+  EXPECT_EQ(refusal_of("CNAME/x"),
+            "no build wrote " + site + "CNAME" + stays + "a folder of that name" + cure);
+  EXPECT_EQ(refusal_of("1-a"),
+            "no build wrote " + site + "1-a/notes.txt" + stays + "the file 1-a" + cure);
+  Texts expected = own_;
+  for (const char* page : {"page.html", "1-a/x.html", "2-b/deep/y.html"}) expected[page] = "old";
+  EXPECT_EQ(files(), expected);
+}
+
+TEST_F(ForeignFiles, AreRefusedWhereAKilledBuildLeftOthersOfTheSameName) {
+  fs::rename(site_, staging_);
+  build("new");
+  write_file(staging_ / kSiteList, std::string(kSiteList) + "\n");
+  write_file(staging_ / "CNAME", "f.org");
+  EXPECT_EQ(refusal(), "no build wrote " + staging_.string() +
+                           "/CNAME, so it stays; but the new site has a file of that name; "
+                           "move yours elsewhere, or give it another name");
+  EXPECT_TRUE(fs::exists(staging_ / "CNAME"));
+}
+
+TEST_F(ForeignFiles, AreWhereTheyWereIfOneCannotBeMoved) {
+  fs::create_directories(site_ / "other");  // no folder moves into itself
+  EXPECT_THROW(move_foreign_files(site_, site_ / "other"), std::system_error);
+  fs::remove_all(site_ / "other");  // empty folders
+  build("new");
+  expect_all("new");
+}
+
+TEST_F(ForeignFiles, AreNotKnownOfASiteWithoutAList) {
+  write_file(site_ / kSiteList, "");
+  EXPECT_EQ(refusal(), site_.string() +
+                           " was written by an earlier mjcourse, which kept no list of its "
+                           "files; take what is yours out of it and remove it, or name an empty or "
+                           "a new folder");
+  EXPECT_TRUE(fs::exists(site_ / "CNAME"));
 }
 
 }  // namespace

@@ -1,0 +1,125 @@
+#include "page/foreign_files.h"
+
+#include <fcntl.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "base/descriptor.h"
+#include "base/files.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+bool is_own_folder(const fs::path& path) {
+  return fs::is_directory(fs::symlink_status(path));  // and no link to one
+}
+
+Names listed_files(const fs::path& site) {
+  std::istringstream lines(read_file(site / kSiteList).value_or(""));
+  Names names{kSiteList};
+  for (std::string line; std::getline(lines, line);) names.insert(line);
+  return names;
+}
+
+bool holds_some(const std::string& folder, const Names& names) {
+  const auto first = names.lower_bound(folder + "/");
+  return first != names.end() && first->starts_with(folder + "/");
+}
+
+// Looks for what is foreign in `site`, folder by folder.
+class ForeignSearch {
+ public:
+  ForeignSearch(const fs::path& site, const fs::path& other)
+      : site_(site), other_(other), listed_(listed_files(site)) {}
+
+  std::vector<std::string> found() {
+    look_in("");
+    std::ranges::sort(found_);
+    return std::move(found_);
+  }
+
+ private:
+  void look_in(const std::string& folder) {
+    for (const auto& entry : fs::directory_iterator(site_ / folder)) {
+      const std::string name = entry.path().filename().string();
+      const std::string path = folder.empty() ? name : folder + "/" + name;
+      const bool is_folder = is_own_folder(entry.path());
+      if (is_folder && (holds_some(path, listed_) || is_own_folder(other_ / path))) {
+        look_in(path);
+      } else if (is_folder || !listed_.contains(path)) {
+        check_place(path);
+        found_.push_back(path);
+      }
+    }
+  }
+
+  // Neither it nor one of the folders above it may be something else in the other site.
+  void check_place(const std::string& path) const {
+    for (fs::path above = path; !above.empty(); above = above.parent_path()) {
+      const auto status = fs::symlink_status(other_ / above);
+      if (!fs::exists(status) || (above != path && fs::is_directory(status))) continue;
+      const std::string kind = fs::is_directory(status) ? "folder" : "file";
+      throw FolderRefused(
+          "no build wrote " + (site_ / path).string() + ", so it stays; but the new site has " +
+              (above == path ? "a " + kind + " of that name" : "the file " + above.string()),
+          "move yours elsewhere, or give it another name");
+    }
+  }
+
+  const fs::path &site_, &other_;
+  const Names listed_;
+  std::vector<std::string> found_;
+};
+
+void move_to_free_place(const fs::path& from, const fs::path& to) {
+  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) != 0) {
+    throw_errno(from);
+  }
+}
+
+}  // namespace
+
+void write_site_list(const fs::path& site) {
+  Names names{kSiteList};
+  for (const auto& entry : fs::recursive_directory_iterator(site)) {
+    if (!is_own_folder(entry.path())) {
+      names.insert(entry.path().lexically_relative(site).generic_string());
+    }
+  }
+  std::string lines;
+  for (const std::string& name : names) lines += name + "\n";
+  write_file(site / kSiteList, lines);
+}
+
+bool has_site_list(const fs::path& site) {
+  std::error_code none;
+  return is_own_folder(site) && fs::is_regular_file(fs::symlink_status(site / kSiteList)) &&
+         fs::file_size(site / kSiteList, none) > 0;
+}
+
+std::vector<std::string> foreign_files(const fs::path& site, const fs::path& other) {
+  return ForeignSearch(site, other).found();
+}
+
+void move_foreign_files(const fs::path& site, const fs::path& other) {
+  std::vector<std::string> moved;
+  try {
+    for (const std::string& path : foreign_files(site, other)) {
+      fs::create_directories((other / path).parent_path());
+      move_to_free_place(site / path, other / path);
+      moved.push_back(path);
+    }
+  } catch (...) {
+    for (const std::string& path : moved) move_to_free_place(other / path, site / path);
+    throw;
+  }
+}
+
+}  // namespace mjcourse
