@@ -1,4 +1,5 @@
 #include <iostream>
+#include <utility>
 
 #include "cli/commands.h"
 #include "cli/run.h"
@@ -15,12 +16,16 @@ int build(const Options& options) {
     std::cout << "no site was written: mend the errors first\n";
     return kCourseErrors;
   }
+  History history = last_changed(options.course, "content");
+  if (!history.unknown.empty()) {
+    std::cout << "note: no page says when it was last changed: " << history.unknown << '\n';
+  }
   if (!options.base_url.empty()) verified.course->url = options.base_url;
   try {
     write_site(*verified.course, verified.evaluation,
                {options.course, assets_folder(), std::filesystem::absolute(options.out),
                 options.jobs, options.compress},
-               last_changed(options.course, "content"));
+               std::move(history.changes));
   } catch (const BrokenTemplate& broken) {
     const DiskFiles course(options.course);
     if (!is_themed(broken.error().name, course)) throw;

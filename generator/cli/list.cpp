@@ -98,7 +98,7 @@ int list(const Options& options) {
   }
   const Course& course = *verified.course;
   const DiskFiles files(options.course);
-  const LastChanges changes = last_changed(options.course, "content");
+  const LastChanges changes = last_changed(options.course, "content").changes;
   std::vector<Row> rows{kHead};
   for (const Lesson& lesson : course.lessons) {
     rows.push_back(

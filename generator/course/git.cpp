@@ -9,6 +9,7 @@
 
 #include "base/files.h"
 #include "base/subprocess.h"
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -56,6 +57,13 @@ std::vector<fs::path> ceilings() {
   return folders;
 }
 
+std::string why_failed(const Outcome& outcome) {
+  if (outcome.end == Outcome::End::not_started) return "git is not installed";
+  if (outcome.end == Outcome::End::timed_out) return "git does not answer";
+  const std::string line = outcome.err.substr(0, outcome.err.find('\n'));
+  return line.empty() ? "git fails" : readable(line);
+}
+
 }  // namespace
 
 std::optional<Git> Git::find(const fs::path& folder) {
@@ -80,9 +88,9 @@ std::optional<Git> Git::find(const fs::path& folder) {
   return std::nullopt;
 }
 
-std::string Git::ask(const std::vector<std::string>& arguments) const {
+tl::expected<std::string, std::string> Git::ask(const std::vector<std::string>& arguments) const {
   Command command;
-  // Where we are root, git is not, and would mind who owns the repository.
+  // Whoever owns the repository: see the header. Where we are root, git is not.
   command.arguments = {"git"};
   for (const char* setting :
        {"safe.directory=*", "safe.bareRepository=explicit", "core.quotePath=false",
@@ -107,7 +115,8 @@ std::string Git::ask(const std::vector<std::string>& arguments) const {
   command.sandbox->open_files = 1024;  // one for each pack
   Outcome outcome = run(command);
   const bool done = outcome.end == Outcome::End::exited && outcome.code == 0;
-  return done ? std::move(outcome.out) : "";
+  if (!done) return tl::unexpected(why_failed(outcome));
+  return std::move(outcome.out);
 }
 
 }  // namespace mjcourse

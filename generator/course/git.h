@@ -4,11 +4,16 @@
 // and tools for differences, and a folder of a course may look like a repository of its own. So we
 // find the repository, git is told which it is, reads that and nothing else, and starts nothing.
 // Nor does what a user has set up for git change what it prints.
+//
+// git itself refuses a repository of another owner ("dubious ownership"), as every container has
+// it, since such a one could have it start programs for whom that owner is no friend. Here it
+// cannot, so it is read whoever owns it, without an entry in `safe.directory`.
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <tl/expected.hpp>
 #include <vector>
 
 namespace mjcourse {
@@ -18,8 +23,8 @@ class Git {
   // The repository that `folder` lies in; nothing where it lies in none.
   static std::optional<Git> find(const std::filesystem::path& folder);
 
-  // What git prints, run in the folder; "" where it fails.
-  std::string ask(const std::vector<std::string>& arguments) const;
+  // What git prints, run in the folder, or why it does not, on one line.
+  tl::expected<std::string, std::string> ask(const std::vector<std::string>& arguments) const;
 
  private:
   std::filesystem::path folder_, work_tree_;

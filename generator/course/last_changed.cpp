@@ -2,21 +2,26 @@
 
 #include <optional>
 #include <sstream>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "course/git.h"
 
 namespace mjcourse {
 
-LastChanges last_changed(const std::filesystem::path& root, const std::string& folder) {
+namespace {
+
+constexpr std::string_view kNoCommits = "does not have any commits yet";
+constexpr const char* kOfShallow =
+    "this is a shallow clone, in which git knows no dates; `git fetch --unshallow` brings the "
+    "rest, "
+    "and so does `fetch-depth: 0` of actions/checkout";
+
+// The newest commit comes first: its day and time, then the files that it changed.
+LastChanges changes_of(const std::string& text) {
   LastChanges changes;
-  const std::optional<Git> git = Git::find(root);
-  // The commit at which a shallow clone ends looks as if it had made all files.
-  if (!git || git->ask({"rev-parse", "--is-shallow-repository"}) != "false\n") return changes;
-  // The newest commit comes first: its day and time, then the files that it changed.
-  std::istringstream log(git->ask({"log", "--no-ext-diff", "--no-textconv", "--format=%x01%cs %cd",
-                                   "--date=format-local:%Y-%m-%dT%H:%M:%SZ", "--name-only",
-                                   "--relative", "--", folder}));
+  std::istringstream log(text);
   LastChange change;
   for (std::string line; std::getline(log, line);) {
     if (line.starts_with('\x01')) {
@@ -26,16 +31,35 @@ LastChanges last_changed(const std::filesystem::path& root, const std::string& f
       changes.try_emplace(line, change);
     }
   }
+  return changes;
+}
+
+}  // namespace
+
+History last_changed(const std::filesystem::path& root, const std::string& folder) {
+  const std::optional<Git> git = Git::find(root);
+  if (!git) return {};
+  const auto shallow = git->ask({"rev-parse", "--is-shallow-repository"});
+  if (!shallow) return {{}, shallow.error()};
+  // The commit at which a shallow clone ends looks as if it had made all files.
+  if (*shallow != "false\n") return {{}, kOfShallow};
+  const auto log = git->ask({"log", "--no-ext-diff", "--no-textconv", "--format=%x01%cs %cd",
+                             "--date=format-local:%Y-%m-%dT%H:%M:%SZ", "--name-only", "--relative",
+                             "--", folder});
+  if (!log) return {{}, log.error().find(kNoCommits) == std::string::npos ? log.error() : ""};
+  LastChanges changes = changes_of(*log);
   // What differs from the last commit, be it staged or not, and what is in none.
   const std::vector<std::string> open[] = {
       {"diff", "--no-ext-diff", "--no-textconv", "--ignore-submodules=all", "--name-only",
        "--relative", "HEAD", "--", folder},
       {"ls-files", "--others", "--", folder}};
   for (const std::vector<std::string>& question : open) {
-    std::istringstream files(git->ask(question));
+    const auto answer = git->ask(question);
+    if (!answer) return {{}, answer.error()};
+    std::istringstream files(*answer);
     for (std::string line; std::getline(files, line);) changes[line] = {};
   }
-  return changes;
+  return {std::move(changes), ""};
 }
 
 }  // namespace mjcourse

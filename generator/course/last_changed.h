@@ -22,8 +22,13 @@ struct LastChange {
 // By path below a course's root.
 using LastChanges = std::map<std::string, LastChange>;
 
-// Of what git knows of `folder` in `root`. Empty where there is no git or no repository, and where
-// that is a shallow clone.
-LastChanges last_changed(const std::filesystem::path& root, const std::string& folder);
+struct History {
+  LastChanges changes = {};
+  // Why there are none though there is a repository, and what helps; "" where that has no commit.
+  std::string unknown = {};
+};
+
+// Of what git knows of `folder` in `root`.
+History last_changed(const std::filesystem::path& root, const std::string& folder);
 
 }  // namespace mjcourse

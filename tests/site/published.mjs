@@ -34,7 +34,7 @@ function git(words, when = "") {
 
 function build(from, to, env = {}, more = []) {
   const words = ["build", "--course", from, "--out", to, "--store", join(home, "store"), ...more];
-  run(mjcourse, words, env);
+  return run(mjcourse, words, env);
 }
 
 const page = (built, path) => readFileSync(join(built, path), "utf8");
@@ -67,7 +67,9 @@ try {
   // What git cannot know: that of a shallow clone, and that of a change which is in no commit.
   const shallow = join(home, "shallow");
   git(["clone", "--quiet", "--depth=1", `file://${repository}`, shallow]);
-  build(shallow, join(home, "guessed"));
+  const said = build(shallow, join(home, "guessed"));
+  const note = "note: no page says when it was last changed: this is a shallow clone, ";
+  expect(said.split(note).length === 2, `of a shallow clone is said: ${said}`);
   expect(!page(join(home, "guessed"), "sitemap.xml").includes("lastmod"), "a shallow date");
   expect(!dateOf(join(home, "guessed"), "1-basics/1.2-new-name.html"), "a shallow clone's date");
   expect(!existsSync(join(home, "guessed", "feed.xml")), "a feed of a shallow clone");

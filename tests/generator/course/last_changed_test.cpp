@@ -1,6 +1,7 @@
 #include "course/last_changed.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdlib>
 
@@ -34,8 +35,13 @@ class LastChanged : public testing::Test {
     git({"add", "--all"});
     git({"commit", "--quiet", "--message=m"}, when);
   }
-  LastChanges changes(const std::string& course = "course") const {
+  History history(const std::string& course = "course") const {
     return last_changed(folder_.path() / course, "content");
+  }
+  LastChanges changes(const std::string& course = "course") const {
+    const History found = history(course);
+    EXPECT_EQ(found.unknown, "");
+    return found.changes;
   }
 
   TemporaryFolder folder_;
@@ -90,7 +96,11 @@ TEST_F(LastChanged, IsNotGuessedFromAShallowClone) {
   write("course/content/1/b.md", "b");
   commit("2026-03-04T12:00:00Z");
   git({"clone", "--quiet", "--depth=1", "file://" + folder_.path().string(), "shallow"});
-  EXPECT_TRUE(changes("shallow/course").empty());
+  const History cut = history("shallow/course");
+  EXPECT_TRUE(cut.changes.empty());
+  EXPECT_EQ(cut.unknown,
+            "this is a shallow clone, in which git knows no dates; `git fetch --unshallow` brings "
+            "the rest, and so does `fetch-depth: 0` of actions/checkout");
   git({"clone", "--quiet", "file://" + folder_.path().string(), "whole"});
   EXPECT_EQ(changes("whole/course").at("content/1/a.md").day, "2026-03-03");
 }
@@ -98,7 +108,36 @@ TEST_F(LastChanged, IsNotGuessedFromAShallowClone) {
 TEST(LastChangedWithoutGit, IsUnknown) {
   const TemporaryFolder folder;
   write_file(folder.path() / "content/a.md", "a");
-  EXPECT_TRUE(last_changed(folder.path(), "content").empty());
+  const History none = last_changed(folder.path(), "content");
+  EXPECT_TRUE(none.changes.empty());
+  EXPECT_EQ(none.unknown, "");
+}
+
+// As a container finds it.
+TEST_F(LastChanged, IsKnownInARepositoryOfAnotherOwner) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can give files away";
+  write("course/content/1/a.md", "a");
+  commit("2026-03-03T12:00:00Z");
+  for (const auto& entry : fs::recursive_directory_iterator(folder_.path())) {
+    ASSERT_EQ(lchown(entry.path().c_str(), 65534, 65534), 0);
+  }
+  ASSERT_EQ(chown(folder_.path().c_str(), 65534, 65534), 0);
+  EXPECT_EQ(changes().at("content/1/a.md").day, "2026-03-03");
+}
+
+TEST_F(LastChanged, IsUnknownBeforeTheFirstCommit) {
+  write("course/content/1/a.md", "a");
+  EXPECT_TRUE(changes().empty());
+}
+
+TEST_F(LastChanged, SaysWhyItIsUnknown) {
+  write("course/content/1/a.md", "a");
+  commit("2026-03-03T12:00:00Z");
+  write(".git/HEAD", "nonsense\n");
+  const History broken = history();
+  EXPECT_TRUE(broken.changes.empty());
+  EXPECT_EQ(broken.unknown,
+            "fatal: not a git repository: '" + (folder_.path() / ".git").string() + "'");
 }
 
 // Whatever a repository says that git starts, it starts nothing.
@@ -156,7 +195,7 @@ TEST_F(LastChanged, IsKnownInAnotherWorkTree) {
   commit("2026-03-03T12:00:00Z");
   const TemporaryFolder other;
   git({"worktree", "add", "--quiet", (other.path() / "tree").string()});
-  const LastChanges found = last_changed(other.path() / "tree" / "course", "content");
+  const LastChanges found = last_changed(other.path() / "tree" / "course", "content").changes;
   EXPECT_EQ(found.at("content/1/a.md").day, "2026-03-03");
 }
 
@@ -164,7 +203,7 @@ TEST_F(LastChanged, IsNotLookedForInACeilingFromBelow) {
   write("course/content/1/a.md", "a");
   commit("2026-03-03T12:00:00Z");
   setenv("GIT_CEILING_DIRECTORIES", ("/none:" + folder_.path().string()).c_str(), 1);
-  const LastChanges below = changes(), within = last_changed(folder_.path(), "course");
+  const LastChanges below = changes(), within = last_changed(folder_.path(), "course").changes;
   unsetenv("GIT_CEILING_DIRECTORIES");
   EXPECT_TRUE(below.empty());
   EXPECT_EQ(within.at("course/content/1/a.md").day, "2026-03-03");
