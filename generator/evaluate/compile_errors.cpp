@@ -47,6 +47,16 @@ const CompilerMessage* cause_of(const Compiled& compiled, std::size_t index,
   return nullptr;
 }
 
+// Where headers are looked for, where one was not found.
+std::string cure_of(const CompilerMessage& message) {
+  for (const char* missing : {" file not found", ": No such file or directory"}) {
+    if (!message.text.ends_with(missing)) continue;
+    return "a header of the course lies beside the program and is included as `\"name.h\"`, or in "
+           "examples/include";
+  }
+  return "";
+}
+
 // What the linker said, each thing once and without the names of temporary files.
 std::string link_problems(const std::string& raw) {
   std::vector<std::string> problems;
@@ -83,7 +93,7 @@ void report_compile_messages(const Compiled& compiled, const CompiledText& text,
     Diagnostic found = error_at(
         at != nullptr ? place_of_message(*at, text, lesson) : place_of(*lesson.source, text.fence),
         warning ? "W-example-compile" : "E-example-compile",
-        is_blank ? "the compiler gives no reason" : message.text);
+        is_blank ? "the compiler gives no reason" : message.text, cure_of(message));
     found.severity = warning ? Severity::warning : Severity::error;
     if (!own) {
       const std::string file = std::filesystem::path(message.file).lexically_normal().string();

@@ -94,7 +94,7 @@ void leave_out(const WarmObjects::Entry& entry, Compiled& compiled) {
 }  // namespace
 
 struct Compiler::Program {
-  fs::path source, binary, folder;
+  fs::path source, binary, folder, beside;
   std::vector<std::string> libraries;
   bool optimize = false;
 };
@@ -135,12 +135,16 @@ void Compiler::make_header(const std::vector<std::string>& roots, Warmth warmth)
 
 Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& header,
                            const WarmObjects::Entry& handlers, bool fast) const {
-  const std::vector<std::string> plain = toolchain_.command(program.optimize, include_);
+  std::vector<std::string> beside;
+  if (!program.beside.empty()) append(beside, "-iquote", program.beside.string());
+  std::vector<std::string> plain = toolchain_.command(program.optimize, include_);
+  plain.insert(plain.end(), beside.begin(), beside.end());
   std::vector<std::string> command = plain, link;
   if (header) {
     const fs::path overlay = program.folder / "overlay.json", object = header->folder / "header.o";
     write_file(overlay, warm_->headers().overlay(header->folder.parent_path() / "header.hpp"));
     command = toolchain_.command(program.optimize, warm_->headers().shown());
+    command.insert(command.end(), beside.begin(), beside.end());
     append(command, "-ivfsoverlay", overlay.string(), "-include-pch",
            (header->folder / "header.pch").string());
     if (fs::exists(object)) append(link, object.string());
@@ -191,11 +195,11 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
 }
 
 Compiled Compiler::compile(const fs::path& source, const fs::path& binary, const fs::path& folder,
-                           bool optimize) const {
+                           bool optimize, const fs::path& beside) const {
   // What cannot be read, the compiler will say.
   const std::string text =
       DiskFiles(source.parent_path()).read(source.filename().string()).value_or("");
-  const Program program{source, binary, folder, linked_libraries(text), optimize};
+  const Program program{source, binary, folder, beside, linked_libraries(text), optimize};
   const WarmObjects::Entry handlers = warm_->handlers();
   WarmObjects::Entry header;
   if (!optimize) header = warm_->header(warm_roots(text, include_));

@@ -65,9 +65,11 @@ class Compiler {
   void make_header(const std::vector<std::string>& roots, Warmth warmth) const;
 
   // Compile the program `source` against MuJoCo, Eigen and the helper header into `binary`;
-  // `folder` is for files in between. Safe to call from several threads.
+  // `folder` is for files in between, and `beside`, where it is none of "", has the headers that
+  // stand beside the program. Safe to call from several threads.
   Compiled compile(const std::filesystem::path& source, const std::filesystem::path& binary,
-                   const std::filesystem::path& folder, bool optimize = false) const;
+                   const std::filesystem::path& folder, bool optimize = false,
+                   const std::filesystem::path& beside = {}) const;
 
  private:
   struct Program;

@@ -13,9 +13,11 @@
 #include "evaluate/judge_run.h"
 #include "evaluate/linked_libraries.h"
 #include "evaluate/program_files.h"
+#include "evaluate/quoted_includes.h"
 #include "evaluate/records.h"
 #include "evaluate/region.h"
 #include "physics/mesa.h"
+#include "report/refused_file.h"
 
 namespace mjcourse {
 namespace {
@@ -88,6 +90,30 @@ Command run_command(const Example& example, const LocatedText& code, const fs::p
   return command;
 }
 
+// The folder of the program, where that includes headers from there; "" where it does not.
+fs::path folder_beside(const Example& example, const LocatedText& code, Workshop& workshop) {
+  const fs::path folder =
+      fs::absolute(workshop.root() / example.file.text).lexically_normal().parent_path();
+  bool holds_some = false;
+  for (const std::string& name : quoted_includes(code.text)) {
+    workshop.trace().file(folder / name);
+    holds_some = holds_some || fs::exists(folder / name);
+  }
+  return holds_some ? folder : fs::path();
+}
+
+// The first file below the folder of the program that is never read; a compiler waits for ever at
+// a pipe.
+std::optional<Diagnostic> refused_beside(const Example& example, const fs::path& root) {
+  const DiskFiles files(root);
+  for (const DiskFiles::Entry& entry :
+       files.below(fs::path(example.file.text).parent_path().string())) {
+    const std::string why = entry.is_folder ? "" : files.refusal(entry.path);
+    if (!why.empty()) return refused_file({}, entry.path, why);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::optional<ExampleResult> evaluate_example(const Example& example, const LocatedText& code,
@@ -102,6 +128,10 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
   const std::optional<Compiler>& compiler = workshop.setting().compiler();
   if (!compiler) return report(no_compiler());
   const fs::path& root = workshop.root();
+  const fs::path beside = folder_beside(example, code, workshop);
+  if (!beside.empty()) {
+    if (auto refused = refused_beside(example, root)) return report(*std::move(refused));
+  }
   const std::string shown = without_region_marks(code.text);
   const TemporaryFolder folder;
   // The refusal that a page shows is what a learner sees who builds the file.
@@ -112,7 +142,8 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
   const fs::path binary = folder.path() / example.name();
   write_file(source, "#line " + std::to_string(first_line) + " \"" + shown_as + "\"\n" + code.text);
 
-  const Compiled compiled = compiler->compile(source, binary, folder.path(), example.optimize);
+  const Compiled compiled =
+      compiler->compile(source, binary, folder.path(), example.optimize, beside);
   trace_compilation(compiled, folder.path(), workshop);
   if (!example.compiles && compiled.refused()) {
     return ExampleResult{shown,

@@ -1,7 +1,6 @@
 #include "page/program_folder.h"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "evaluate/linked_libraries.h"
 
@@ -28,10 +27,14 @@ target_include_directories(program SYSTEM PRIVATE ${MUJOCO_INCLUDE_DIR})
 target_compile_definitions(program PRIVATE MJCOURSE_MODELS="${CMAKE_CURRENT_SOURCE_DIR}/models")
 set_target_properties(program PROPERTIES OUTPUT_NAME )";
 
-// `path` of the course as it is called in the folder.
-std::string path_in_folder(const std::string& path) {
-  const std::string examples = "examples/";
-  return path.starts_with(examples) ? path.substr(examples.size()) : path;
+// `path` of the course as it is called in the folder. What lies beside the program, does so there.
+std::string path_in_folder(const std::string& path, const Example& example) {
+  const std::string& program = example.file.text;
+  for (const std::string& folder :
+       {program.substr(0, program.rfind('/') + 1), std::string("examples/")}) {
+    if (path.starts_with(folder)) return path.substr(folder.size());
+  }
+  return path;
 }
 
 std::string cmake_lists(const TakenProgram& program, const std::string& text) {
@@ -42,7 +45,7 @@ std::string cmake_lists(const TakenProgram& program, const std::string& text) {
   }
   std::string sources = " \"" + program.example.name() + ".cpp\"";
   for (const std::string& file : program.result.files) {
-    if (file.ends_with(".cpp")) sources += " \"" + path_in_folder(file) + "\"";
+    if (file.ends_with(".cpp")) sources += " \"" + path_in_folder(file, program.example) + "\"";
   }
   return kCMakeHead + find + "\nadd_executable(program" + sources +
          ")\ntarget_link_libraries(program PRIVATE" + link + kCMakeTail + "\"" +
@@ -77,7 +80,7 @@ std::string readme(const TakenProgram& program, const std::string& text, const S
 std::string read_either(const std::string& path, const SiteData& site) {
   auto bytes = site.files.read(path);
   if (!bytes && !site.files.exists(path)) bytes = site.assets.read(path);
-  if (!bytes) throw std::runtime_error(bytes.error());
+  if (!bytes) throw LostFile(bytes.error());
   return *std::move(bytes);
 }
 
@@ -91,7 +94,7 @@ std::map<std::string, std::string> program_folder(const TakenProgram& program,
                                            {folder + "CMakeLists.txt", cmake_lists(program, text)},
                                            {folder + "README.txt", readme(program, text, site)}};
   for (const std::string& path : program.result.files) {
-    files[folder + path_in_folder(path)] = read_either(path, site);
+    files[folder + path_in_folder(path, program.example)] = read_either(path, site);
   }
   return files;
 }

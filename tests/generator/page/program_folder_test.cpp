@@ -25,6 +25,7 @@ class ProgramFolder : public testing::Test {
       {{"examples/a.cpp", "int main() {}\n"},
        {"examples/draws.cpp", "#include <GL/osmesa.h>\nint main() {}\n"},
        {"examples/sub/b c.cpp", "int main() {}\n"},
+       {"examples/sub/beside.h", "// beside\n"},
        {"examples/include/own.hpp", "// own\n"},
        {"models/m/x.xml", "<mujoco/>\n"}}};
   const MemoryFiles assets_{{{"examples/include/mjcourse/handlers.cpp", "// tool\n"},
@@ -47,6 +48,13 @@ TEST_F(ProgramFolder, HasWhatTheProgramWasMadeOfAndOpened) {
   EXPECT_NE(files.at("a/CMakeLists.txt")
                 .find("add_executable(program \"a.cpp\" \"include/mjcourse/handlers.cpp\")\n"),
             std::string::npos);
+}
+
+TEST_F(ProgramFolder, HasBesideTheProgramWhatLiesBesideIt) {
+  const auto files = folder_of("```cpp file=\"examples/sub/b c.cpp\"\n```\n",
+                               {"examples/include/own.hpp", "examples/sub/beside.h"});
+  EXPECT_EQ(files.at("b c/beside.h"), "// beside\n");
+  EXPECT_EQ(files.at("b c/include/own.hpp"), "// own\n");
 }
 
 TEST_F(ProgramFolder, SaysInThreeLinesWhatItIs) {

@@ -1,0 +1,1 @@
+const int kNumber = 7;

@@ -1,0 +1,7 @@
+#include <cstdio>
+
+#include "number.h"
+
+int main() {
+  std::printf("%d\n", kNumber);
+}

@@ -1,0 +1,1 @@
+const int kOne = 1;

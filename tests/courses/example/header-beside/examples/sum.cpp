@@ -1,0 +1,7 @@
+#include "three.h"
+
+#include <cstdio>
+
+int main() {
+  std::printf("%d\n", kThree);
+}

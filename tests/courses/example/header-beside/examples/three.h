@@ -1,0 +1,3 @@
+#include "one.h"
+
+const int kThree = kOne + 2;

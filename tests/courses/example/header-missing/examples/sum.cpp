@@ -1,0 +1,3 @@
+#include "three.h"
+
+int main() {}
