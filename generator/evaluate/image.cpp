@@ -10,6 +10,7 @@
 #include "evaluate/image_size.h"
 #include "evaluate/svg_faults.h"
 #include "lesson/image_kinds.h"
+#include "lesson/picture_name.h"
 #include "report/refused_file.h"
 
 namespace mjcourse {
@@ -25,7 +26,7 @@ std::vector<std::string> images_near(const fs::path& folder, const fs::path& fil
   std::vector<std::string> found;
   for (const fs::path& below : searched) {
     for (const std::string& name : DiskFiles(root).list((folder / below).string())) {
-      if (is_image_file(name)) found.push_back((below / name).string());
+      if (is_image_file(name)) found.push_back(target_of_file((below / name).string()));
     }
   }
   return found;
@@ -65,7 +66,7 @@ std::optional<ImageResult> evaluate_image(const Image& image, const Lesson& less
   if (!files.exists(path)) {
     const std::vector<std::string> near = images_near(folder, image.file.text, root);
     return error("E-image-missing", "there is no file " + path,
-                 near.empty() ? "put it there" : suggest(image.file.text, near));
+                 near.empty() ? "put it there" : suggest(target_of_file(image.file.text), near));
   }
   const auto bytes = files.read(path);
   if (!bytes) return error("E-image-missing", "cannot read " + bytes.error(), "");

@@ -60,6 +60,7 @@ class LessonReader {
   void read_term(const struct CutTerm& term, Region& region);
   static bool pass_brackets(Region& region);
   void refuse_unclosed_math(cmark_node* node, const Region& region);
+  void refuse_blank_in_name(cmark_node* text, const Region& region);
   void read_html(cmark_node* node, Region& region);
   void read_image(cmark_node* node, Region& region);
   bool stands_alone(cmark_node* node) const;

@@ -32,6 +32,7 @@ std::string link_around(cmark_node* node) {
 // Gives the node to go on with.
 cmark_node* LessonReader::read_text(cmark_node* node, Region& region) {
   refuse_unclosed_math(node, region);
+  refuse_blank_in_name(node, region);
   TextWithTerms text(node);
   // A term that ends in another node takes the rest of this one.
   for (std::size_t at = 0; (at = text.literal().find("[[", at)) != std::string::npos; at += 2) {

@@ -24,6 +24,32 @@ TEST(Image, HasAFileWordsAndAnOrigin) {
   EXPECT_EQ(images("![a.png](a.png)\n"), "4:10 a.png, a.png, \"\", alone\n");
 }
 
+TEST(Image, MayBeNamedWithEscapes) {
+  EXPECT_EQ(images("![a](my%20arm.png)\n"), "4:6 my arm.png, a, \"\", alone\n");
+  EXPECT_EQ(images("![a](50%25.png)\n"), "4:6 50%.png, a, \"\", alone\n");
+  EXPECT_EQ(images("![a](50%.png)\n"), "4:6 50%.png, a, \"\", alone\n");
+  EXPECT_EQ(images("![a](%C3%BC.png)\n"), "4:6 \xC3\xBC.png, a, \"\", alone\n");
+  // No name has these.
+  EXPECT_EQ(images("![a](a%00%FF.png)\n"), "4:6 a%00%FF.png, a, \"\", alone\n");
+  EXPECT_EQ(
+      images("![a](%2e%2e/a.png)\n"),
+      "E-image-place <%2e%2e/a.png> a picture lies in the folder of its lesson, or below it | "
+      "put the file there\n");
+}
+
+TEST(Image, HasNoBlankInItsNameThatMarkdownTakesForTheEnd) {
+  const auto refused = [](const std::string& name) {
+    return "E-image-blank <" + name +
+           "> Markdown takes this for text, since the name has a blank in it | write `(<" + name +
+           ">)`\n";
+  };
+  EXPECT_EQ(images("![a](my arm.png)\n"), refused("my arm.png"));
+  EXPECT_EQ(images("![a](my arm.JPG \"By hand\")\n"), refused("my arm.JPG"));
+  EXPECT_EQ(images("See [it](my arm.webp).\n"), refused("my arm.webp"));
+  EXPECT_EQ(images("![*a*](my it's.svg)\n"), refused("my it's.svg"));
+  EXPECT_EQ(images("`![a](my arm.png)` and [a](my arm) and (see arm.png)\n"), "");
+}
+
 TEST(Image, IsAloneOnlyAsAParagraphOfTheText) {
   EXPECT_EQ(images("> [!note] ![a](a.png)\n>\n> ![b](b.png)\n"),
             "4:16 a.png, a, \"\"\n6:8 b.png, b, \"\", alone\n");
