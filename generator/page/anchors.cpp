@@ -1,6 +1,7 @@
 #include "page/anchors.h"
 
 #include <cctype>
+#include <string_view>
 
 namespace mjcourse {
 namespace {
@@ -22,6 +23,15 @@ std::string as_id(std::string text) {
   return text;
 }
 
+std::string id_of_name(std::string name) {
+  constexpr std::string_view broken = "\"#%&'<>?\\`";
+  for (char& c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte <= ' ' || byte == 0x7F || broken.find(c) != broken.npos) c = '-';
+  }
+  return name;
+}
+
 std::string lesson_anchor(const Lesson& lesson) {
   return "lesson-" + as_id(lesson.number.empty() ? lesson.slug : lesson.number);
 }
@@ -30,12 +40,9 @@ std::string claim_anchor(const Lesson& lesson, std::size_t index) {
   return lesson_anchor(lesson) + "-" + std::to_string(index + 1);
 }
 
-std::string line_anchor(const Example& example) {
-  return example.name() + (example.region ? "-" + example.region->text : "");
-}
-
 std::string example_anchor(const Example& example) {
-  return "example-" + line_anchor(example);
+  return "example-" +
+         id_of_name(example.name() + (example.region ? "-" + example.region->text : ""));
 }
 
 std::string question_anchor(const Quiz& quiz, std::size_t question) {

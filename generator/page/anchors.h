@@ -12,6 +12,9 @@ namespace mjcourse {
 // `text` as a part of an HTML id that any selector can name: "1.2-check" → "1-2-check".
 std::string as_id(std::string text);
 
+// What somebody named, as a part of an HTML id and of the addresses that lead to it: "a b" → "a-b".
+std::string id_of_name(std::string name);
+
 // On the verification page: of a lesson, "lesson-1-2", and of its claims[index], "lesson-1-2-17".
 std::string lesson_anchor(const Lesson& lesson);
 std::string claim_anchor(const Lesson& lesson, std::size_t index);
@@ -20,9 +23,8 @@ std::string claim_anchor(const Lesson& lesson, std::size_t index);
 // where there is none.
 std::string place_anchor(const Lesson& lesson, const Claim& claim);
 
+// "example-NAME"; in a browser with scripts, its line 12 is "NAME-L12" (site/client/lines.ts).
 std::string example_anchor(const Example& example);
-// Of its line 12, with "-L12" behind it (site/client/lines.ts).
-std::string line_anchor(const Example& example);
 std::string question_anchor(const Quiz& quiz, std::size_t question);
 
 }  // namespace mjcourse

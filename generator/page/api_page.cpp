@@ -26,11 +26,11 @@ json sections_data(const ApiEntry& entry, const Course& course, const Evaluation
   return uses_data(uses, course, evaluation, "");
 }
 
-json lines_data(const CodeUse& use, const std::string& address) {
+json lines_data(const CodeUse& use) {
   json lines = json::array();
   for (const int line : use.lines) {
     if (lines.size() == kMostUseLines) break;
-    lines.push_back({{"line", line}, {"href", address + "-L" + std::to_string(line)}});
+    lines.push_back({{"line", line}});
   }
   return lines;
 }
@@ -42,12 +42,12 @@ json programs_data(const ApiEntry& entry, const Course& course) {
     if (use.lines.empty()) continue;
     const Lesson& page = *pages[use.page];
     const auto& program = std::get<Example>(page.blocks[use.block]);
-    const std::string path = page_path(page), href = path + "#" + example_anchor(program);
+    const std::string href = site_address(page_path(page)) + "#" + example_anchor(program);
     if (!programs.empty() && programs.back()["href"] == href) continue;  // shown twice
     programs.push_back({{"number", page.number},
                         {"file", program.name() + ".cpp"},
                         {"href", href},
-                        {"lines", lines_data(use, path + "#" + line_anchor(program))},
+                        {"lines", lines_data(use)},
                         {"more", use.lines.size() > kMostUseLines}});
   }
   return programs;

@@ -49,13 +49,14 @@ json PageWriter::data_of(const Chart& chart, std::size_t index) {
   const ChartDrawings& drawings = result->drawings;
   data["wide"] = drawing_data(drawings.wide);
   if (drawings.narrow) data["narrow"] = drawing_data(*drawings.narrow);
-  data["program"] = {{"name", chart.example.text + ".cpp"}, {"href", "../" + result->file}};
+  data["program"] = {{"name", chart.example.text + ".cpp"},
+                     {"href", "../" + site_address(result->file)}};
   json columns = json::array();
   for (const Column& column : result->table) columns.push_back(column.name);
   data["table"] = {{"columns", std::move(columns)},
                    {"rows", rows_of(result->table)},
                    {"count", result->table.front().values.size()},
-                   {"href", "../" + block_path(lesson_, index) + ".csv"}};
+                   {"href", "../" + site_address(block_path(lesson_, index)) + ".csv"}};
   return data;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "course/link_target.h"
+#include "page/anchors.h"
 #include "page/api_page.h"
 #include "page/gallery_page.h"
 #include "page/learner_pages.h"
@@ -37,7 +38,7 @@ const Level& level_of(const Course& course, const Lesson& lesson) {
 }
 
 std::string level_anchor(const Level& level) {
-  return "level-" + level.folder + "-title";
+  return "level-" + id_of_name(level.folder) + "-title";
 }
 
 std::vector<std::size_t> published(const Course& course, const Level& level) {
@@ -55,8 +56,9 @@ bool has_questions(const Course& course) {
 }
 
 json reference_to(const Lesson& lesson) {
-  return {
-      {"number", lesson.number}, {"title", lesson.front.title.text}, {"href", page_path(lesson)}};
+  return {{"number", lesson.number},
+          {"title", lesson.front.title.text},
+          {"href", site_address(page_path(lesson))}};
 }
 
 json levels_data(const Course& course, const Lesson* current) {

@@ -5,6 +5,7 @@
 #include "course/link_target.h"
 #include "course/uses.h"
 #include "page/model_page.h"
+#include "page/site_paths.h"
 #include "page/uses_data.h"
 
 namespace mjcourse {
@@ -18,7 +19,7 @@ std::string gallery_page(const Course& course, const Evaluation& evaluation, con
     for (nlohmann::json& page : uses) page["sections"] = nlohmann::json::array();
     const Loaded loaded = models.empty() ? Loaded::at_once : Loaded::when_near;
     models.push_back({{"name", model.name},
-                      {"href", model_page_path(model.name)},
+                      {"href", site_address(model_page_path(model.name))},
                       {"poster", poster_data(model, "", loaded)},
                       {"sizes", {sizes.at(0), sizes.at(1), sizes.at(2)}},
                       {"uses", std::move(uses)}});

@@ -96,7 +96,7 @@ json PageWriter::live_data(const Lab& lab, const LabResult& result, std::size_t 
   LabFiles files = write_lab_module(lab, result, number, *this);
   json data = nullptr;
   if (press_.manifest.contains("engine.wasm")) {
-    data = {{"module", "../" + files.module}};
+    data = {{"module", "../" + site_address(files.module)}};
     for (const auto& [name, asset] : {std::pair("code", "lab.js"),
                                       {"style", "lab.css"},
                                       {"engine", "engine.mjs"},

@@ -9,6 +9,7 @@
 #include "evaluate/lab_scripts.h"
 #include "page/lab_record.h"
 #include "page/page_writer.h"
+#include "page/site_paths.h"
 #include "script/page_function.h"
 
 namespace mjcourse {
@@ -208,9 +209,11 @@ json LabDescription::describe(const std::map<std::string, std::string>& assets) 
 // The site's path of an asset: its own name and a hash of its content, so that two models' files of
 // one name do not meet.
 std::string asset_path(const std::string& name, const std::filesystem::path& file) {
-  const std::string bytes = read_file(file).value();
+  const auto bytes = read_file(file);
+  if (!bytes) throw LostFile(bytes.error());
   const std::filesystem::path plain(name);
-  return "models/" + plain.stem().string() + "-" + content_hash(bytes) + plain.extension().string();
+  return "models/" + plain.stem().string() + "-" + content_hash(*bytes) +
+         plain.extension().string();
 }
 
 }  // namespace
@@ -222,7 +225,7 @@ LabFiles write_lab_module(const Lab& lab, const LabResult& result, const std::st
   for (const auto& [asset, file] : result.model.assets) {
     const std::string path = asset_path(asset, file);
     files.copied[path] = file;
-    assets[asset] = "../" + path;
+    assets[asset] = "../" + site_address(path);
   }
   LabDescription description(lab, result, writer);
   std::string text =

@@ -59,7 +59,7 @@ std::string review_json(const Lesson& lesson, const json& questions, Templates& 
     asked.push_back(
         {{"id", question["id"]}, {"html", render_template(templates, "question", question)}});
   }
-  return json{{"href", page_path(lesson)},
+  return json{{"href", site_address(page_path(lesson))},
               {"name", lesson.number + " " + lesson.front.title.text},
               {"questions", std::move(asked)}}
       .dump();

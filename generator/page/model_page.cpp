@@ -2,6 +2,7 @@
 
 #include "course/uses.h"
 #include "evaluate/lesson_of_lab.h"
+#include "page/site_paths.h"
 #include "page/uses_data.h"
 
 namespace mjcourse {
@@ -92,7 +93,7 @@ ModelPageHtml model_page(const ModelPage& model, const Course& course, const Eva
   for (const ModelPage::File& file : model.files) {
     files.push_back({{"id", nullptr},
                      {"file", file.path},
-                     {"download", "../" + file.path},
+                     {"download", "../" + site_address(file.path)},
                      {"zip", nullptr},
                      {"code", press.highlighter.highlight(file.text, "xml")},
                      {"is_text", !file.text.empty()},

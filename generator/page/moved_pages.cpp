@@ -4,6 +4,7 @@
 #include <string>
 
 #include "course/former_page.h"
+#include "course/language.h"
 #include "page/site_paths.h"
 #include "page/web_place.h"
 
@@ -15,9 +16,11 @@ void write_moved_page(const SiteData& site, const Lesson& lesson, const std::str
   const Course& course = site.course;
   directory.write(
       former, render_template(templates, "moved",
-                              {{"course", {{"title", course.title}, {"language", course.language}}},
+                              {{"course", {{"title", course.title},
+                                {"language", course.language},
+                                {"right_to_left", is_right_to_left(course.language)}}},
                                {"title", lesson.number + " " + lesson.front.title.text},
-                               {"href", "../" + page_path(lesson)},
+                               {"href", "../" + site_address(page_path(lesson))},
                                {"address", web_address(course, page_path(lesson))},
                                {"root", "../"},
                                {"assets",

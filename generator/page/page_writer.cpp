@@ -211,7 +211,7 @@ std::string PageWriter::write_term(const TermUse& term, const std::string& inner
 std::string PageWriter::from_root(const std::string& path) const {
   std::string way;
   for (const char c : press_.page) way += c == '/' ? "../" : "";
-  return way + path;
+  return way + site_address(path);
 }
 
 std::string PageWriter::children_html(cmark_node* node) const {

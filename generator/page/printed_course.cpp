@@ -20,16 +20,17 @@ using nlohmann::json;
 
 constexpr const char* kGlossaryAnchor = "glossary";
 
-// Where the page `path` stands in the document; "" where it is none of it.
-std::string anchor_of(const Course& course, const std::string& path) {
-  if (course.glossary && path == page_path(course.glossary->page)) return kGlossaryAnchor;
-  const std::size_t name = path.rfind('/') + 1;
-  const Lesson* lesson = course.find_lesson(path.substr(name, path.find('-', name) - name));
-  const bool there = lesson != nullptr && !lesson->front.draft && page_path(*lesson) == path;
+// Where the page at `address` stands in the document; "" where it is none of it.
+std::string anchor_of(const Course& course, const std::string& address) {
+  if (course.glossary && address == page_path(course.glossary->page)) return kGlossaryAnchor;
+  const std::size_t name = address.rfind('/') + 1;
+  const Lesson* lesson = course.find_lesson(address.substr(name, address.find('-', name) - name));
+  const bool there =
+      lesson != nullptr && !lesson->front.draft && site_address(page_path(*lesson)) == address;
   return there ? lesson_anchor(*lesson) : "";
 }
 
-// The move of a piece of the page `from` into the document, where it begins at `anchor`.
+// The move of a piece of the page at `from` into the document, where it begins at `anchor`.
 HtmlMove into_document(const Course& course, const std::string& from, const std::string& anchor) {
   HtmlMove move{anchor + "-"};
   move.deeper = true;
@@ -111,7 +112,7 @@ void add_printed_parts(const SiteData& site, const Lesson& lesson, const LessonP
                        const PageWriter& writer, Templates& templates, Spool& spool,
                        LessonParts& parts) {
   const std::string anchor = lesson_anchor(lesson);
-  const HtmlMove move = into_document(site.course, page_path(lesson), anchor);
+  const HtmlMove move = into_document(site.course, site_address(page_path(lesson)), anchor);
   json objectives = json::array();
   for (const Document& objective : lesson.front.objectives) {
     objectives.push_back(moved_html(writer.inline_html(objective), move));

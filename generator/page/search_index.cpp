@@ -35,7 +35,8 @@ json page_json(const std::string& kind, const std::string& title, const std::str
 
 json glossary_json(const SiteData& site) {
   const Glossary& glossary = *site.course.glossary;
-  json page = page_json("glossary", glossary.page.front.title.text, page_path(glossary.page));
+  json page =
+      page_json("glossary", glossary.page.front.title.text, site_address(page_path(glossary.page)));
   for (const Glossary::Term& term : glossary.terms) {
     page["sections"].push_back(
         section_json({term.name, term.id, site.definitions.at(term.key), {}}));
@@ -67,7 +68,7 @@ json model_json(const ModelPage& model, std::size_t most) {
   section.text = beginning_of(with_single_blanks(section.text), most);
   for (const ModelPage::File& file : model.files) section.code += file.text + " ";
   section.code = beginning_of(with_single_blanks(section.code), most);
-  json page = page_json("model", model.name, model_page_path(model.name));
+  json page = page_json("model", model.name, site_address(model_page_path(model.name)));
   page["sections"].push_back(section_json(section));
   return page;
 }
@@ -91,7 +92,7 @@ std::size_t search_share(const Course& course) {
 
 void add_search_part(const Lesson& lesson, const LessonResults& results, std::size_t most,
                      Spool& spool, LessonParts& parts) {
-  json page = page_json("lesson", lesson.front.title.text, page_path(lesson));
+  json page = page_json("lesson", lesson.front.title.text, site_address(page_path(lesson)));
   page["number"] = lesson.number;
   const std::vector<SearchSection> sections = search_sections(lesson, results);
   for (SearchSection section : sections) {

@@ -2,8 +2,26 @@
 
 #include <cctype>
 #include <filesystem>
+#include <string_view>
 
 namespace mjcourse {
+
+// What is no ASCII stays as it is, since browsers take it so, and since readers' progress is kept
+// under these names.
+std::string site_address(const std::string& path) {
+  constexpr std::string_view escaped = "\"#%&':<>?\\^`{|}";
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string address;
+  for (const char c : path) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte > ' ' && byte != 0x7F && escaped.find(c) == escaped.npos) {
+      address += c;
+    } else {
+      address += {'%', digits[byte >> 4], digits[byte & 15]};
+    }
+  }
+  return address;
+}
 
 std::string page_path(const Lesson& lesson) {
   return (lesson.folder.empty() ? "" : lesson.folder + "/") + lesson.slug + ".html";

@@ -1,4 +1,5 @@
-// Where a lesson's files lie on the site, each below its root.
+// Where a lesson's files lie on the site, each below its root. Where a page leads to one of them,
+// or to any other file of the site, it says its address.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +10,8 @@
 
 namespace mjcourse {
 
+// The file `path` as an address has it: "a b" is "a%20b". Needs no escape in HTML.
+std::string site_address(const std::string& path);
 // The lesson's page.
 std::string page_path(const Lesson& lesson);
 // A copy of a picture that the author put beside it.

@@ -11,7 +11,7 @@ nlohmann::json uses_data(const std::vector<Use>& uses, const Course& course,
   const Lesson* last = nullptr;
   for (const Use& use : uses) {
     const Lesson& page = *use.page;
-    const std::string href = root + page_path(page);
+    const std::string href = root + site_address(page_path(page));
     if (use.page != last) {
       pages.push_back({{"number", page.number},
                        {"title", page.front.title.text},

@@ -27,7 +27,7 @@ void count(json& counts, const Claims& claims) {
 std::string link_to(const Lesson& lesson, const Claim& claim) {
   if (lesson.front.draft) return "";
   const std::string anchor = place_anchor(lesson, claim);
-  return page_path(lesson) + (anchor.empty() ? "" : "#" + anchor);
+  return site_address(page_path(lesson)) + (anchor.empty() ? "" : "#" + anchor);
 }
 
 json claim_json(const Lesson& lesson, const Claims& claims, std::size_t index) {
@@ -57,7 +57,7 @@ json verification_of(const Lesson& lesson, const Claims& claims) {
           {"number", lesson.number},
           {"title", title.empty() ? lesson.slug : title},
           {"file", lesson.source->path()},
-          {"page", lesson.front.draft ? "" : page_path(lesson)},
+          {"page", lesson.front.draft ? "" : site_address(page_path(lesson))},
           {"counts", std::move(counts)},
           {"claims", std::move(all)}};
 }

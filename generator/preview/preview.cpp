@@ -84,7 +84,7 @@ json drafts_of(const Course& course) {
   json drafts = json::array();
   for (const Lesson& lesson : course.lessons) {
     if (!lesson.front.draft) continue;
-    drafts.push_back({{"href", "/" + page_path(lesson)},
+    drafts.push_back({{"href", "/" + site_address(page_path(lesson))},
                       {"title", lesson.number + " " + lesson.front.title.text}});
   }
   return drafts;

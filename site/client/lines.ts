@@ -48,6 +48,13 @@ function number(figure: Element): void {
   code.prepend(margin);
 }
 
+/** Links that lead to programs where there is no script lead to their lines where there is one. */
+export function leadToLines(): void {
+  for (const link of document.querySelectorAll<HTMLAnchorElement>("a[data-line]")) {
+    link.hash = link.hash.replace("#example-", "#") + `-L${link.dataset["line"]}`;
+  }
+}
+
 /** Of the programs in `root`, which may be one itself. */
 export function numberLines(root: Document | Element = document): void {
   if (root instanceof Element && root.matches(".example[id]")) number(root);

@@ -2,7 +2,8 @@
 // has before it is read.
 
 import { addCopyButtons } from "./copying.js";
-import { numberLines } from "./lines.js";
+import { leadToLines, numberLines } from "./lines.js";
 
 addCopyButtons();
 numberLines();
+leadToLines();

@@ -17,7 +17,7 @@ export function renewPictures(hashes: Readonly<Record<string, string>>): void {
       const value = element.getAttribute(name);
       if (value === null) continue;
       const [address] = value.split("?");
-      const path = new URL(address!, location.href).pathname.slice(1);
+      const path = decodeURIComponent(new URL(address!, location.href).pathname.slice(1));
       const hash = hashes[path];
       const renewed = renewals.get(path);
       if (hash === undefined || (hash === before[path] && renewed === undefined)) continue;

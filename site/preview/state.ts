@@ -44,7 +44,9 @@ export interface State {
 
 /** `known` is the hash of the page, `worn` the stylesheet that is in force. */
 export async function askState(known: string, worn: string): Promise<State> {
-  const page = location.pathname.replace(/^\//, "").replace(/(^|\/)$/, "$1index.html");
+  const page = decodeURIComponent(location.pathname)
+    .replace(/^\//, "")
+    .replace(/(^|\/)$/, "$1index.html");
   const query = new URLSearchParams({ page, known, worn });
   const answer = await fetch(`/.preview/state?${query}`);
   if (!answer.ok) throw new Error(`the preview answers ${answer.status}`);

@@ -37,7 +37,7 @@ function whole(response: Response, bytes: ArrayBuffer): Response {
 
 function decoded(path: string): string {
   try {
-    return decodeURI(path);
+    return decodeURIComponent(path);
   } catch {
     return path; // a stray per cent sign
   }
@@ -95,8 +95,12 @@ export class Edition {
     return Object.hasOwn(this.manifest.files, path);
   }
 
+  private addressOf(path: string): string {
+    return this.root + path.split("/").map(encodeURIComponent).join("/");
+  }
+
   kept(path: string): Promise<Response | undefined> {
-    return this.cache.match(this.root + path);
+    return this.cache.match(this.addressOf(path));
   }
 
   async keptPaths(): Promise<string[]> {
@@ -108,7 +112,7 @@ export class Edition {
   /** From the network. Throws where there is none. */
   async fetch(path: string): Promise<Found> {
     // What the browser has of an earlier day is asked for anew.
-    const response = await fetch(this.root + path, { cache: "no-cache" });
+    const response = await fetch(this.addressOf(path), { cache: "no-cache" });
     const bytes = await response.arrayBuffer();
     const own = response.ok && (await hashOf(bytes)) === this.manifest.files[path]?.[0];
     return { response: whole(response, bytes), own };
@@ -116,11 +120,11 @@ export class Edition {
 
   /** Throws where there is no room. `response` is still whole afterwards. */
   async put(path: string, response: Response): Promise<void> {
-    await this.cache.put(this.root + path, response.clone());
+    await this.cache.put(this.addressOf(path), response.clone());
   }
 
   async drop(path: string): Promise<void> {
-    await this.cache.delete(this.root + path);
+    await this.cache.delete(this.addressOf(path));
   }
 
   /** The reader wants all of it, and of editions to come as well. */

@@ -58,8 +58,10 @@ class Visitor {
     return good;
   }
 
+  // Of a file of the site, or of what stands behind the root in an address already.
   address(path) {
-    return this.#root + path;
+    const isFile = files.includes(path);
+    return this.#root + (isFile ? path.split("/").map(encodeURIComponent).join("/") : path);
   }
 
   // Opens the page at `path` for a new reader, without a service worker, hands it to `look`, and shuts

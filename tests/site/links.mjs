@@ -44,10 +44,16 @@ function addressesIn({ text, name }) {
   return { addresses: entries.map((entry) => entry.textContent) };
 }
 
+// As an address has what of a path is no plain character.
+const addressOf = (path) =>
+  encodeURIComponent(path)
+    .replace(/[!'()*]/g, (sign) => `%${sign.charCodeAt(0).toString(16).toUpperCase()}`)
+    .replaceAll("%2F", "/");
+
 // Of a site that is published at `root`, which is undefined for one that does not say.
 async function checkPublished(visitor, found, root) {
   for (const [path, { canonical, shared }] of found) {
-    const address = root && root + (path === "index.html" ? "" : encodeURI(path));
+    const address = root && root + (path === "index.html" ? "" : addressOf(path));
     visitor.expect(canonical === address, path, `is ${address}, and calls itself ${canonical}`);
     visitor.expect(shared === address, path, `is ${address}, and is shared as ${shared}`);
   }
@@ -59,7 +65,9 @@ async function checkPublished(visitor, found, root) {
     visitor.expect(files.length === 0, folder, `is published nowhere, and has ${files}`);
     return;
   }
-  const known = [...found.keys()].map((path) => root + (path === "index.html" ? "" : path)).sort();
+  const known = [...found.keys()]
+    .map((path) => root + (path === "index.html" ? "" : addressOf(path)))
+    .sort();
   await visitor.visit("index.html", {}, async (page) => {
     const listed = await page.evaluate(addressesIn, { text: read("sitemap.xml"), name: "loc" });
     const all = `${listed.addresses?.toSorted()}` === `${known}`;

@@ -75,6 +75,15 @@ await testSite(async (visitor) => {
   let inLines = [];
   await visitor.visit("api.html", {}, async (page) => (inLines = await page.evaluate(lineLinks)));
   visitor.expect(inLines.length > 0, "api.html", "no line of a program uses MuJoCo");
+  await visitor.visit("api.html", { javaScript: false }, async (page) => {
+    const plain = await page.locator("a[data-line]").evaluateAll((all) => all.map((a) => a.href));
+    visitor.expect(plain.length === inLines.length, "api.html", `${plain.length} without scripts`);
+    visitor.expect(
+      plain.every((href) => /#example-/.test(href)),
+      "api.html",
+      `${plain[0]}`,
+    );
+  });
   for (const path of pages) {
     await visitor.visit(path, {}, async (page) => {
       if (!path.includes("-")) {

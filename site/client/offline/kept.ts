@@ -18,7 +18,7 @@ async function listPages(kept: readonly string[]): Promise<void> {
   await run("search.js");
   await run(window.mjcourse!.index);
   const known = new Set(kept);
-  const pages = window.mjcourse!.pages!.filter(({ href }) => known.has(href));
+  const pages = window.mjcourse!.pages!.filter(({ href }) => known.has(decodeURIComponent(href)));
   const items = pages.map((page) => make("li", {}, make("a", { href: page.href }, nameOf(page))));
   const section = article.querySelector<HTMLElement>(".kept-pages")!;
   section.querySelector("ul")!.replaceChildren(...items);
