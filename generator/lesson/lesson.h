@@ -30,10 +30,11 @@ struct FrontMatter {
   std::vector<LocatedText> formerly;  // the addresses that its page had (course/former_page.h)
 };
 
-// A stretch of a heading's text; what an inline value comes to is known only later.
+// A stretch of a heading's text; what an inline value comes to, and how a formula looks, is known
+// only later.
 struct TitlePart {
   std::string text;                  // without markup
-  std::optional<std::size_t> value;  // the block of an InlineValue
+  std::optional<std::size_t> block;  // of an InlineValue or a Math
 };
 
 struct Heading {

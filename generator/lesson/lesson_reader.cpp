@@ -245,7 +245,8 @@ void LessonReader::read_title(cmark_node* heading) {
 void LessonReader::add_title_parts(cmark_node* node, std::vector<TitlePart>& title) const {
   const auto block = lesson_.block_of.find(node);
   if (block != lesson_.block_of.end() &&
-      std::holds_alternative<InlineValue>(lesson_.blocks[block->second])) {
+      (std::holds_alternative<InlineValue>(lesson_.blocks[block->second]) ||
+       std::holds_alternative<Math>(lesson_.blocks[block->second]))) {
     title.push_back({plain_text(node), block->second});
     return;
   }

@@ -1,14 +1,26 @@
 #include "page/reader_text.h"
 
+#include <optional>
 #include <sstream>
+#include <utility>
+
+#include "page/formula_text.h"
 
 namespace mjcourse {
 namespace {
 
+// What the build made of a value or a formula; nothing of other blocks.
+std::optional<std::string> shown_text(const LessonResults& results, std::size_t block) {
+  if (const auto* value = results.get<ValueResult>(block)) return value->text;
+  const auto* formula = results.get<FormulaResult>(block);
+  if (formula == nullptr) return std::nullopt;
+  std::string text = formula_text(formula->markup);
+  return text.empty() ? std::nullopt : std::optional(std::move(text));
+}
+
 std::string text_of(cmark_node* node, const Lesson& page, const LessonResults& results) {
   if (const auto block = page.block_of.find(node); block != page.block_of.end()) {
-    const auto* value = results.get<ValueResult>(block->second);
-    if (value != nullptr) return value->text;
+    if (const auto shown = shown_text(results, block->second)) return *shown;
   }
   cmark_node* child = cmark_node_first_child(node);
   if (child == nullptr) return plain_text(node);
@@ -33,10 +45,14 @@ std::string reader_text(cmark_node* node, const Lesson& page, const LessonResult
 std::string reader_text(const Heading& heading, const LessonResults& results) {
   std::string text;
   for (const TitlePart& part : heading.title) {
-    const auto* value = part.value ? results.get<ValueResult>(*part.value) : nullptr;
-    text += value != nullptr ? value->text : part.text;
+    text += (part.block ? shown_text(results, *part.block) : std::nullopt).value_or(part.text);
   }
   return with_single_blanks(text);
+}
+
+std::string text_of_formula(const FormulaResult* result, const std::string& tex) {
+  const std::string text = result != nullptr ? formula_text(result->markup) : "";
+  return text.empty() ? tex : text;
 }
 
 }  // namespace mjcourse

@@ -8,11 +8,14 @@
 
 namespace mjcourse {
 
-// Of `node` in `page`, with the values that its build computed; formulas as TeX, each stretch of
-// blanks as one.
+// Of `node` in `page`, with the values that its build computed and its formulas (formula_text.h),
+// each stretch of blanks as one.
 std::string reader_text(cmark_node* node, const Lesson& page, const LessonResults& results);
 
 // The same of a heading, whose lesson may be at rest.
 std::string reader_text(const Heading& heading, const LessonResults& results);
+
+// Of a formula that may have no result, since it was not set.
+std::string text_of_formula(const FormulaResult* result, const std::string& tex);
 
 }  // namespace mjcourse

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/utf8.h"
 #include "page/reader_text.h"
 
 namespace mjcourse {
@@ -32,7 +33,9 @@ class Reader {
   }
 
   // What each kind of block says.
-  void operator()(const Math& math) { say(math.display ? "" : math.tex.text); }
+  void operator()(const Math& math) {
+    if (!math.display) say(text_of_formula(results_.get<FormulaResult>(block_), math.tex.text));
+  }
   void operator()(const InlineValue& value) {
     const auto* result = results_.get<ValueResult>(block_);
     say(result != nullptr ? result->text : value.expression.text);
@@ -157,7 +160,8 @@ std::vector<SearchSection> search_sections(const Lesson& lesson, const LessonRes
 std::string beginning_of(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
   const std::size_t end = text.rfind(' ', most);
-  return end == text.npos ? "" : text.substr(0, end);
+  if (end != text.npos) return text.substr(0, end);
+  return text.substr(0, character_start(text, most));  // of a script without blanks
 }
 
 std::string with_single_blanks(const std::string& text) {

@@ -44,7 +44,7 @@ TEST(SearchText, KeepsCodeApart) {
 TEST(SearchText, IsCutBetweenWords) {
   EXPECT_EQ(beginning_of("one two", 7), "one two");
   EXPECT_EQ(beginning_of("one two", 6), "one");
-  EXPECT_EQ(beginning_of("ⅰⅰⅰ", 4), "");
+  EXPECT_EQ(beginning_of("ⅰⅰⅰ", 4), "ⅰ");
 }
 
 }  // namespace

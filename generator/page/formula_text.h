@@ -1,0 +1,11 @@
+// A formula in plain text, for what takes no HTML: `x^2` is "x²", `\frac{a}{b+1}` is "a/(b + 1)".
+#pragma once
+
+#include <string>
+
+namespace mjcourse {
+
+// Of KaTeX's `markup`, which has the formula as MathML as well; "" where it has not.
+std::string formula_text(const std::string& markup);
+
+}  // namespace mjcourse
