@@ -14,19 +14,19 @@ namespace {
 void write_moved_page(const SiteData& site, const Lesson& lesson, const std::string& former,
                       Templates& templates, SiteFiles& directory) {
   const Course& course = site.course;
-  directory.write(
-      former, render_template(templates, "moved",
-                              {{"course", {{"title", course.title},
-                                {"language", course.language},
-                                {"right_to_left", is_right_to_left(course.language)}}},
-                               {"title", lesson.number + " " + lesson.front.title.text},
-                               {"href", "../" + site_address(page_path(lesson))},
-                               {"address", web_address(course, page_path(lesson))},
-                               {"root", "../"},
-                               {"assets",
-                                {{"css", site.manifest.at("site.css")},
-                                 {"js", site.manifest.at("moved.js")},
-                                 {"favicon", site.manifest.at("favicon.svg")}}}}));
+  directory.write(former, render_template(templates, "moved",
+                                          {{"course",
+                                            {{"title", course.title},
+                                             {"language", course.language},
+                                             {"right_to_left", is_right_to_left(course.language)}}},
+                                           {"title", lesson.number + " " + lesson.front.title.text},
+                                           {"href", "../" + site_address(page_path(lesson))},
+                                           {"address", web_address(course, page_path(lesson))},
+                                           {"root", "../"},
+                                           {"assets",
+                                            {{"css", site.manifest.at("site.css")},
+                                             {"js", site.manifest.at("moved.js")},
+                                             {"favicon", site.manifest.at("favicon.svg")}}}}));
 }
 
 }  // namespace

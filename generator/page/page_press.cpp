@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/content_hash.h"
+#include "course/language.h"
 #include "evaluate/workshop.h"
 #include "page/course_data.h"
 #include "page/page_fonts.h"
@@ -91,7 +92,8 @@ std::string PagePress::frame(const std::string& path, const PageHead& head, cons
                          {{"course",
                            {{"title", course.title},
                             {"description", course.description},
-                            {"language", course.language}}},
+                            {"language", course.language},
+                            {"right_to_left", is_right_to_left(course.language)}}},
                           {"page",
                            {{"title", head.title},
                             {"description", head.description},

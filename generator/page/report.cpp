@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "course/language.h"
 #include "evaluate/pin.h"
 #include "page/anchors.h"
 #include "page/page_writer.h"
@@ -97,6 +98,7 @@ void write_report(const Run& run, const fs::path& assets, const fs::path& out) {
   directory.write(kVerificationJson, json_file(all));
   json data = verification_data(all, false, findings);
   data["language"] = run.course != nullptr ? run.course->language : "en";
+  data["right_to_left"] = is_right_to_left(data["language"]);
   data["assets"] = {{"css", manifest.at("site.css")}, {"favicon", manifest.at("favicon.svg")}};
   directory.write("index.html", render_template(templates, "report", data));
   directory.commit();

@@ -1,11 +1,15 @@
 // What is wider than its column scrolls alone; here it is made reachable with the keyboard, and only
 // while it does scroll, so that the Tab key does not stop where there is nothing to do.
 
-const scrollers = ".table, .math.display, pre";
+// With a formula in a line, which may be wider than that (math.css).
+const withFormula = ".prose :is(p, ul, ol, dl, h2, h3, h4, summary):has(.math:not(.display))";
+const scrollers = `.table, .math.display, pre, ${withFormula}`;
 
 function update(element: Element): void {
   const { scrollWidth, clientWidth, scrollHeight, clientHeight } = element;
-  const scrolls = scrollWidth > clientWidth || scrollHeight > clientHeight;
+  const scrolls =
+    getComputedStyle(element).overflowX !== "visible" &&
+    (scrollWidth > clientWidth || (scrollHeight > clientHeight && !element.matches(withFormula)));
   if (scrolls) element.setAttribute("tabindex", "0");
   else element.removeAttribute("tabindex");
 }

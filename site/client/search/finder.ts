@@ -7,7 +7,7 @@ import MiniSearch from "minisearch";
 
 import type { Page, Section } from "./pages.js";
 import { run } from "./scripts.js";
-import { folded, partsOf, wordsOf } from "./words.js";
+import { folded, partsOf, soughtOf, wordsOf } from "./words.js";
 
 export interface Hit {
   readonly page: Page;
@@ -33,7 +33,7 @@ export class Finder {
     tokenize: (text) => wordsOf(text).flatMap(partsOf),
     processTerm: folded,
     searchOptions: {
-      tokenize: wordsOf,
+      tokenize: soughtOf,
       boost: { title: 4, page: 2, text: 1, code: 0.6 },
       prefix: (term) => term.length > 1,
       fuzzy: (term) => (term.length > 3 ? 0.2 : false),

@@ -94,6 +94,7 @@ TEST_F(VerificationTest, ShowsMistakesAndPicturesInAReport) {
   json page = data("$a$\n", {claim(Kind::formula, Status::failed, 0, 4)}, false, findings);
   EXPECT_EQ(page["failed"][0]["href"], "");
   page["language"] = "en";
+  page["right_to_left"] = false;
   page["assets"] = {{"css", "c"}, {"favicon", "f"}};
   const std::string html = render_template(*templates_, "report", page);
   EXPECT_NE(html.find("wrong &lt;here&gt;"), std::string::npos) << html;
