@@ -178,7 +178,13 @@ std::string without_invisible(std::string text) {
   return text;
 }
 
+constexpr int kMostOnAPhone = 24;  // characters; mostly a line ends within a longer formula, too
+
 }  // namespace
+
+bool is_wide_formula(const std::string& markup) {
+  return count_characters(formula_text(markup)) > kMostOnAPhone;
+}
 
 std::string formula_text(const std::string& markup) {
   const std::string_view end = "</math>";

@@ -6,6 +6,7 @@
 
 #include "course/link_target.h"
 #include "evaluate/workshop.h"
+#include "page/formula_text.h"
 #include "page/kept_together.h"
 #include "page/place_marks.h"
 #include "page/placeholder.h"
@@ -230,8 +231,9 @@ std::string PageWriter::write_math(cmark_node* node, const Math& math, std::size
   if (cmark_node_get_type(node) == math_block_type()) {
     return "<div class=\"math display\">" + markup + "</div>\n";
   }
-  return "<span class=\"math" + std::string(math.display ? " display" : "") + "\">" + markup +
-         "</span>";
+  const bool is_long = !math.display && result != nullptr && is_wide_formula(markup);
+  const char* const how = math.display ? " display" : is_long ? " wide" : "";
+  return "<span class=\"math" + std::string(how) + "\">" + markup + "</span>";
 }
 
 std::string PageWriter::write_value(const InlineValue& value, std::size_t index) const {

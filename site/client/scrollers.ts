@@ -2,7 +2,7 @@
 // while it does scroll, so that the Tab key does not stop where there is nothing to do.
 
 // With a formula in a line, which may be wider than that (math.css).
-const withFormula = ".prose :is(p, ul, ol, dl, h2, h3, h4, summary):has(.math:not(.display))";
+const withFormula = ".prose :is(p, ul, ol, dl, h2, h3, h4, summary):has(.math.wide)";
 const scrollers = `.table, .math.display, pre, ${withFormula}`;
 
 function update(element: Element): void {

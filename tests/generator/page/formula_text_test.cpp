@@ -42,6 +42,13 @@ TEST_F(FormulaText, HasFractionsAndRootsInALine) {
   EXPECT_EQ(of("9.81\\,\\text{m/s}^2"), "9.81 m/s²");
 }
 
+TEST_F(FormulaText, TellsWhatMayBeWiderThanAPhone) {
+  EXPECT_FALSE(is_wide_formula(typesetter_.typeset("n_q = 7", false).value()));
+  EXPECT_FALSE(is_wide_formula(typesetter_.typeset("\\mathbf{\\ddot{q}}", false).value()));
+  EXPECT_TRUE(is_wide_formula(
+      typesetter_.typeset("\\frac{a + b + c + d + e + f + g + h}{2}", false).value()));
+}
+
 TEST_F(FormulaText, IsEmptyWithoutMathml) {
   EXPECT_EQ(formula_text("<span>x</span>"), "");
   EXPECT_EQ(formula_text(""), "");
