@@ -15,13 +15,14 @@
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 
-// Keys that Vega-Lite has and a plot of a lesson has not, and why.
+// Keys and words that Vega-Lite has and a plot of a lesson has not, and why.
 export const elsewhere = {
   bind: "a plot of the page stands still",
   config: "all plots look alike; set this at the mark, the axis or the legend",
   data: "a plot shows one table, which stands at its top",
   datasets: "a plot shows what an example reported",
   href: "a plot is no link",
+  image: "a plot shows what an example reported",
   select: "a plot of the page stands still",
   tooltip: "a plot of the page stands still; the numbers are below it",
   url: "a plot shows what an example reported",
@@ -79,7 +80,8 @@ function merge(schemas, stateOf) {
   const words = schemas.flatMap((schema) => schema.enum ?? [schema.const]);
   const free = schemas.some((schema) => !saysWords(schema) && kindsOf([schema]).includes("s"));
   if (state.kinds.includes("s") && !free) {
-    state.words = [...new Set(words.filter((word) => typeof word === "string"))].sort();
+    const known = words.filter((word) => typeof word === "string" && !(word in elsewhere));
+    state.words = [...new Set(known)].sort();
   }
   const objects = schemas.filter((schema) => kindsOf([schema]).includes("o"));
   if (objects.length > 0) {

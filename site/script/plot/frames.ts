@@ -2,7 +2,7 @@
  * twice, since one that is shrunk to a phone cannot be read. */
 import { draw, type Drawing, type Row } from "./drawing.js";
 import { fault, type Fault } from "./fault.js";
-import { isObject, type JsonObject } from "./json.js";
+import { isObject, type Json, type JsonObject } from "./json.js";
 
 /** As wide as a paragraph, in CSS pixels. */
 const widest = 640;
@@ -23,8 +23,7 @@ export async function drawForPage(
   faults: Fault[],
 ): Promise<Drawings> {
   const drawIn = async ({ width, height, room }: typeof wide, name: string) => {
-    const frame = { autosize: { type: "fit", contains: "padding" }, height };
-    const framed = hasOwnWidth(spec) ? spec : { ...frame, ...spec, width };
+    const framed = hasOwnWidth(spec) ? spec : fitInto(spec, width, height);
     const drawing = await draw(spec, framed, rows, { id: `${id}-${name}`, room }, faults);
     if (drawing.width > width) {
       const message = `this plot is ${drawing.width} pixels wide, and the page has ${width} for it`;
@@ -41,8 +40,21 @@ export async function drawForPage(
 }
 
 /** A plot of several parts has the sum of theirs. */
-function hasOwnWidth({ width, encoding, ...spec }: JsonObject): boolean {
-  if (width !== undefined && width !== "container") return true;
+function hasOwnWidth({ encoding, ...spec }: JsonObject): boolean {
+  if (hasOwn(spec, "width")) return true;
   const facets = ["row", "column", "facet"].some((key) => isObject(encoding) && key in encoding);
   return facets || ["concat", "hconcat", "vconcat", "facet", "repeat"].some((key) => key in spec);
+}
+
+/** As wide as there is room, and as high, where the author says nothing of its height. */
+function fitInto(spec: JsonObject, width: number, height: number): JsonObject {
+  const framed = { autosize: { type: "fit", contains: "padding" }, ...spec, width };
+  return hasOwn(spec, "height") ? framed : { ...framed, height };
+}
+
+/** Does a plot, or a layer of it, say its size? The page is no container that has one. */
+function hasOwn(spec: JsonObject, side: "width" | "height"): boolean {
+  const layers = Array.isArray(spec["layer"]) ? (spec["layer"] as readonly Json[]) : [];
+  const own = spec[side] !== undefined && spec[side] !== "container";
+  return own || layers.some((part) => isObject(part) && hasOwn(part, side));
 }

@@ -37,7 +37,8 @@ function tellApart(part: JsonObject, inherited: JsonObject, points: boolean): Js
   const encoding = {
     ...own,
     color: { ...colour, legend },
-    [channel]: { ...others, legend, scale: { ...domain, range } },
+    // shapes have no order, and Vega-Lite doubts those that are to show one
+    [channel]: { ...others, type: "nominal", legend, scale: { ...domain, range } },
   };
   return { ...part, encoding };
 }

@@ -1,12 +1,17 @@
 /** What Vega takes for granted and a bare script engine has not. To be imported before it. */
-import type { Json } from "./json.js";
 
-/** Of what Vega clones: specs, which are JSON. */
-function structuredClone(json: Json): Json {
-  if (Array.isArray(json)) return json.map((item: Json) => structuredClone(item));
-  if (typeof json !== "object" || json === null) return json;
+/** Of what Vega clones: specs, and what Vega-Lite notes beside them, in sets among others. */
+function structuredClone(value: unknown): unknown {
+  if (typeof value !== "object" || value === null) return value;
+  if (Array.isArray(value)) return value.map(structuredClone);
+  if (value instanceof Set) return new Set(Array.from(value, structuredClone));
+  if (value instanceof Map) {
+    return new Map(
+      Array.from(value, ([key, kept]) => [structuredClone(key), structuredClone(kept)]),
+    );
+  }
   return Object.fromEntries(
-    Object.entries(json).map(([key, value]) => [key, structuredClone(value)]),
+    Object.entries(value).map(([key, kept]) => [key, structuredClone(kept)]),
   );
 }
 

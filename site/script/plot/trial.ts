@@ -1,5 +1,5 @@
 /** Is what a spec came to fit to be shown? */
-import type { View } from "vega";
+import type { Spec, View } from "vega";
 
 import { fault, type Fault, type Path } from "./fault.js";
 import { stringsOf, walk, type Json, type JsonObject } from "./json.js";
@@ -23,27 +23,56 @@ export function unfitNumbers(view: View, spec: JsonObject): Fault[] {
   return [];
 }
 
-/** The columns that a spec speaks of: where it makes them, else where it shows them first. */
+/** The columns that a spec shows: where it makes them, else where it shows them first. Those that are
+ * made for a filter or an expression alone, nobody draws. */
 function namesIn(spec: JsonObject): Map<string, Path> {
-  const names = new Map<string, Path>();
+  const shown = new Map<string, Path>();
+  const made = new Map<string, Path>();
   walk(spec, (value: Json, path, key) => {
-    for (const name of key === "as" || key === "field" ? stringsOf(value) : []) {
-      if (key === "as" || !names.has(name)) names.set(name, path);
+    for (const name of stringsOf(value)) {
+      if (key === "as") made.set(name, path);
+      const asked = path.includes("filter") || path.includes("test");
+      if (key === "field" && !asked && !shown.has(name)) shown.set(name, path);
     }
   });
-  return names;
+  return new Map(Array.from(shown, ([name, path]) => [name, made.get(name) ?? path]));
 }
 
-export function noRows(view: View): Fault[] {
-  if (setsOf(view).every((rows) => rows.length > 0)) return [];
+export function noRows(view: View, compiled: Spec): Fault[] {
+  const outliers = setsOfOutliers(compiled);
+  const sets = Object.keys(insideOf(view).data).filter((name) => !outliers.has(name));
+  if (sets.every((name) => rowsOf(view, name).length > 0)) return [];
   const message = "what this plot filters leaves no row to draw";
   return [fault("E-plot-empty", [], message, "look at its filters")];
 }
 
+/** Vega-Lite's own filter of a boxplot: what lies outside of the whiskers, which nothing may. */
+const outsideOfWhiskers = /^\(datum\[[^\]]*\] < datum\['lower_box_/;
+
+/** What holds a boxplot's outliers, what is made of them, and what is drawn for them. */
+export function setsOfOutliers({ data = [], marks = [] }: Spec): Set<string> {
+  const found = new Set<string>();
+  for (const set of data) {
+    const own = set.transform?.some(
+      (one) => one.type === "filter" && outsideOfWhiskers.test(one.expr),
+    );
+    const sources = "source" in set ? [set.source].flat() : [];
+    if (own === true || sources.some((name) => found.has(name))) found.add(set.name);
+  }
+  for (const { name, from } of marks) {
+    const drawn = from !== undefined && "data" in from ? from.data : undefined;
+    if (name !== undefined && drawn !== undefined && found.has(drawn)) found.add(name);
+  }
+  return found;
+}
+
+function rowsOf(view: View, name: string): readonly Record<string, unknown>[] {
+  return (view.data(name) as Record<string, unknown>[] | undefined) ?? [];
+}
+
 /** The rows of the table and of what became of it. */
 function setsOf(view: View): readonly (readonly Record<string, unknown>[])[] {
-  const rowsOf = (name: string) => view.data(name) as Record<string, unknown>[] | undefined;
-  return Object.keys(insideOf(view).data).map((name) => rowsOf(name) ?? []);
+  return Object.keys(insideOf(view).data).map((name) => rowsOf(view, name));
 }
 
 export function tooManySeries(view: View): Fault[] {

@@ -33,10 +33,7 @@ function check(json: Json, state: State, path: Path, faults: Fault[]): void {
     const message = `${named(path)} is ${kindNames[kind]!}; expected ${expected}`;
     faults.push(fault("E-json-kind", path, message));
   } else if (typeof json === "string") {
-    if (state.words?.includes(json) === false) {
-      const message = `${named(path)} cannot be "${json}"`;
-      faults.push(fault("E-plot-word", path, message, suggest(json, state.words)));
-    }
+    if (state.words?.includes(json) === false) faults.push(unknownWord(json, state.words, path));
   } else if (Array.isArray(json) && state.items !== undefined) {
     const items = states[state.items]!;
     json.forEach((item: Json, i) => check(item, items, [...path, i], faults));
@@ -54,6 +51,15 @@ function checkKeys(object: JsonObject, state: State, path: Path, faults: Fault[]
       check(value, states[next]!, [...path, key], faults);
     }
   }
+}
+
+function unknownWord(word: string, known: readonly string[], path: Path): Fault {
+  const reason = Object.hasOwn(elsewhere, word) ? elsewhere[word] : undefined;
+  if (reason === undefined) {
+    return fault("E-plot-word", path, `${named(path)} cannot be "${word}"`, suggest(word, known));
+  }
+  const message = `${named(path)} of a lesson's plot cannot be "${word}": ${reason}`;
+  return fault("E-plot-word", path, message, "draw it with another");
 }
 
 function unknownKey(key: string, state: State, path: Path): Fault {

@@ -1,46 +1,7 @@
-#include "script/chart_press.h"
-
-#include <gtest/gtest.h>
-
-#include "bundle.h"
+#include "chart_press_fixture.h"
 
 namespace mjcourse {
 namespace {
-
-using nlohmann::json;
-
-class ChartPressTest : public testing::Test {
- protected:
-  // A spec with `more` members beside a line of `y` over `x`.
-  static std::string line(const std::string& more = "", const std::string& of_y = "") {
-    return R"({"data": {"name": "a/b"}, "caption": "c", "alt": "d", "mark": "line")" + more +
-           R"(, "encoding": {"x": {"field": "x", "type": "quantitative"},
-               "y": {"field": "y", "type": "quantitative")" +
-           of_y + "}}}";
-  }
-
-  static json table(const std::vector<double>& x, const std::vector<double>& y) {
-    return json::array({json::array({"x", x}), json::array({"y", y})});
-  }
-
-  // "id path message | cure" of each fault; "" for none.
-  std::string faults(const std::string& spec, const json& table) {
-    const auto drawn = press_.draw(spec, table, "plot-1");
-    std::string text;
-    for (const ChartFault& fault : drawn ? std::vector<ChartFault>{} : drawn.error()) {
-      const std::string part =
-          fault.to > 0 ? "[" + std::to_string(fault.from) + "," + std::to_string(fault.to) + "]"
-                       : "";
-      text += fault.id + " " + fault.path.dump() + (fault.key ? " key" : "") + part + " " +
-              fault.message + (fault.cure.empty() ? "" : " | " + fault.cure) + "\n";
-    }
-    return text;
-  }
-  std::string faults(const std::string& spec) { return faults(spec, table_); }
-
-  ChartPress press_{bundle("plot")};
-  json table_ = table({0, 1, 2}, {-1, 0.5, 3e-7});
-};
 
 TEST_F(ChartPressTest, DrawsForWideAndForNarrowScreens) {
   const ChartDrawings drawings = press_.draw(line(), table_, "plot-1").value();
