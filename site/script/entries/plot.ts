@@ -6,8 +6,9 @@
 import "../plot/surroundings.js";
 
 import type { Row } from "../plot/drawing.js";
+import { findExcess } from "../plot/bounds.js";
 import { vegaFault } from "../plot/complaint.js";
-import { fault, type Fault } from "../plot/fault.js";
+import { fault, Refused, type Fault } from "../plot/fault.js";
 import { findUnknownColumns } from "../plot/columns.js";
 import { drawForPage, type Drawings } from "../plot/frames.js";
 import type { JsonObject } from "../plot/json.js";
@@ -23,7 +24,8 @@ function draw(json: string, table: string, id: string): string {
   const spec = specOf(json);
   const columns = table === "" ? [] : (JSON.parse(table) as [string, number[]][]);
   const names = columns.map(([name]) => name);
-  const faults = [...findUnknown(spec), ...(table === "" ? [] : findUnknownColumns(spec, names))];
+  const ofTable = table === "" ? [] : findUnknownColumns(spec, names);
+  const faults = [...findUnknown(spec), ...findExcess(spec), ...ofTable];
   if (table === "" || faults.length > 0) answer = { faults };
   else void drawKnown(spec, rowsOf(columns), id).then((found) => (answer = found));
   return "";
@@ -41,7 +43,9 @@ async function drawKnown(spec: JsonObject, rows: readonly Row[], id: string): Pr
     const drawings = await drawForPage(spec, rows, id, faults);
     return faults.length > 0 ? { faults } : drawings;
   } catch (error) {
-    return { faults: [...faults, vegaFault((error as Error).message, spec)] };
+    const found =
+      error instanceof Refused ? error.fault : vegaFault((error as Error).message, spec);
+    return { faults: [...faults, found] };
   }
 }
 

@@ -2,8 +2,10 @@
 import { compile, type TopLevelSpec } from "vega-lite";
 import { parse, randomLCG, resetSVGDefIds, setRandom, textMetrics, View, type Spec } from "vega";
 
-import type { Fault } from "./fault.js";
+import "./bounded-vega.js";
 import { listener } from "./complaint.js";
+import { beginCounting, endCounting } from "./counting.js";
+import { Refused, type Fault } from "./fault.js";
 import type { JsonObject } from "./json.js";
 import { widthOf } from "./letters.js";
 import { look, type Room } from "./look.js";
@@ -71,9 +73,11 @@ export async function draw(
   const compiled = compile(whole as unknown as TopLevelSpec, { config, logger }).spec;
   resetSVGDefIds();
   setRandom(randomLCG(seed));
+  beginCounting(spec);
   const view = new View(parse(compiled), { renderer: "none", logger });
   try {
     await view.runAsync();
+    endCounting();
     const drawing = finish(await view.toSVG(), id);
     // the causes of whatever else there is to complain of
     const causes = [...noRows(view, compiled), ...unfitNumbers(view, spec)];
@@ -81,6 +85,10 @@ export async function draw(
     const others = [...doubts, ...tooManySeries(view), ...unfitSvg(drawing.svg)];
     faults.push(...(causes.length > 0 ? causes : others));
     return drawing;
+  } catch (error) {
+    // what Vega cannot run, it only tells its logger, and then it cannot draw it either
+    const told = complaints.at(-1);
+    throw error instanceof Refused || told === undefined ? error : new Refused(told);
   } finally {
     view.finalize();
   }

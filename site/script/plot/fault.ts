@@ -17,3 +17,13 @@ export interface Fault {
 export function fault(id: string, path: Path, message: string, cure = ""): Fault {
   return { id, message, cure, path, key: false, from: 0, to: 0 };
 }
+
+/** Ends a drawing that something is wrong with. */
+export class Refused extends Error {
+  readonly fault: Fault;
+
+  constructor(found: Fault) {
+    super(found.message);
+    this.fault = found;
+  }
+}

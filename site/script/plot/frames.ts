@@ -1,5 +1,6 @@
 /** A plot for wide and for narrow screens. Where its author says nothing of its width, it is drawn
  * twice, since one that is shrunk to a phone cannot be read. */
+import { mostPixels } from "./bounds.js";
 import { draw, type Drawing, type Row } from "./drawing.js";
 import { fault, type Fault } from "./fault.js";
 import { isObject, type Json, type JsonObject } from "./json.js";
@@ -30,6 +31,10 @@ export async function drawForPage(
       faults.push(
         fault("E-plot-size", [], message, "make its parts narrower, or its labels shorter"),
       );
+    }
+    if (drawing.height > mostPixels) {
+      const message = `this plot is ${drawing.height} pixels high, and a page has room for ${mostPixels}`;
+      faults.push(fault("E-plot-size", [], message, "make its parts lower, or fewer"));
     }
     return drawing;
   };
