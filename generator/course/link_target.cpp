@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/nearest.h"
+#include "course/web_address.h"
 
 namespace mjcourse {
 namespace {
@@ -64,7 +65,7 @@ std::optional<DeadLink> dead_lesson(const Course& course, const Lesson& from,
 tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Lesson& from,
                                                 const std::string& target) {
   for (const char* outside : {"https://", "http://", "mailto:"}) {
-    if (target.starts_with(outside)) return LinkTarget{nullptr, "", target};
+    if (has_scheme(target, outside)) return LinkTarget{nullptr, "", target};
   }
   if (target.starts_with("#")) return heading_of(from, target.substr(1));
   if (target.starts_with("model:")) return model_of(course, target.substr(6));

@@ -26,7 +26,7 @@ bool is_hex(char c) {
 // Where the host begins; 0 where `url` is no address of the web.
 std::size_t host_of(std::string_view url) {
   for (const std::string_view scheme : {"https://", "http://"}) {
-    if (url.starts_with(scheme)) return scheme.size();
+    if (has_scheme(url, scheme)) return scheme.size();
   }
   return 0;
 }
@@ -79,6 +79,13 @@ std::optional<AddressFault> address_fault(std::string_view url) {
 }
 
 }  // namespace
+
+bool has_scheme(std::string_view url, std::string_view scheme) {
+  return url.size() >= scheme.size() &&
+         std::equal(scheme.begin(), scheme.end(), url.begin(), [](char small, char any) {
+           return small == (any >= 'A' && any <= 'Z' ? any - 'A' + 'a' : any);
+         });
+}
 
 std::optional<AddressFault> site_address_fault(std::string_view url) {
   if (auto fault = address_fault(url)) return fault;

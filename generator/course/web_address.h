@@ -22,6 +22,9 @@ std::optional<AddressFault> site_address_fault(std::string_view url);
 // Of the address of an editor, in which {path} stands for a lesson's file below the course.
 std::optional<AddressFault> edit_address_fault(std::string_view edit);
 
+// Does `url` begin with `scheme`, "https://", whatever the case of its letters?
+bool has_scheme(std::string_view url, std::string_view scheme);
+
 // The site's root, which ends with a slash.
 std::string site_root(const std::string& url);
 // `path` as an address has it: "a b" is "a%20b".

@@ -185,15 +185,19 @@ void PageWriter::list_heading(int level, const std::string& id, const std::strin
 
 std::string PageWriter::write_link(cmark_node* node, const std::string& inner) const {
   const std::string target = cmark_node_get_url(node);
+  std::string title = cmark_node_get_title(node);
+  if (!title.empty()) title = " title=\"" + escape_html(title) + "\"";
   const auto resolved = resolve_link(course_, lesson_, target);
   if (!resolved || !resolved->url.empty()) {
-    return "<a class=\"external\" href=\"" + escape_html(target) + "\">" + inner + "</a>";
+    return "<a class=\"external\" href=\"" + escape_html(target) + "\"" + title + ">" + inner +
+           "</a>";
   }
   const std::string anchor = resolved->anchor.empty() ? "" : "#" + resolved->anchor;
   const std::string path =
       resolved->lesson != nullptr ? page_path(*resolved->lesson) : resolved->page;
   const bool here = path == press_.page && !anchor.empty();
-  return "<a href=\"" + (here ? "" : from_root(path)) + anchor + "\">" + inner + "</a>";
+  return "<a href=\"" + (here ? "" : from_root(path)) + anchor + "\"" + title + ">" + inner +
+         "</a>";
 }
 
 std::string PageWriter::write_term(const TermUse& term, const std::string& inner) const {

@@ -9,7 +9,8 @@ namespace {
 
 TEST(Links, LeadToLessonsHeadingsAndTheWeb) {
   EXPECT_EQ(course_of("## One\n[a](1.2) [b](1.2#two) [c](#one) [d](https://a.example/#x) "
-                      "[e](mailto:a@b.example)\n",
+                      "[e](mailto:a@b.example)\n"
+                      "[f](HTTPS://A.EXAMPLE) [g](Http://a.example) [h](MAILTO:a@b.example)\n",
                       "## Two\n")
                 .mistakes(),
             "");

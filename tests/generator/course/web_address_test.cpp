@@ -22,9 +22,9 @@ std::string edit(const std::string& address) {
 }
 
 TEST(WebAddress, TakesThoseOfSites) {
-  for (const char* good :
-       {"https://example.org", "https://example.org/", "http://localhost:8000/a/b",
-        "https://me.codeberg.page/c%20d/~x/", "https://xn--bcher-kva.example/@me/"}) {
+  for (const char* good : {"https://example.org", "https://example.org/",
+                           "http://localhost:8000/a/b", "https://me.codeberg.page/c%20d/~x/",
+                           "HTTPS://example.org/", "https://xn--bcher-kva.example/@me/"}) {
     EXPECT_EQ(site(good), "") << good;
   }
 }

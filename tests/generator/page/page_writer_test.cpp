@@ -27,6 +27,12 @@ TEST_F(PageWriterTest, LeadsLinksToTheirPages) {
             "<p><a class=\"external\" href=\"https://f.example/?g&amp;h\">e</a></p>\n");
 }
 
+TEST_F(PageWriterTest, GivesLinksTheirTitles) {
+  EXPECT_EQ(body("[a](1.2 \"Two & more\") [b](HTTPS://f.example '<c>')\n"),
+            "<p><a href=\"../1-a/1.2-y.html\" title=\"Two &amp; more\">a</a> <a class=\"external\" "
+            "href=\"HTTPS://f.example\" title=\"&lt;c&gt;\">b</a></p>\n");
+}
+
 TEST_F(PageWriterTest, LeadsLinksToPagesThatNoLessonIs) {
   course_.models = {"zoo"};
   EXPECT_EQ(
