@@ -8,7 +8,7 @@ import { boundExpansion, tooLong } from "../expansion.js";
 function typeset(tex: string, display: string, macros: string): string {
   const options = {
     displayMode: display === "true",
-    macros: JSON.parse(macros) as Record<string, string>,
+    macros: { ...refuseCommands(tex), ...(JSON.parse(macros) as Record<string, string>) },
     output: "htmlAndMathml",
     throwOnError: true,
     strict: "error",
@@ -22,6 +22,50 @@ function typeset(tex: string, display: string, macros: string): string {
   }
 }
 
+type Macros = Record<string, string | (() => string)>;
+
+/**
+ * What KaTeX sets in red instead of a refusal, since it leads out of the formula or makes HTML, and
+ * what the lesson has for it.
+ */
+const untrusted: Record<string, string> = {
+  "\\href": "a link is Markdown: `[text](https://…)`",
+  "\\url": "a link is Markdown: `<https://…>`",
+  "\\includegraphics": "a picture is Markdown: `![what it shows](picture.png)`",
+  "\\htmlClass": "colour it with `\\textcolor{…}{…}`, or leave it out",
+  "\\htmlData": "leave it out",
+  "\\htmlId": "to link to a place, give it a heading: `[text](#its-words)`",
+  "\\htmlStyle": "colour it with `\\textcolor{…}{…}`, or leave it out",
+};
+
+const labels =
+  "write a number, `\\tag{1}` within `$$`, and speak of it as (1); to link there, give it a heading";
+
+/** What LaTeX has for a whole document, and a lesson otherwise. */
+const documents: Record<string, string> = {
+  "\\label": labels,
+  "\\ref": labels,
+  "\\eqref": labels,
+  "\\cref": labels,
+  "\\autoref": labels,
+  "\\cite": "write a link, `[text](https://…)`, or a footnote, `[^name]`, behind the formula",
+  "\\footnote": "write a footnote, `[^name]`, behind the formula",
+};
+
+/** Macros that throw a ParseError in place of the commands of `untrusted`. */
+function refuseCommands(tex: string): Macros {
+  const refuse = (name: string) => () => {
+    const start = tex.search(new RegExp(`\\${name}(?![A-Za-z@])`));
+    const token = { loc: { lexer: { input: tex }, start, end: start + name.length } };
+    const refusal: Error = new katex.ParseError(
+      `Refused command: ${name}`,
+      start < 0 ? undefined : token,
+    );
+    throw refusal;
+  };
+  return Object.fromEntries(Object.keys(untrusted).map((name) => [name, refuse(name)]));
+}
+
 /** What KaTeX's error has beyond its published type. */
 interface ParseError {
   readonly rawMessage: string;
@@ -30,8 +74,10 @@ interface ParseError {
   readonly length?: number;
 }
 
-function describe(tex: string, error: ParseError, macros: Record<string, string>) {
-  const unknown = /^Undefined control sequence: (\\.*)$/.exec(error.rawMessage)?.[1];
+function describe(tex: string, error: ParseError, macros: Macros) {
+  const unknown = /^(?:Undefined control sequence|Refused command): (\\.*)$/.exec(
+    error.rawMessage,
+  )?.[1];
   let { position = 0, length = 0 } = error;
   // a command out of a macro's text is placed in that text, which the author does not see here
   if (unknown !== undefined && !tex.startsWith(unknown, position)) [position, length] = [0, 0];
@@ -39,6 +85,10 @@ function describe(tex: string, error: ParseError, macros: Record<string, string>
     message: whole(error.rawMessage, tex, position)
       .replace("LaTeX-incompatible input and strict mode is set to 'error': ", "not LaTeX: ")
       .replace(/ \[\w+\]$/, "")
+      .replace(
+        /^Refused command: (.*)$/,
+        "`$1` is not for formulas, as it makes HTML or leads elsewhere",
+      )
       .replace(/(Unrecognized Unicode character .*) \(\d+\)$/, "$1"),
     offset: bytes(tex.slice(0, position)),
     length: bytes(tex.slice(position, position + length)),
@@ -60,7 +110,9 @@ function whole(message: string, tex: string, position: number): string {
 
 /** The command that differs by one slip of the fingers. KaTeX has no list of its commands, but it
  * tells macros whether it knows one, so the slips are tried. */
-function suggestCommand(name: string, macros: Record<string, string>): string {
+function suggestCommand(name: string, macros: Macros): string {
+  const other = untrusted[name] ?? documents[name];
+  if (other !== undefined) return other;
   let meant: string | undefined;
   const probe = (context: object) => {
     const { isDefined } = context as { isDefined: (this: object, name: string) => boolean };

@@ -114,6 +114,31 @@ TEST_F(TypesetterTest, BoundsWhatMacrosBecome) {
   EXPECT_EQ(error("x"), "no error");
 }
 
+// KaTeX would set their names in red.
+TEST_F(TypesetterTest, RefusesCommandsThatLeadOutOfTheFormula) {
+  const std::string why = " is not for formulas, as it makes HTML or leads elsewhere | ";
+  EXPECT_EQ(error("a + \\href{https://a.example}{x}"),
+            "4+5 `\\href`" + why + "a link is Markdown: `[text](https://…)`");
+  EXPECT_EQ(error("\\href{\\nowhere}{x}"),
+            "0+5 `\\href`" + why + "a link is Markdown: `[text](https://…)`");
+  EXPECT_EQ(error("\\url{b}"), "0+4 `\\url`" + why + "a link is Markdown: `<https://…>`");
+  EXPECT_EQ(
+      error("\\includegraphics{a.png}"),
+      "0+16 `\\includegraphics`" + why + "a picture is Markdown: `![what it shows](picture.png)`");
+  for (const std::string name : {"\\htmlClass", "\\htmlId", "\\htmlStyle", "\\htmlData"}) {
+    const std::string place = "4+" + std::to_string(name.size());
+    EXPECT_TRUE(error("x + " + name + "{a=b}{x}").starts_with(place + " `" + name + "`" + why));
+  }
+}
+
+TEST_F(TypesetterTest, SaysWhatALessonHasForLabels) {
+  const std::string cure =
+      "write a number, `\\tag{1}` within `$$`, and speak of it as (1); to link there, give it a "
+      "heading";
+  EXPECT_EQ(error("x \\label{a}"), "2+6 Undefined control sequence: \\label | " + cure);
+  EXPECT_EQ(error("\\eqref{a}"), "0+6 Undefined control sequence: \\eqref | " + cure);
+}
+
 // KaTeX's own messages name but a half of them.
 TEST_F(TypesetterTest, NamesCharactersBeyondU10000) {
   EXPECT_EQ(error("a😀"), "1+4 not LaTeX: Unrecognized Unicode character \"😀\" | ");
