@@ -3,11 +3,11 @@
 #include <cmark-gfm/node.h>
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
 #include "lesson/callout.h"
 #include "lesson/fence.h"
+#include "lesson/heading_id.h"
 #include "lesson/read_value.h"
 
 namespace mjcourse {
@@ -19,21 +19,6 @@ constexpr int kMostParts = 10'000;
 bool is_part(cmark_node* node) {
   return cmark_node_get_type(node) != CMARK_NODE_SOFTBREAK &&
          !std::string_view(cmark_node_get_type_string(node)).starts_with("table_");
-}
-
-// "Why four numbers?" → "why-four-numbers"; letters beyond ASCII stay.
-std::string slug_of(const std::string& text) {
-  std::string slug;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x80 || std::isalnum(byte)) {
-      slug += static_cast<char>(byte < 0x80 ? std::tolower(byte) : byte);
-    } else if ((c == ' ' || c == '-') && !slug.empty() && slug.back() != '-') {
-      slug += '-';
-    }
-  }
-  while (slug.ends_with('-')) slug.pop_back();
-  return slug.empty() ? "section" : slug;
 }
 
 }  // namespace
@@ -227,7 +212,7 @@ void LessonReader::read_heading(cmark_node* node, const Region& region) {
                    "a lesson's own headings begin at the second level (`##`)",
                    "the page's first heading is the `title` of the front matter");
   }
-  const std::string slug = slug_of(plain_text(node));
+  const std::string slug = id_of_heading(plain_text(node));
   std::string id = slug;
   while (!heading_ids_.insert(id).second) {
     int& number = heading_numbers_.try_emplace(slug, 1).first->second;

@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "lesson/lesson.h"
 #include "lesson/reading.h"
