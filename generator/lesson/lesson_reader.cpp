@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "lesson/callout.h"
+#include "lesson/doubtful_math.h"
 #include "lesson/fence.h"
 #include "lesson/heading_id.h"
 #include "lesson/read_value.h"
@@ -19,6 +20,20 @@ constexpr int kMostParts = 10'000;
 bool is_part(cmark_node* node) {
   return cmark_node_get_type(node) != CMARK_NODE_SOFTBREAK &&
          !std::string_view(cmark_node_get_type_string(node)).starts_with("table_");
+}
+
+// Are there but blanks and the marks of quotes before `at` on its line?
+bool starts_line(const SourceText& source, std::size_t at) {
+  const std::size_t start = source.line_start(source.position(at).line);
+  return source.text().substr(start, at - start).find_first_not_of(" \t>") ==
+         std::string_view::npos;
+}
+
+// Does the text that begins at `at` stand on a line of its own, below other text of its paragraph?
+bool begins_line_below_text(cmark_node* text, const SourceText& source, std::size_t at) {
+  cmark_node* paragraph = cmark_node_parent(text);
+  return paragraph != nullptr && starts_line(source, at) &&
+         source.position(at).line > cmark_node_get_start_line(paragraph);
 }
 
 }  // namespace
@@ -152,7 +167,8 @@ void LessonReader::read_math(cmark_node* node, Region& region) {
   const std::string dollars = math.display ? "$$" : "$";
   const LocatedText opened = find(dollars + math.tex, region);
   const LocatedText tex = opened.part(dollars.size(), opened.text.size());
-  if (!math.closed) {
+  const bool is_end = math.display && std::exchange(math_is_cut_, false);
+  if (!math.closed && !is_end) {
     reading_.error("E-math-unclosed", {tex.span().begin - 2, tex.span().begin},
                    "this `$$` is never closed", "end the formula with `$$`");
   }
@@ -161,7 +177,21 @@ void LessonReader::read_math(cmark_node* node, Region& region) {
                    "text stands behind the `$$` that closes the formula",
                    "begin it on a line of its own");
   }
+  if (!math.display) warn_of_doubtful_math(tex);
   add(node, Math{tex, math.display});
+}
+
+void LessonReader::warn_of_doubtful_math(const LocatedText& tex) {
+  const std::string_view text = source().text();
+  const Span span = tex.span();
+  const auto is_dollar = [&](std::size_t at) { return at < text.size() && text[at] == '$'; };
+  if (!is_dollar(span.begin - 1) || !is_dollar(span.end)) return;  // it was not found
+  const char before = span.begin > 1 ? text[span.begin - 2] : '\0';
+  if (!is_doubtful_math(before, tex.text, text.substr(span.end + 1))) return;
+  reading_.warning("W-math-doubtful", {span.begin - 1, span.end + 1},
+                   "between these two dollars stands a formula, though it looks like text",
+                   "for a dollar as text, write `\\$`, or code; for the formula, set it apart from "
+                   "the words around it");
 }
 
 void LessonReader::read_code_span(cmark_node* node, Region& region) {
@@ -285,8 +315,18 @@ void LessonReader::read_source_of(cmark_node* quote) {
 void LessonReader::refuse_unclosed_math(cmark_node* node, const Region& region) {
   if (std::string_view(cmark_node_get_literal(node)).find("$$") == std::string_view::npos) return;
   Region ahead{region.text, region.cursor};
-  reading_.error("E-math-unclosed", find("$$", ahead).span(), "this `$$` is never closed",
-                 "end the formula with `$$`; for dollars as text write `\\$\\$`");
+  const Span span = find("$$", ahead).span();
+  const bool below_text = in_document_ && begins_line_below_text(node, source(), span.begin);
+  // Its end is the second that is not closed: of a formula that a list or a quote cut in two.
+  const bool is_end = std::exchange(math_is_cut_, below_text && !math_is_cut_);
+  if (is_end && starts_line(source(), span.begin)) return;
+  reading_.error(
+      "E-math-unclosed", span, "this `$$` is never closed",
+      below_text
+          ? "leave an empty line above it: right below text, the formula ends where a list, a "
+            "quote "
+            "or a heading may begin, at a line with `-`, `+`, `>` or `#`; then end it with `$$`"
+          : "end the formula with `$$`; for dollars as text write `\\$\\$`");
 }
 
 void LessonReader::read_code_block(cmark_node* node, Region& region) {

@@ -53,6 +53,7 @@ class LessonReader {
   void read_footnote(cmark_node* node, const Region& region);
   void refuse_second_footnote(cmark_node* node);
   void read_math(cmark_node* node, Region& region);
+  void warn_of_doubtful_math(const LocatedText& tex);
   void read_code_span(cmark_node* node, Region& region);
   static void pass_code_span(const std::string& code, Region& region);
   static void pass_target(const std::string& target, Region& region);
@@ -78,6 +79,7 @@ class LessonReader {
   bool in_document_ = false;
   bool in_demo_ = false;
   bool in_callout_title_ = false;
+  bool math_is_cut_ = false;            // a `$$` below text was not closed
   int parts_ = 0;                       // that were walked
   std::set<std::string> refused_html_;  // names of elements
   std::set<std::string> heading_ids_;

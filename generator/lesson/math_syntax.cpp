@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "lesson/inline_length.h"
 #include "lesson/markdown.h"
 
 namespace mjcourse {
@@ -38,6 +39,31 @@ std::size_t find_unescaped(std::string_view text, std::string_view fence, std::s
   return std::string_view::npos;
 }
 
+// Else each of many dollars behind a brace that nothing closes would look at all that follows.
+constexpr int kMostInnerDollars = 40;
+
+// The dollar that closes the formula of `text`, counting braces as KaTeX does, so that one within
+// `\text{…}` does not. Where they do not come out even, the next dollar, and KaTeX says what is
+// wrong.
+std::size_t find_closing_dollar(std::string_view text) {
+  int depth = 0, inner = 0;
+  for (std::size_t at = 1; at < text.size() && inner <= kMostInnerDollars; ++at) {
+    const char c = text[at];
+    if (c == '\\') {
+      ++at;
+    } else if (c == '{') {
+      ++depth;
+    } else if (c == '}') {
+      --depth;
+    } else if (c == '$' && depth <= 0) {
+      return at;
+    } else if (c == '$') {
+      ++inner;
+    }
+  }
+  return find_unescaped(text, "$", 1);
+}
+
 struct InlineMath {
   MathText math;
   std::size_t length = 0;  // with its dollars
@@ -51,7 +77,7 @@ std::optional<InlineMath> scan_inline(std::string_view text) {
     return InlineMath{{std::string(text.substr(2, close - 2)), true}, close + 2};
   }
   if (text.size() < 2 || is_space(text[1])) return std::nullopt;
-  const std::size_t close = find_unescaped(text, "$", 1);
+  const std::size_t close = find_closing_dollar(text);
   if (close == text.npos || is_space(text[close - 1])) return std::nullopt;
   const bool digit_follows =
       close + 1 < text.size() && text[close + 1] >= '0' && text[close + 1] <= '9';
@@ -154,6 +180,11 @@ cmark_node_type math_inline_type() {
 cmark_node_type math_block_type() {
   static const cmark_node_type type = cmark_syntax_extension_add_node(0);
   return type;
+}
+
+std::size_t math_length(std::string_view text) {
+  const std::optional<InlineMath> found = scan_inline(text);
+  return found ? found->length : 0;
 }
 
 const MathText& math_text(cmark_node* math) {

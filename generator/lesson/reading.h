@@ -21,17 +21,28 @@ class Reading {
 
   // Note a mistake at `span` and go on. Of a thousand, the rest is not told.
   void error(std::string id, Span span, std::string message, std::string cure = "") {
+    note(Severity::error, std::move(id), span, std::move(message), std::move(cure));
+  }
+
+  // The same of what may be meant as it stands.
+  void warning(std::string id, Span span, std::string message, std::string cure) {
+    note(Severity::warning, std::move(id), span, std::move(message), std::move(cure));
+  }
+
+ private:
+  void note(Severity severity, std::string id, Span span, std::string message, std::string cure) {
     if (++mistakes_ > kMostMistakes) return;
     if (mistakes_ == kMostMistakes) {
+      severity = Severity::error;
       id = "E-mistakes";
       message = "this file has a thousand mistakes and more; those from here on are not told";
       cure = "mend the first ones: others often follow from them";
     }
     diagnostics_.push_back(
         error_at(place_of(source_, span), std::move(id), std::move(message), std::move(cure)));
+    diagnostics_.back().severity = severity;
   }
 
- private:
   const SourceText& source_;
   Diagnostics& diagnostics_;
   int mistakes_ = 0;

@@ -96,7 +96,7 @@ function describe(tex: string, error: ParseError, macros: Macros) {
   };
 }
 
-function cureOf(message: string, unknown: string | undefined, macros: Record<string, string>) {
+function cureOf(message: string, unknown: string | undefined, macros: Macros): string {
   if (message === tooLong) return "shorten its macros, or make several formulas of it";
   return unknown === undefined ? "" : suggestCommand(unknown, macros);
 }

@@ -63,6 +63,21 @@ TEST(MathBlock, StandsInQuotesAndLists) {
             (Formulas{"$$\na\n+ b\n$$", "$$\nc\n$$"}));
 }
 
+// As KaTeX counts them.
+TEST(Math, MayHoldDollarsInItsText) {
+  EXPECT_EQ(formulas("$f \\text{ if $x>0$ and $y<0$}$, $z$"),
+            (Formulas{"$f \\text{ if $x>0$ and $y<0$}$", "$z$"}));
+  EXPECT_EQ(formulas("$\\text{a $b$} + c$."), Formulas{"$\\text{a $b$} + c$"});
+  EXPECT_EQ(formulas("$\\{x\\}$ $\\left\\{ y$ ${z}$"),
+            (Formulas{"$\\{x\\}$", "$\\left\\{ y$", "${z}$"}));
+  EXPECT_EQ(formulas("${HOME} and $x$"), Formulas{"$x$"});
+}
+
+// KaTeX says what is wrong then.
+TEST(Math, EndsAtTheNextDollarWhereBracesAreMissing) {
+  EXPECT_EQ(formulas("$a {b$ and $c$"), (Formulas{"$a {b$", "$c$"}));
+}
+
 TEST(Math, StandsInTables) {
   EXPECT_EQ(formulas("| $a$ | b |\n|---|---|\n| $x_1$ | $y$ |\n"),
             (Formulas{"$a$", "$x_1$", "$y$"}));
@@ -102,11 +117,26 @@ TEST(MathBlock, MustBeClosed) {
 }
 
 TEST(Math, MustBeClosedInAParagraphToo) {
-  EXPECT_EQ(mistakes_in("Text\n$$\nnever closed\n"),
+  EXPECT_EQ(mistakes_in("Text $$ never closed\n"),
+            R"(content/1-a/1.1-x.md:4:6: error: this `$$` is never closed [E-math-unclosed]
+  4 | Text $$ never closed
+    |      ^~
+  cure: end the formula with `$$`; for dollars as text write `\$\$`
+)");
+}
+
+TEST(Math, SaysWhichLineIsMissingAboveAFormula) {
+  EXPECT_EQ(mistakes_in("The sum\n$$\na\n- b\n$$\n"),
             R"(content/1-a/1.1-x.md:5:1: error: this `$$` is never closed [E-math-unclosed]
   5 | $$
     | ^~
-  cure: end the formula with `$$`; for dollars as text write `\$\$`
+  cure: leave an empty line above it: right below text, the formula ends where a list, a quote or a heading may begin, at a line with `-`, `+`, `>` or `#`; then end it with `$$`
+)");
+  EXPECT_EQ(mistakes_in("> text\n> $$\n> + c\n>   $$\n"),
+            R"(content/1-a/1.1-x.md:5:3: error: this `$$` is never closed [E-math-unclosed]
+  5 | > $$
+    |   ^~
+  cure: leave an empty line above it: right below text, the formula ends where a list, a quote or a heading may begin, at a line with `-`, `+`, `>` or `#`; then end it with `$$`
 )");
 }
 
