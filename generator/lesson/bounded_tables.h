@@ -1,6 +1,8 @@
 // BoundedTables: while it lives, the tables that cmark reads on this thread end at kMostCells
-// (lesson/markdown.h).
+// (lesson/markdown.h), and what they lose is known.
 #pragma once
+
+#include "lesson/loss.h"
 
 namespace mjcourse {
 
@@ -9,7 +11,10 @@ class BoundedTables {
   // Make cmark's tables ask. Once, before any is read.
   static void teach();
 
-  BoundedTables();
+  explicit BoundedTables(Losses& losses);
+  BoundedTables(const BoundedTables&) = delete;
+  BoundedTables& operator=(const BoundedTables&) = delete;
+  ~BoundedTables();
 
   // The line at which a row or a whole table was left out; 0 for none.
   int refused_line() const;

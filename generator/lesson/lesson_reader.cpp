@@ -77,13 +77,18 @@ Document LessonReader::parse(const std::string& text, int first_line) {
     const std::size_t start = source().line_start(std::max(line, 1));
     refuse_excess(excess, {start, start + 1});
   };
-  return parse_markdown(text, refuse, first_line);
+  Losses losses;
+  Document document = parse_markdown(text, refuse, first_line, &losses);
+  if (!losses.empty()) tell_losses(losses, located(source(), {0, source().text().size()}));
+  return document;
 }
 
 Document LessonReader::fragment(const LocatedText& text) {
   if (text.text.empty()) return nullptr;
-  Document document =
-      parse_markdown(text.text, [&](Excess excess, int) { refuse_excess(excess, text.span()); });
+  Losses losses;
+  const auto refuse = [&](Excess excess, int) { refuse_excess(excess, text.span()); };
+  Document document = parse_markdown(text.text, refuse, 1, &losses);
+  tell_losses(losses, text);
   const bool outer = std::exchange(in_document_, false);
   Region region{text, 0};
   walk(document.get(), region);
@@ -293,9 +298,7 @@ void LessonReader::refuse_second_footnote(cmark_node* node) {
   const int line = cmark_node_get_start_line(node);
   const std::size_t at = source().line_start(line);
   const std::size_t end = source().line(line).find(']');
-  reading_.error("E-footnote-name", {at, at + (end == std::string_view::npos ? 1 : end + 1)},
-                 "another footnote of this page is called `" + name + "`",
-                 "give it a name of its own");
+  refuse_second_footnote(name, {at, at + (end == std::string_view::npos ? 1 : end + 1)});
 }
 
 void LessonReader::read_callout(cmark_node* node) {

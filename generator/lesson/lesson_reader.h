@@ -43,6 +43,8 @@ class LessonReader {
   void walk_children(cmark_node* node, Region& region);
   void add(cmark_node* node, Block block);
   void refuse_excess(Excess excess, Span span);
+  void tell_losses(const Losses& losses, const LocatedText& text);
+  void tell_loss(const Loss& loss, Span span);
   bool is_too_much(const Region& region);
   void read_code_block(cmark_node* node, Region& region);
   void read_callout(cmark_node* node);
@@ -52,6 +54,7 @@ class LessonReader {
   void add_title_parts(cmark_node* node, std::vector<TitlePart>& title) const;
   void read_footnote(cmark_node* node, const Region& region);
   void refuse_second_footnote(cmark_node* node);
+  void refuse_second_footnote(const std::string& name, Span span);
   void read_math(cmark_node* node, Region& region);
   void warn_of_doubtful_math(const LocatedText& tex);
   void read_code_span(cmark_node* node, Region& region);

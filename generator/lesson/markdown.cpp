@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <mutex>
+#include <set>
 #include <string_view>
 #include <vector>
 
+#include "base/utf8.h"
 #include "lesson/bounded_tables.h"
 #include "lesson/math_syntax.h"
 
@@ -92,6 +94,41 @@ int excessive_reference(std::string_view text) {
   return 0;
 }
 
+struct FootnoteDefinition {
+  std::string name;
+  int line;
+};
+
+std::vector<FootnoteDefinition> footnotes_below(cmark_node* root) {
+  std::vector<FootnoteDefinition> found;
+  const std::unique_ptr<cmark_iter, decltype(&cmark_iter_free)> walk(cmark_iter_new(root),
+                                                                     cmark_iter_free);
+  for (cmark_event_type event; (event = cmark_iter_next(walk.get())) != CMARK_EVENT_DONE;) {
+    cmark_node* node = cmark_iter_get_node(walk.get());
+    const bool is_one = cmark_node_get_type(node) == CMARK_NODE_FOOTNOTE_DEFINITION;
+    if (event != CMARK_EVENT_ENTER || !is_one) continue;
+    const cmark_chunk& label = node->as.literal;
+    found.push_back({std::string(reinterpret_cast<const char*>(label.data),
+                                 static_cast<std::size_t>(label.len)),
+                     cmark_node_get_start_line(node)});
+  }
+  return found;
+}
+
+// cmark drops a footnote that nothing refers to, and of two that have one name the second.
+void note_dropped(const std::vector<FootnoteDefinition>& written, cmark_node* root,
+                  Losses& losses) {
+  std::set<int> kept;  // by their lines
+  for (const FootnoteDefinition& one : footnotes_below(root)) kept.insert(one.line);
+  std::set<std::string> names;
+  for (const FootnoteDefinition& one : written) {
+    const bool is_first = names.insert(lower_case_utf8(one.name)).second;
+    if (kept.contains(one.line)) continue;
+    const auto kind = is_first ? Loss::Kind::footnote : Loss::Kind::second_footnote;
+    losses.push_back({kind, one.line, "", 0, 0, one.name});
+  }
+}
+
 void cut(cmark_node* root, const Refuse& refuse) {
   for (cmark_node* node : deepest_nodes(root)) {
     if (refuse) refuse(Excess::depth, cmark_node_get_start_line(node));
@@ -101,7 +138,8 @@ void cut(cmark_node* root, const Refuse& refuse) {
 
 }  // namespace
 
-Document parse_markdown(const std::string& text, const Refuse& refuse, int first_line) {
+Document parse_markdown(const std::string& text, const Refuse& refuse, int first_line,
+                        Losses* losses) {
   static const bool registered = [] {
     cmark_gfm_core_extensions_ensure_registered();
     BoundedTables::teach();
@@ -115,18 +153,25 @@ Document parse_markdown(const std::string& text, const Refuse& refuse, int first
     cmark_parser_attach_syntax_extension(parser.get(), cmark_find_syntax_extension(name));
   }
   cmark_parser_attach_syntax_extension(parser.get(), math_syntax());
-  const BoundedTables tables;
+  Losses lost;
+  const BoundedTables tables(lost);
   parser->line_number = first_line - 1;  // read so far
   if (const int line = excessive_reference(text); line == 0) {
     cmark_parser_feed(parser.get(), text.data(), text.size());
   } else if (refuse) {
     refuse(Excess::references, first_line + line - 1);
   }
+  if (!text.ends_with('\n'))
+    cmark_parser_feed(parser.get(), "\n", 1);  // the last line is read, too
+  std::vector<FootnoteDefinition> footnotes;
+  if (text.find("[^") != text.npos) footnotes = footnotes_below(parser->root);
   Document document = finish(parser.get());
+  if (!footnotes.empty()) note_dropped(footnotes, document.get(), lost);
   if (tables.refused_line() > 0 && refuse) refuse(Excess::cells, tables.refused_line());
   cut(document.get(), refuse);
   cmark_consolidate_text_nodes(document.get());
   mend_apostrophes(document.get());
+  if (losses != nullptr) *losses = std::move(lost);
   return document;
 }
 

@@ -10,6 +10,8 @@
 #include <memory>
 #include <string>
 
+#include "lesson/loss.h"
+
 namespace mjcourse {
 
 struct FreeNode {
@@ -49,9 +51,11 @@ inline constexpr int kMostCells = 10'000;  // in one text
 inline constexpr int kMostColumns = 200;   // of a table
 inline constexpr std::size_t kMostReferred = 64 << 20;
 
-// The tree's lines are counted from `first_line`. `refuse` is called with the line of each excess.
+// The tree's lines are counted from `first_line`. `refuse` is called with the line of each excess,
+// and what is lost is added to `losses`.
 using Refuse = std::function<void(Excess excess, int line)>;
-Document parse_markdown(const std::string& text, const Refuse& refuse = {}, int first_line = 1);
+Document parse_markdown(const std::string& text, const Refuse& refuse = {}, int first_line = 1,
+                        Losses* losses = nullptr);
 
 // What a reader sees of `node` with all markup gone: text, code, and formulas as TeX.
 std::string plain_text(cmark_node* node);
