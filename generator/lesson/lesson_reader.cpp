@@ -143,6 +143,7 @@ void LessonReader::walk_children(cmark_node* node, Region& region) {
     walk(child, region);
     child = next;
   }
+  open_elements_.end(node, reading_);
 }
 
 // Find `text` at or after the region's cursor, line by line, since the lines of a quote are apart.

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lesson/lesson.h"
+#include "lesson/open_elements.h"
 #include "lesson/reading.h"
 
 namespace mjcourse {
@@ -67,6 +68,9 @@ class LessonReader {
   void refuse_unclosed_math(cmark_node* node, const Region& region);
   void refuse_blank_in_name(cmark_node* text, const Region& region);
   void read_html(cmark_node* node, Region& region);
+  void read_tags(cmark_node* node, const LocatedText& html,
+                 const std::vector<struct HtmlFault>& faults);
+  void refuse_hidden_markdown(const LocatedText& html);
   void read_image(cmark_node* node, Region& region);
   bool stands_alone(cmark_node* node) const;
   void read_fence(cmark_node* node, Region& region);
@@ -83,8 +87,9 @@ class LessonReader {
   bool in_demo_ = false;
   bool in_callout_title_ = false;
   bool math_is_cut_ = false;            // a `$$` below text was not closed
-  int parts_ = 0;                       // that were walked
   std::set<std::string> refused_html_;  // names of elements
+  OpenElements open_elements_;
+  int parts_ = 0;  // that were walked
   std::set<std::string> heading_ids_;
   std::map<std::string, int> heading_numbers_;  // the last behind each slug that stands twice
   std::set<std::string> footnotes_;             // by their names

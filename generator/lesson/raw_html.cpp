@@ -72,10 +72,15 @@ const std::map<std::string, Names, std::less<>>& elements() {
 
 constexpr std::array kOfAll{"class", "dir", "lang", "style", "title"};
 
+// Of `a<b and c>d`, which was no tag to its author.
+constexpr const char* kAsText = "leave it out; for `<` as text, write code, `` `a<b` ``, or `\\<`";
+
 // What Markdown has in the place of an element.
 std::string instead_of(const std::string& name) {
   static const std::map<std::string, std::string, std::less<>> instead{
-      {"a", "write a link: `[text](https://…)`"},
+      {"a",
+       "write a link: `[text](https://…)`; to link to a place, give it a heading, "
+       "`[text](#its-words)`"},
       {"h1", "write a heading: `## …`"},
       {"h2", "write a heading: `## …`"},
       {"h3", "write a heading: `### …`"},
@@ -91,7 +96,8 @@ std::string instead_of(const std::string& name) {
   };
   const auto found = instead.find(name);
   if (found != instead.end()) return found->second;
-  return "leave it out; for the tag as text, write `&lt;" + name + ">`";
+  return "leave it out; for the tag as text, write it as code, `` `<" + name + ">` ``, or `\\<" +
+         name + ">`";
 }
 
 bool is_letter(char c) {
@@ -185,6 +191,7 @@ class HtmlReader {
     }
     const bool known = is_known(element, name);
     if (!known) found.push_back(unknown(element, name, begin, name_end));
+    if (!known && end == name_end) found.back().cure = kAsText;
     if (!known || name != "style") return true;
     if (auto fault = style_fault(html_.substr(start, end - start))) {
       found.push_back(
@@ -208,7 +215,9 @@ class HtmlReader {
     }
     return {begin, end, "E-html-attribute",
             "in a lesson, the element `" + element + "` cannot have `" + name + "`",
-            suggest(name, known)};
+            name == "id" || name == "name"
+                ? "to link to a place, give it a heading: `[text](#its-words)`"
+                : suggest(name, known)};
   }
 
   std::string_view word() {
@@ -247,6 +256,10 @@ class HtmlReader {
 
 std::vector<HtmlFault> faults_of_html(std::string_view html, std::set<std::string>& refused) {
   return HtmlReader(html, refused).faults();
+}
+
+bool is_lesson_element(std::string_view name) {
+  return elements().contains(name);
 }
 
 }  // namespace mjcourse

@@ -14,6 +14,9 @@
 
 namespace mjcourse {
 
+// May a lesson have the element `name`, which is in small letters?
+bool is_lesson_element(std::string_view name);
+
 // Something that may not stand in a lesson, and where in the text.
 struct HtmlFault {
   std::size_t begin, end;

@@ -56,7 +56,7 @@ TEST(RawHtml, SaysWhereAndWhatToDo) {
       R"(content/1-a/1.1-x.md:6:3: error: a lesson cannot have the element `iframe` [E-html-element]
   6 |   <iframe src='https://a.example'></iframe>
     |   ^~~~~~~
-  cure: leave it out; for the tag as text, write `&lt;iframe>`
+  cure: leave it out; for the tag as text, write it as code, `` `<iframe>` ``, or `\<iframe>`
 )");
   EXPECT_EQ(
       mistakes_in("See <img src='a.png'>.\n"),
@@ -165,6 +165,83 @@ TEST(RawHtml, HasStylesThatStayInTheirPlace) {
   EXPECT_EQ(refused("a <b style=\"color: rgb(1, 2\">x</b>\n"), style(" rgb(1, 2"));
   EXPECT_EQ(refused("a <b style=\"@import 'x'\">x</b>\n"), style("@import 'x'"));
   EXPECT_EQ(refused("a <b style=\"--accent: red\">x</b>\n"), style("--accent"));
+}
+
+std::string nesting(const std::string& underlined) {
+  return "E-html-nesting <" + underlined + ">";
+}
+
+TEST(RawHtml, ClosesWhatItOpens) {
+  EXPECT_EQ(refused("<div>\n\nText with <b>*words*</b>.\n\n</div>\n"), "");
+  EXPECT_EQ(refused("> <div>\n>\n> - <p>\n>\n> </div>\n"), "");
+  EXPECT_EQ(refused("<ul>\n<li>one\n<li>two\n</ul>\n\na<br>b<hr/><wbr>\n"), "");
+  EXPECT_EQ(refused("<table>\n<tr><td>a<td>b\n<tr><td>\n\n**c**\n\n<td>d\n</table>\n"), "");
+  EXPECT_EQ(refused("<div>\n\nText.\n"), nesting("<div>"));
+  EXPECT_EQ(refused("<details>\n<summary>\n\nText.\n\n</details>\n"), nesting("<summary>"));
+  EXPECT_EQ(refused("a <b>c\n\nd</b>\n"), nesting("<b>"));
+  EXPECT_EQ(refused("<div>\n\n> </div>\n"), nesting("</div>"));
+  EXPECT_EQ(refused("a <b>*c</b>*\n"), nesting("</b>"));
+  EXPECT_EQ(refused("<b><i>a</b></i>\n"), nesting("<i>"));
+  EXPECT_EQ(refused("a </sub> b</br> <span/>c\n"),
+            nesting("</sub>") + ", " + nesting("</br>") + ", " + nesting("<span/>"));
+  EXPECT_EQ(refused("| <b>a |\n|---|\n| b</b> |\n"), nesting("<b>"));
+}
+
+TEST(RawHtml, IsNotTwiceRefusedForOneTag) {
+  EXPECT_EQ(refused("a<b and c>d\n"), attribute("and") + ", " + attribute("c"));
+  EXPECT_EQ(refused("The <joint> is open\n"), element("<joint"));
+  EXPECT_EQ(refused("<div class=a>\n\ntext\n\n<b>\n"), broken("<div class=a>"));
+}
+
+std::string hidden(const std::string& underlined) {
+  return "E-html-hidden <" + underlined + ">";
+}
+
+TEST(RawHtml, HidesNoMarkdown) {
+  EXPECT_EQ(refused("<details>\n```text unchecked\ncode\n```\n</details>\n"), hidden("```"));
+  EXPECT_EQ(refused("<div>\ntext $x$ `a`\n</div>\n"), hidden("$x$"));
+  EXPECT_EQ(refused("<div>\nIt has `{p} model.nq`.\n</div>\n"), hidden("`{p} model.nq`"));
+  EXPECT_EQ(refused("<div>\n$$\nx\n$$\n</div>\n"), hidden("$$"));
+  EXPECT_EQ(refused("<div>\n## A heading\n</div>\n"), hidden("##"));
+  EXPECT_EQ(refused("<div>\n- an item\n</div>\n"), hidden("-"));
+  EXPECT_EQ(refused("<div>\n> [!note] a\n</div>\n"), hidden("> [!"));
+  EXPECT_EQ(refused("<div>\na [[term]]\n</div>\n"), hidden("[[term]]"));
+  EXPECT_EQ(refused("<div><b>a</b> ![b](c.png)</div>\n"), hidden("[b](c.png)"));
+  EXPECT_EQ(refused("> <summary>$x$</summary>\n"), hidden("$x$"));
+}
+
+TEST(RawHtml, LeavesMarkdownWhereItIsReadOrIsCode) {
+  EXPECT_EQ(refused("<details>\n\n```text unchecked\ncode\n```\n\n</details>\n"), "");
+  EXPECT_EQ(refused("<pre>\n$x$\n\n## a `b`\n</pre>\n"), "");
+  EXPECT_EQ(refused("<p>a <code>$HOME/`x`$</code>, $5 and $6, 2 - 1, [1](\n</p>\n"), "");
+  EXPECT_EQ(refused("<!-- $x$ `a` -->\n"), "");
+  EXPECT_EQ(refused("a <kbd>Ctrl</kbd> $x$ `b`\n"), "");
+}
+
+TEST(RawHtml, SaysHowItIsWrittenOtherwise) {
+  EXPECT_EQ(
+      mistakes_in("A std::vector<int>, and a<b and c>d.\n\n<div>\n$x$\n"),
+      R"(content/1-a/1.1-x.md:4:14: error: a lesson cannot have the element `int` [E-html-element]
+  4 | A std::vector<int>, and a<b and c>d.
+    |              ^~~~
+  cure: leave it out; for the tag as text, write it as code, `` `<int>` ``, or `\<int>`
+content/1-a/1.1-x.md:4:29: error: in a lesson, the element `b` cannot have `and` [E-html-attribute]
+  4 | A std::vector<int>, and a<b and c>d.
+    |                             ^~~
+  cure: leave it out; for `<` as text, write code, `` `a<b` ``, or `\<`
+content/1-a/1.1-x.md:4:33: error: in a lesson, the element `b` cannot have `c` [E-html-attribute]
+  4 | A std::vector<int>, and a<b and c>d.
+    |                                 ^
+  cure: leave it out; for `<` as text, write code, `` `a<b` ``, or `\<`
+content/1-a/1.1-x.md:7:1: error: a formula right beside a tag is no Markdown, and shown as it is written [E-html-hidden]
+  7 | $x$
+    | ^~~
+  cure: leave an empty line between the tag and it
+content/1-a/1.1-x.md:6:1: error: this `<div>` is never closed [E-html-nesting]
+  6 | <div>
+    | ^~~~~
+  cure: write `</div>` where it ends
+)");
 }
 
 TEST(RawHtml, IsTheSameInAllMarkdown) {

@@ -1,0 +1,101 @@
+#include "lesson/hidden_markdown.h"
+
+#include <re2/re2.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "lesson/html_tags.h"
+#include "lesson/inline_length.h"
+
+namespace mjcourse {
+namespace {
+
+// What begins a block of Markdown at a line's start.
+std::optional<HiddenMarkdown> block_at(std::string_view line, std::size_t at) {
+  struct Form {
+    RE2 form;
+    const char* what;
+  };
+  static const std::array<Form, 5> forms{{
+      {RE2(R"([ \t]*(`{3,}|~{3,}))"), "a fence"},
+      {RE2(R"([ \t]*(\$\$))"), "a formula"},
+      {RE2(R"([ \t]*(#{2,6}) )"), "a heading"},
+      {RE2(R"([ \t]*(> ?\[!))"), "a callout"},
+      {RE2(R"([ \t]*([-*+]|\d+[.)]) +\S)"), "a list"},
+  }};
+  for (const Form& form : forms) {
+    re2::StringPiece rest(line.data(), line.size()), mark;
+    if (!RE2::Consume(&rest, form.form, &mark)) continue;
+    const std::size_t begin = at + static_cast<std::size_t>(mark.data() - line.data());
+    return HiddenMarkdown{begin, begin + mark.size(), form.what};
+  }
+  return std::nullopt;
+}
+
+// What begins at byte `at` of a text.
+std::optional<HiddenMarkdown> inline_at(std::string_view text, std::size_t at, CodeLengths& codes) {
+  const std::string_view rest = text.substr(at);
+  if (rest[0] == '$') {
+    if (const std::size_t length = math_length(rest)) {
+      return HiddenMarkdown{at, at + length, "a formula"};
+    }
+  }
+  if (rest[0] == '`') {
+    if (const std::size_t length = codes.at(rest)) {
+      return HiddenMarkdown{at, at + length, "a piece of code"};
+    }
+  }
+  if (rest[0] != '[') return std::nullopt;
+  re2::StringPiece piece(rest.data(), rest.size());
+  static const RE2 term(R"(\[\[[\pL`][^\[\]\n]*\]\])"), link(R"(\[[^\[\]\n]+\]\([^()\s]+\))");
+  for (const auto& [form, what] : {std::pair{&term, "a term"}, std::pair{&link, "a link"}}) {
+    re2::StringPiece behind = piece;
+    if (!RE2::Consume(&behind, *form)) continue;
+    return HiddenMarkdown{at, at + (piece.size() - behind.size()), what};
+  }
+  return std::nullopt;
+}
+
+std::optional<HiddenMarkdown> in_text(std::string_view html, std::size_t begin, std::size_t end) {
+  const std::string_view text = html.substr(0, end);
+  CodeLengths codes;
+  bool at_line_start = begin == 0 || html[begin - 1] == '\n';
+  for (std::size_t at = begin; at < end; ++at) {
+    if (at_line_start) {
+      const std::size_t line_end = std::min(text.find('\n', at), end);
+      if (auto found = block_at(text.substr(at, line_end - at), at)) return found;
+    }
+    at_line_start = html[at] == '\n';
+    if (html[at] == '\\') {
+      ++at;
+    } else if (auto found = inline_at(text, at, codes)) {
+      return found;
+    } else if (html[at] == '`') {
+      at += backticks(text.substr(at)) - 1;
+    }
+  }
+  return std::nullopt;
+}
+
+bool holds_code(std::string_view name) {
+  return name == "code" || name == "pre" || name == "kbd" || name == "samp";
+}
+
+}  // namespace
+
+std::optional<HiddenMarkdown> hidden_markdown(std::string_view html) {
+  std::size_t at = 0;
+  int in_code = 0;
+  for (const HtmlTag& tag : tags_of_html(html)) {
+    if (in_code == 0) {
+      if (auto found = in_text(html, at, tag.begin)) return found;
+    }
+    if (holds_code(tag.name)) in_code = std::max(0, in_code + (tag.closes ? -1 : 1));
+    at = tag.end;
+  }
+  return in_code == 0 ? in_text(html, at, html.size()) : std::nullopt;
+}
+
+}  // namespace mjcourse
