@@ -36,6 +36,14 @@ bool begins_line_below_text(cmark_node* text, const SourceText& source, std::siz
          source.position(at).line > cmark_node_get_start_line(paragraph);
 }
 
+// Does `node` stand in one of the type?
+bool is_in(cmark_node* node, cmark_node_type type) {
+  while ((node = cmark_node_parent(node)) != nullptr) {
+    if (cmark_node_get_type(node) == type) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 void LessonReader::read_document() {
@@ -107,6 +115,7 @@ void LessonReader::walk(cmark_node* node, Region& region) {
     region.cursor = std::max(region.cursor, source().line_start(cmark_node_get_start_line(node)));
   }
   if (is_part(node) && is_too_much(region)) return;
+  if (CMARK_NODE_TYPE_BLOCK_P(type)) refuse_mere_text(node, region);
   if (type == CMARK_NODE_CODE_BLOCK) return read_code_block(node, region);
   if (type == math_inline_type() || type == math_block_type()) return read_math(node, region);
   if (type == CMARK_NODE_IMAGE) return read_image(node, region);
@@ -115,6 +124,7 @@ void LessonReader::walk(cmark_node* node, Region& region) {
   if (type == CMARK_NODE_FOOTNOTE_DEFINITION) return read_footnote(node, region);
   if (type == CMARK_NODE_CODE) read_code_span(node, region);
   if (type == CMARK_NODE_LINK) read_link(node, region);
+  if (type == CMARK_NODE_FOOTNOTE_REFERENCE) refuse_footnote_in_link(node, region);
   if (type == CMARK_NODE_HTML_BLOCK || type == CMARK_NODE_HTML_INLINE) read_html(node, region);
   // The title of a callout was moved out of the tree, and is walked with it.
   if (const auto found = lesson_.block_of.find(node); found != lesson_.block_of.end()) {
@@ -225,6 +235,26 @@ void LessonReader::read_link(cmark_node* node, Region& region) {
   Region ahead{region.text, region.cursor};
   const std::string target = cmark_node_get_url(node);
   lesson_.links.push_back({node, find(target, ahead)});
+  if (!is_in(node, CMARK_NODE_HEADING)) return;
+  reading_.error("E-link-place", lesson_.links.back().target.span(),
+                 "a link cannot stand in a heading, which is a link itself",
+                 "put it into the text below");
+}
+
+void LessonReader::refuse_footnote_in_link(cmark_node* node, const Region& region) {
+  const bool in_heading = is_in(node, CMARK_NODE_HEADING);
+  if (!in_heading && !is_in(node, CMARK_NODE_LINK)) return;
+  Region ahead{region.text, region.cursor};
+  const cmark_chunk& label =
+      (node->parent_footnote_def != nullptr ? node->parent_footnote_def : node)->as.literal;
+  const std::string mark =
+      "[^" +
+      std::string(reinterpret_cast<const char*>(label.data), static_cast<std::size_t>(label.len)) +
+      "]";
+  reading_.error("E-footnote-place", find(mark, ahead).span(),
+                 in_heading ? "a footnote's mark cannot stand in a heading, which is a link itself"
+                            : "a footnote's mark cannot stand in the text of a link",
+                 in_heading ? "put it into the text below" : "put it behind the link");
 }
 
 // A target that stands behind its link's text on the same line is not that of the next link.

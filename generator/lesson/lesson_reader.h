@@ -62,11 +62,14 @@ class LessonReader {
   static void pass_code_span(const std::string& code, Region& region);
   static void pass_target(const std::string& target, Region& region);
   void read_link(cmark_node* node, Region& region);
+  void refuse_footnote_in_link(cmark_node* node, const Region& region);
   cmark_node* read_text(cmark_node* node, Region& region);
   void read_term(const struct CutTerm& term, Region& region);
   static bool pass_brackets(Region& region);
   void refuse_unclosed_math(cmark_node* node, const Region& region);
   void refuse_blank_in_name(cmark_node* text, const Region& region);
+  Span lines_of(cmark_node* node, const Region& region) const;
+  void refuse_mere_text(cmark_node* node, const Region& region);
   void read_html(cmark_node* node, Region& region);
   void read_tags(cmark_node* node, const LocatedText& html,
                  const std::vector<struct HtmlFault>& faults);

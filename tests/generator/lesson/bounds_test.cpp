@@ -109,6 +109,11 @@ TEST(Bounds, AreNotReachedByWhatIsReadOnce) {
   read(times(250'000, "<"));
   read(times(250'000, "$a "));
   read(times(200'000, "$$a "));
+  read(times(200'000, "${a "));
+  read(times(200'000, "[a](b 'c') [a](b c"));
+  read(times(150'000, "\\(a [^"));
+  read(times(90'000, "[^a]: b\n"));
+  read("<div>\n" + times(100'000, "<b>") + times(100'000, "</i>") + times(100'000, "`` [a]"));
   read(times(100'000, "## a\n\n"));
   read(times(200'000, "`a\nb` "));
   read(times(150'000, "[a](b) "));

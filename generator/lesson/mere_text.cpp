@@ -1,0 +1,217 @@
+#include "lesson/mere_text.h"
+
+#include <re2/re2.h>
+
+#include <algorithm>
+
+#include "base/utf8.h"
+#include "lesson/inline_length.h"
+
+namespace mjcourse {
+namespace {
+
+constexpr std::size_t kMostRead = 100'000'000;  // in bytes, of what is shown
+constexpr std::size_t kLongestLabel = 1000;     // in bytes, as CommonMark has it
+constexpr std::size_t kLongestAddress = 4000;
+constexpr std::size_t kLongestTex = 10'000;
+constexpr char kBlank = '\x01';
+
+// `source` with `\x01` for each byte of code, formulas, tags and, but for their backslash, escapes.
+std::string without_literals(std::string_view source) {
+  std::string text(source);
+  CodeLengths codes;
+  bool has_tags = true;
+  std::size_t length = 1;
+  for (std::size_t at = 0; at < source.size(); at += length) {
+    const std::string_view rest = source.substr(at);
+    length = 1;
+    std::size_t blanks = 0;
+    if (rest[0] == '\\' && rest.size() > 1) {
+      length = 2;
+    } else if (rest[0] == '`') {
+      blanks = codes.at(rest);
+      length = std::max(blanks, backticks(rest));
+    } else if (rest[0] == '$') {
+      blanks = math_length(rest);
+      length = std::max<std::size_t>(blanks, 1);
+    } else if (rest[0] == '<' && has_tags && rest.size() > 1 && rest[1] != ' ') {
+      const std::size_t end = rest.find('>');
+      has_tags = end != rest.npos;
+      if (has_tags) blanks = length = end + 1;
+    }
+    text.replace(at, blanks, blanks, kBlank);
+  }
+  return text;
+}
+
+bool has_letter(std::string_view text) {
+  return std::any_of(text.begin(), text.end(), [](char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0 ||
+           static_cast<unsigned char>(c) >= 0x80;
+  });
+}
+
+class Finder {
+ public:
+  Finder(std::string_view source, std::string_view shown)
+      : source_(source), shown_(shown), text_(without_literals(source)) {}
+
+  std::vector<MereText> all() {
+    for (std::size_t at = 0; at < text_.size(); ++at) {
+      if (text_[at] == '\\') {
+        look_at_escape(at);
+        ++at;
+      } else if (text_[at] == '[') {
+        opened_.push_back(at);
+        if (text_.compare(at, 2, "[^") == 0) look_at_footnote(at);
+      } else if (text_[at] == ']') {
+        look_at_end(at);
+        if (!opened_.empty()) opened_.pop_back();
+      }
+    }
+    look_at_lines();
+    return std::move(found_);
+  }
+
+ private:
+  void tell(std::size_t begin, std::size_t end, const char* id, const std::string& message,
+            const std::string& cure) {
+    found_.push_back({begin, end, id, message, cure});
+  }
+
+  // Each looks through all of the text. The limit is beyond what a person writes in a paragraph.
+  bool is_shown(std::string_view text) {
+    read_ += shown_.size();
+    return read_ < kMostRead && shown_.find(text) != shown_.npos;
+  }
+
+  // The next of `signs` behind `at`, if it is not far.
+  std::size_t next(const char* signs, std::size_t at, std::size_t most) const {
+    return std::string_view(text_).substr(0, at + most).find_first_of(signs, at);
+  }
+
+  // `\(x\)` and `\[y\]`, of which Markdown leaves the brackets.
+  void look_at_escape(std::size_t at) {
+    const bool inline_math = text_.compare(at, 2, "\\(") == 0;
+    if (at < told_ || (!inline_math && text_.compare(at, 2, "\\[") != 0)) return;
+    std::size_t& end = inline_math ? round_end_ : square_end_;
+    if (end < at + 2) end = std::min(text_.find(inline_math ? "\\)" : "\\]", at + 2), text_.size());
+    if (end == text_.size() || end - at > kLongestTex) return;
+    const std::string tex(source_.substr(at + 2, end - at - 2));
+    // Brackets as text need their backslash, round ones do not.
+    static const RE2 math(R"((?s)^\s.*\s$|.[\^_=]|\\[A-Za-z])");
+    if (!inline_math && !RE2::PartialMatch(tex, math)) return;
+    const std::string dollars = inline_math ? "$" : "$$";
+    const std::string written = tex.find('\n') == tex.npos ? std::string(trimmed(tex)) : "…";
+    tell(at, at + 2, "W-math-brackets",
+         "`" + text_.substr(at, 2) + "` begins no formula: it is a bracket",
+         "write `" + dollars + written + dollars + "`");
+    told_ = end + 2;
+  }
+
+  static std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
+    return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+  }
+
+  void look_at_footnote(std::size_t at) {
+    const std::size_t end = next("] \t\n", at, kLongestLabel);
+    if (end == text_.npos || text_[end] != ']' || end == at + 2) return;
+    const std::string mark = text_.substr(at, end + 1 - at);
+    if (!is_shown(mark)) return;
+    tell(at, end + 1, "W-footnote-unknown",
+         "there is no footnote `" + mark.substr(2, mark.size() - 3) + "`",
+         "define it on a line of its own, `" + mark + ": …`; for brackets as text, write `\\" +
+             mark + "`");
+  }
+
+  // The bracket at `at` ends what may be the text of a link or a picture.
+  void look_at_end(std::size_t at) {
+    if (opened_.empty()) return;
+    std::size_t begin = opened_.back();
+    const bool picture = begin > 0 && text_[begin - 1] == '!';
+    if (picture) --begin;
+    // What stands behind a word is an index: `a[i][j]`.
+    const bool index =
+        begin > 0 && (is_word_character(text_[begin - 1]) || text_[begin - 1] == ')' ||
+                      text_[begin - 1] == ']' || text_[begin - 1] == kBlank);
+    if (index || at == opened_.back() + 1) return;
+    if (text_.compare(at, 2, "](") == 0) return look_at_address(begin, at);
+    if (text_.compare(at, 2, "][") == 0) return look_at_reference(begin, at);
+    const std::string name = text_.substr(opened_.back() + 1, at - opened_.back() - 1);
+    if (picture && name.size() <= kLongestLabel && has_letter(name) &&
+        is_shown("![" + name + "]")) {
+      tell_reference(begin, at + 1, name, true);
+    }
+  }
+
+  void look_at_reference(std::size_t begin, std::size_t at) {
+    const std::size_t end = next("]", at + 2, kLongestLabel);
+    if (end == text_.npos) return;
+    std::string name = text_.substr(at + 2, end - at - 2);
+    if (!is_shown("][" + name + "]")) return;
+    if (name.empty())
+      name = text_.substr(opened_.back() + 1, std::min(at - opened_.back() - 1, kLongestLabel));
+    if (has_letter(name)) tell_reference(begin, end + 1, name, text_[begin] == '!');
+  }
+
+  void tell_reference(std::size_t begin, std::size_t end, const std::string& name, bool picture) {
+    const std::string address = picture ? "picture.png" : "https://…";
+    tell(begin, end, "W-reference-unknown", "nothing defines the reference `" + name + "`",
+         "define it on a line of its own, `[" + name + "]: " + address +
+             "`, or write the address here, `" + (picture ? "!" : "") + "[…](" + address + ")`");
+  }
+
+  void look_at_address(std::size_t begin, std::size_t at) {
+    const std::size_t end = next(")\n", at, kLongestAddress);
+    if (end == text_.npos || text_[end] != ')' || end == at + 2) return;
+    const std::string address = text_.substr(at + 2, end - at - 2);
+    // Quotes are others in the page.
+    const std::string_view start =
+        std::string_view(address).substr(0, address.find_first_of("\"'-."));
+    const std::size_t blank = address.find(' ');
+    if (blank == address.npos || !is_shown("](" + std::string(start))) return;
+    tell(begin, end + 1, "W-link-blank", "this is no link, since its address has a blank",
+         "put the address in `<…>`: `" + std::string(text_[begin] == '!' ? "!" : "") + "[…](<" +
+             address + ">)`");
+  }
+
+  // `##Heading`
+  void look_at_lines() {
+    for (std::size_t at = 0; at < text_.size();
+         at = std::min(text_.find('\n', at), text_.size() - 1) + 1) {
+      static const RE2 form(R"(([ >\t]*)(#{2,6})([^#\s\x01]))");
+      re2::StringPiece rest(text_.data() + at, text_.size() - at), before, marks, letter;
+      if (!RE2::Consume(&rest, form, &before, &marks, &letter)) continue;
+      const std::size_t begin = at + before.size();
+      if (!is_shown(marks.as_string() + letter.as_string())) continue;
+      tell(begin, begin + marks.size(), "W-heading-blank",
+           "this is no heading, since no blank follows its `" + marks.as_string() + "`",
+           "write `" + marks.as_string() + " " + letter.as_string() +
+               "…`; for the signs as text, `\\" + marks.as_string() + "`");
+    }
+  }
+
+  std::string_view source_, shown_;
+  std::string text_;
+  std::vector<std::size_t> opened_;  // the brackets that no other has closed
+  std::size_t read_ = 0;
+  std::size_t round_end_ = 0, square_end_ = 0;  // the next `\)` and `\]`
+  std::size_t told_ = 0;                        // how far a formula in brackets reaches
+  std::vector<MereText> found_;
+};
+
+}  // namespace
+
+bool is_suspicious(std::string_view source) {
+  for (const char* sign : {"\\(", "\\[", "[^", "](", "][", "![", "##"}) {
+    if (source.find(sign) != source.npos) return true;
+  }
+  return false;
+}
+
+std::vector<MereText> mere_text(std::string_view source, std::string_view shown) {
+  return Finder(source, shown).all();
+}
+
+}  // namespace mjcourse

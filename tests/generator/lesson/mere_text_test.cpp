@@ -1,0 +1,61 @@
+#include "lesson/mere_text.h"
+
+#include <gtest/gtest.h>
+
+#include "reading_of.h"
+
+namespace mjcourse {
+namespace {
+
+// Each by its id and what is underlined.
+std::string found(const std::string& body) {
+  std::string text;
+  for (const Diagnostic& d : reading_of(body).diagnostics) {
+    const auto column = static_cast<std::size_t>(d.place.column - 1);
+    text += (text.empty() ? "" : ", ") + d.id + " <" +
+            d.place.excerpt.substr(column, static_cast<std::size_t>(d.place.width)) + ">";
+  }
+  return text;
+}
+
+TEST(MereText, IsAReferenceThatNothingDefines) {
+  EXPECT_EQ(found("a[^x] b\n"), "W-footnote-unknown <[^x]>");
+  EXPECT_EQ(found("[*t*][no], ![p][no]\n"),
+            "W-reference-unknown <[*t*][no]>, W-reference-unknown <![p][no]>");
+  EXPECT_EQ(found("[no][] and ![no]\n"),
+            "W-reference-unknown <[no][]>, W-reference-unknown <![no]>");
+  EXPECT_EQ(found("> - [t][no]\n"), "W-reference-unknown <[t][no]>");
+  EXPECT_EQ(found("| a |\n|---|\n| [t][no] |\n"), "W-reference-unknown <[t][no]>");
+  EXPECT_EQ(found("## [t][no]\n"), "W-reference-unknown <[t][no]>");
+  EXPECT_EQ(found("> [!note] [t][no]\n> text\n"), "W-reference-unknown <[t][no]>");
+}
+
+TEST(MereText, IsNotWhatIsDefinedCodeOrEscaped) {
+  EXPECT_EQ(found("[t][yes] [yes][] [yes] a[^b]\n\n[yes]: https://example.org\n\n[^b]: c\n"), "");
+  EXPECT_EQ(found("`a[^x]` `[t][no]` $a[b][c]$ \\[^x\\] \\[t][no] [1] [x] data[i][j] f()[a][b]\n"),
+            "");
+  EXPECT_EQ(found("```text unchecked\n[^x] [t][no] \\(x\\)\n```\n"), "");
+  EXPECT_EQ(found("- [x] done\n- [ ] not\n"), "");
+}
+
+TEST(MereText, IsALinkWithABlank) {
+  EXPECT_EQ(found("[t](a b.html) ![p](my d.svg)\n"),
+            "W-link-blank <[t](a b.html)>, W-link-blank <![p](my d.svg)>");
+  EXPECT_EQ(
+      found("[t](https://example.org \"a title\") [t](<https://example.org/a b>) [t] (a b)\n"), "");
+}
+
+TEST(MereText, IsAFormulaInBrackets) {
+  EXPECT_EQ(found("a \\(x\\) b \\[ y \\] c\n\n\\[\nz\n\\]\n"),
+            "W-math-brackets <\\(>, W-math-brackets <\\[>, W-math-brackets <\\[>");
+  EXPECT_EQ(found("\\[1\\], \\[a, b\\] and `\\(x\\)`, \\\\(x\\\\)\n"), "");
+}
+
+TEST(MereText, IsAHeadingWithoutABlank) {
+  EXPECT_EQ(found("##Two\n\ntext\n###Three\n\n> ##Quoted\n"),
+            "W-heading-blank <##>, W-heading-blank <###>, W-heading-blank <##>");
+  EXPECT_EQ(found("#include\n\n\\##a\n\n## b\n\n##\n\n`##a`\n"), "");
+}
+
+}  // namespace
+}  // namespace mjcourse
