@@ -55,8 +55,13 @@ bool is_cut(const std::string& row, int line) {
 
 void note_row(const std::string& row, int line, int columns) {
   if (is_cut(row, line)) return;
-  const std::vector<RowCell> found = cells_of_row(row);
+  std::vector<RowCell> found = cells_of_row(row);
   const auto most = static_cast<std::size_t>(columns);
+  const auto is_empty = [&](const RowCell& cell) {
+    return std::string_view(row).substr(0, cell.end).find_last_not_of(" \t") + 1 <= cell.begin;
+  };
+  while (found.size() > most && is_empty(found.back()))
+    found.pop_back();  // nothing is lost with it
   if (found.size() <= most) return;
   lost->push_back({Loss::Kind::cells, line, row, found[most].begin, found.back().end, "",
                    static_cast<int>(found.size()), columns});

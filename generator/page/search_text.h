@@ -2,7 +2,8 @@
 //
 // Enter at search_sections. Inline values are the numbers that the build computed; formulas set in
 // a line are as a reader sees them (formula_text.h), those that stand alone, the answers of
-// questions and what a demo becomes are left out. Code, with what it prints, is kept apart, since it counts less than words.
+// questions and what a demo becomes are left out. Code, with what it prints, is kept apart, since
+// it counts less than words.
 #pragma once
 
 #include <cstddef>
@@ -21,8 +22,8 @@ struct SearchSection {
 
 std::vector<SearchSection> search_sections(const Lesson& lesson, const LessonResults& results);
 
-// At most so many bytes of `text`, which is UTF-8, up to the end of a word; where there is no blank,
-// of a letter.
+// At most so many bytes of `text`, which is UTF-8, up to the end of a word; where there is no
+// blank, of a letter.
 std::string beginning_of(const std::string& text, std::size_t most);
 
 // `text` with each stretch of blanks as one, and none at its ends.
