@@ -34,8 +34,10 @@ std::vector<Part> parts_of(Simulation& simulation) {
 
 // A simulation that is in trouble, or would be in a moment, is no picture of the lesson's.
 bool sound(const Simulation& simulation, Span blamed, const Bench& bench) {
-  return !simulation.trouble() || bench.error("E-figure-simulation", blamed, *simulation.trouble(),
-                                              "a smaller time step, or a gentler start");
+  const std::optional<Simulation::Trouble>& trouble = simulation.trouble();
+  return !trouble || bench.error("E-figure-simulation", blamed, trouble->what,
+                                 trouble->cure.empty() ? "a smaller time step, or a gentler start"
+                                                       : trouble->cure);
 }
 
 bool restore(const Figure::Snapshot& from, const Figure& figure, Simulation& simulation,

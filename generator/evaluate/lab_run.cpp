@@ -129,12 +129,13 @@ bool LabRun::forward(Actor& actor) {
 }
 
 bool LabRun::sound(const Actor& actor) const {
-  const std::optional<std::string>& trouble = actor.simulation.trouble();
+  const std::optional<Simulation::Trouble>& trouble = actor.simulation.trouble();
   if (!trouble) return true;
   const bool of_ghost = &actor == ghost_.get();
-  return bench_.error("E-lab-simulation", of_ghost ? bench_.lab().ghost->run.span() : blamed_,
-                      (of_ghost ? "in the ghost, after " : "after ") + after_ + ": " + *trouble,
-                      cure_);
+  return bench_.error(
+      "E-lab-simulation", of_ghost ? bench_.lab().ghost->run.span() : blamed_,
+      (of_ghost ? "in the ghost, after " : "after ") + after_ + ": " + trouble->what,
+      trouble->cure.empty() ? cure_ : trouble->cure);
 }
 
 std::optional<int> LabRun::steps_in(double seconds) const {

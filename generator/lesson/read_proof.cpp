@@ -95,6 +95,7 @@ std::pair<std::string, std::string> fault_of(const Proof& proof, const Question&
 
 std::optional<Proof> read_proof(const JsonValue& value, const Question& question,
                                 Reading& reading) {
+  const int mistakes = reading.mistakes();
   JsonObject object(value, words::kProof, reading);
   Proof proof;
   proof.span = value.span;
@@ -112,7 +113,8 @@ std::optional<Proof> read_proof(const JsonValue& value, const Question& question
   proof.values = read_expressions(object, "values", reading);
   object.finish();
 
-  if (value.kind != JsonValue::Kind::object) return std::nullopt;
+  // What could not be read as it stands proves something else.
+  if (reading.mistakes() > mistakes) return std::nullopt;
   const int sources = (by_joints ? 1 : 0) + (proof.model.text.empty() ? 0 : 1) +
                       (proof.mjcf.text.empty() ? 0 : 1) + (proof.example.text.empty() ? 0 : 1) +
                       (proof.because.text.empty() ? 0 : 1);

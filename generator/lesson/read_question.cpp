@@ -131,14 +131,16 @@ bool read_answer(JsonObject& object, Question& question, Reading& reading) {
 
 // What a number has beside its answer.
 bool read_numeric(JsonObject& object, Question& question, Reading& reading) {
+  const int mistakes = reading.mistakes();
   question.tolerance = read_tolerance(object, reading);
+  const bool good = reading.mistakes() == mistakes;
   question.unit = object.string("unit").text;
   if (!read_answer(object, question, reading)) return false;
   if (question.tolerance.relative && question.answer == 0) {
     reading.error("E-quiz-form", object.find("tol")->span, "a percentage of 0 leaves no room",
                   "write \"tol\" as a number");
   }
-  return true;
+  return good;
 }
 
 // An order stands in "items" as it should be.

@@ -18,6 +18,8 @@ class Reading {
       : source_(source), diagnostics_(diagnostics) {}
 
   const SourceText& source() const { return source_; }
+  // How many there were so far.
+  int mistakes() const { return mistakes_; }
 
   // Note a mistake at `span` and go on. Of a thousand, the rest is not told.
   void error(std::string id, Span span, std::string message, std::string cure = "") {

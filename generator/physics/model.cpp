@@ -3,20 +3,12 @@
 #include <array>
 #include <atomic>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 
 #include "physics/mujoco_guard.h"
 #include "physics/object_count.h"
 
 namespace mjcourse {
 namespace {
-
-// The content of the file, to look for includes in; "" where it cannot be read.
-std::string content_of(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
 
 // What mj_loadXML makes of `path`, which is in `vfs` or, without one, on the disk: the model and
 // its warnings, or MuJoCo's answer.
@@ -95,7 +87,7 @@ std::vector<std::string> Model::names(mjtObj type) const {
 
 tl::expected<Model, ModelError> load_model_file(const std::string& path) {
   return load(path, nullptr).map_error([&](const std::string& answer) {
-    return explain_load_error(answer, path, content_of(path));
+    return explain_load_error(answer, path);
   });
 }
 
@@ -109,7 +101,17 @@ tl::expected<Model, ModelError> load_model_files(const std::string& name, const 
     if (!problem.empty()) return tl::unexpected(ModelError{added, 0, 0, problem});
   }
   return load(name, virtual_files.get()).map_error([&](const std::string& answer) {
-    return explain_load_error(answer, name, main->second);
+    return explain_load_error(answer, name);
+  });
+}
+
+tl::expected<Model, ModelError> load_model_as(const std::string& path, const std::string& mjcf) {
+  install_mujoco_guard();
+  VirtualFiles virtual_files;
+  const std::string problem = virtual_files.add(path.substr(path.find_last_of('/') + 1), mjcf);
+  if (!problem.empty()) return tl::unexpected(ModelError{path, 0, 0, problem});
+  return load(path, virtual_files.get()).map_error([&](const std::string& answer) {
+    return explain_load_error(answer, path);
   });
 }
 

@@ -63,6 +63,9 @@ using ModelFiles = std::map<std::string, std::string>;
 // part of their path whatever its case, and then on the disk.
 tl::expected<Model, ModelError> load_model_files(const std::string& name, const ModelFiles& files);
 
+// The same as load_model_file(), had that file the text `mjcf`.
+tl::expected<Model, ModelError> load_model_as(const std::string& path, const std::string& mjcf);
+
 // The model that `mjcf` describes; the error's file is "". Files that it names are searched
 // relative to the working directory.
 tl::expected<Model, ModelError> load_model_text(const std::string& mjcf);

@@ -1,16 +1,19 @@
 #include "physics/model_error.h"
 
+#include <mujoco/mujoco.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
-#include <filesystem>
 #include <optional>
 #include <sstream>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/nearest.h"
 #include "physics/mjcf_schema.h"
+#include "physics/newer_mjcf.h"
 
 namespace mjcourse {
 namespace {
@@ -80,31 +83,6 @@ std::string xml_problem(std::string kind, std::string_view detail) {
   return "not well-formed XML: " + kind + (where.empty() ? "" : " " + where);
 }
 
-// The value of the attribute `file` in the tag whose attributes `tag` begins with; "" for none.
-std::string file_in(std::string_view tag) {
-  tag = tag.substr(0, tag.find('>'));
-  for (std::size_t at = 0; (at = tag.find("file", at)) != tag.npos;) {
-    Scanner scanner(tag.substr(at += 4));
-    scanner.skip_blanks();
-    if (!scanner.take("=")) continue;
-    scanner.skip_blanks();
-    for (const std::string_view quote : {"\"", "'"}) {
-      if (scanner.take(quote)) return scanner.take_before(quote).value_or("");
-    }
-  }
-  return "";
-}
-
-// The `file` of the <include> that begins on line `line` of `mjcf`; "" when there is none.
-std::string included_file(std::string_view mjcf, int line) {
-  if (line <= 0) return "";
-  Scanner lines(mjcf);
-  for (int i = 1; i < line; ++i) {
-    if (!lines.take_before("\n")) return "";
-  }
-  return lines.take_before("<include") ? file_in(lines.rest()) : "";
-}
-
 // XML parse error 14:
 // Error=XML_ERROR_MISMATCHED_ELEMENT ErrorID=14 (0xe) Line number=3: XMLElement name=geom
 std::optional<ModelError> parse_error(std::string_view answer, const std::string& file) {
@@ -119,16 +97,31 @@ std::optional<ModelError> parse_error(std::string_view answer, const std::string
   return ModelError{file, line, 0, xml_problem(*kind, scanner.rest())};
 }
 
-// What to write in place of a word that MuJoCo does not know.
+std::string suggest_or_date(const std::string& word, const std::string& since,
+                            const std::vector<std::string>& known) {
+  if (!since.empty()) {
+    return "MuJoCo has `" + word + "` from version " + since + " on; this is MuJoCo " +
+           mj_versionString();
+  }
+  const std::string near = nearest(word, known);
+  return near.empty() ? "" : "did you mean `" + near + "`?";
+}
+
+// What to write in place of a word that MuJoCo does not know, or which MuJoCo knows it.
 std::string cure_for(const std::string& message, const std::string& element) {
-  std::string near;
   Scanner scanner(message);
   if (message == "unrecognized element") {
-    near = nearest(element, mjcf_elements());
-  } else if (scanner.take("unrecognized attribute: '")) {
-    near = nearest(scanner.take_before("'").value_or(""), mjcf_attributes(element));
+    return suggest_or_date(element, since_when_element(element), mjcf_elements());
   }
-  return near.empty() ? "" : "did you mean `" + near + "`?";
+  if (scanner.take("unrecognized attribute: '")) {
+    const std::string name = scanner.take_before("'").value_or("");
+    return suggest_or_date(name, since_when_attribute(element, name), mjcf_attributes(element));
+  }
+  if (scanner.take("invalid keyword: '")) {
+    const std::string word = scanner.take_before("'").value_or("");
+    return suggest_or_date(word, since_when_keyword(element, word), {});
+  }
+  return "";
 }
 
 // Cuts `text` in two at the last `mark`: MuJoCo's own words come behind an author's.
@@ -176,25 +169,6 @@ std::optional<ModelError> object_error(std::string_view answer, const std::strin
       (name.empty() ? "" : "object '" + name + "': ") + on_one_line(std::string(parts->first))};
 }
 
-// XML Error: Include error: '(a parse error of the included file)'
-// Element 'include', line 2
-std::optional<ModelError> include_error(std::string_view answer, const std::string& file,
-                                        std::string_view mjcf) {
-  Scanner scanner(answer);
-  if (!scanner.take("XML Error: Include error: '")) return std::nullopt;
-  const auto parts = cut_at_last(scanner.rest(), "\nElement 'include', line ");
-  if (!parts) return std::nullopt;
-  const int line = Scanner(parts->second).take_number();
-  const std::string name = included_file(mjcf, line);
-  const std::string path = (std::filesystem::path(file).parent_path() / name).string();
-  const std::string_view said = parts->first.substr(0, parts->first.rfind('\''));
-  const std::optional<ModelError> inner = parse_error(said, path);
-  if (!inner) return std::nullopt;
-  if (inner->line > 0 && !name.empty()) return *inner;
-  const std::string which = name.empty() ? "an included file" : "included file '" + name + "'";
-  return ModelError{file, line, 0, which + ": " + inner->message};
-}
-
 // Whatever else MuJoCo says, which then has no line.
 ModelError other_error(std::string_view answer, const std::string& file) {
   Scanner scanner(answer);
@@ -202,24 +176,17 @@ ModelError other_error(std::string_view answer, const std::string& file) {
   return {file, 0, 0, on_one_line(std::string(scanner.rest()))};
 }
 
-ModelError error_in(const std::string& answer, const std::string& file, const std::string& mjcf) {
-  if (const auto error = include_error(answer, file, mjcf)) return *error;
+ModelError error_in(const std::string& answer, const std::string& file) {
   if (const auto error = parse_error(answer, file)) return *error;
-  auto error = element_error(answer, file);
-  if (!error) error = object_error(answer, file);
-  if (!error) return other_error(answer, file);
-  // MuJoCo keeps no line of an element that came from an include.
-  if (error->line == 0 && mjcf.find("<include") != std::string::npos) {
-    error->message += " (in a file that this one includes)";
-  }
-  return *error;
+  if (const auto error = element_error(answer, file)) return *error;
+  if (const auto error = object_error(answer, file)) return *error;
+  return other_error(answer, file);
 }
 
 }  // namespace
 
-ModelError explain_load_error(const std::string& answer, const std::string& file,
-                              const std::string& mjcf) {
-  ModelError error = error_in(answer, file, mjcf);
+ModelError explain_load_error(const std::string& answer, const std::string& file) {
+  ModelError error = error_in(answer, file);
   error.message = on_one_line(error.message);  // whatever names it has in it
   return error;
 }

@@ -9,7 +9,7 @@
 namespace mjcourse {
 
 struct ModelError {
-  std::string file;     // the file at fault, an included one where MuJoCo tells it; "" for text
+  std::string file;     // the file at fault, which may be an included one; "" for text
   int line = 0;         // from 1; 0 where MuJoCo does not know
   int column = 0;       // from 1; 0 where MuJoCo does not know
   std::string message;  // one line, without MuJoCo's preamble
@@ -17,9 +17,8 @@ struct ModelError {
 };
 
 // The error that `answer`, mj_loadXML's error buffer, speaks of. `file` is the path that was
-// loaded, or "" for text; `mjcf` is its content, which is asked for the name of an include at
-// fault.
-ModelError explain_load_error(const std::string& answer, const std::string& file,
-                              const std::string& mjcf);
+// loaded, or "" for text. MuJoCo keeps no line of an element that came from an include, and knows
+// none of a keyframe: lost_line.h finds these.
+ModelError explain_load_error(const std::string& answer, const std::string& file);
 
 }  // namespace mjcourse

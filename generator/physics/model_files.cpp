@@ -102,7 +102,10 @@ class SourceWalk {
     if (std::find(texts_.begin(), texts_.end(), path) != texts_.end()) return;  // in a circle
     XMLDocument document;
     const std::string text = small_text(root_, path);
-    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) return;
+    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+      if (!current_.empty() && !broken_) broken_ = broken_include(path, document);
+      return;
+    }
     texts_.push_back(path);
     const std::string outer = std::exchange(current_, path);
     if (const int line = line_of_instruction(document); line > 0 && !instruction_) {
@@ -155,6 +158,8 @@ class SourceWalk {
   const std::vector<Name>& named() const { return named_; }
   const std::optional<ModelError>& infinite() const { return infinite_; }
   const std::optional<ModelError>& instruction() const { return instruction_; }
+  // The first include that MuJoCo cannot read, of which it would tell no place.
+  const std::optional<ModelError>& broken() const { return broken_; }
 
   // Where MuJoCo reads it from, once all settings are known. An absolute path on the right takes
   // the place of what is left of it, as in MuJoCo.
@@ -174,6 +179,24 @@ class SourceWalk {
   }
 
  private:
+  // The file at `path`, which the last of includes_ names, is not well-formed or not there.
+  ModelError broken_include(const std::string& path, const XMLDocument& document) const {
+    if (status_in(root_, path)) {
+      return explain_load_error(std::string("XML parse error :\n") + document.ErrorStr(), path);
+    }
+    const Name& name = includes_.back();
+    const auto below = [&](const fs::path& file) {
+      return file.lexically_relative(root_).lexically_normal().string();
+    };
+    const fs::path beside = fs::path(name.by).parent_path() / name.file;
+    std::string cure = "MuJoCo starts from the folder of the main file, " + below(texts_.front());
+    if (status_in(root_, beside)) {
+      cure += ": write `" + beside.lexically_relative(folder_).lexically_normal().string() + "`";
+    }
+    return {name.by, name.line, 0,
+            "the file '" + name.file + "' is not there: it is looked for as " + below(path), cure};
+  }
+
   void note_infinite(const XMLElement& element) {
     for (const auto* a = element.FirstAttribute(); a != nullptr && !infinite_; a = a->Next()) {
       std::istringstream words(a->Value());
@@ -202,7 +225,7 @@ class SourceWalk {
   bool strip_ = false;
   std::vector<std::string> texts_;
   std::vector<Name> includes_, named_;
-  std::optional<ModelError> infinite_, instruction_;
+  std::optional<ModelError> infinite_, instruction_, broken_;
   std::string current_;  // the file that is walked
 };
 
@@ -252,6 +275,7 @@ std::optional<ModelError> find_foreign(const SourceWalk& walk, const std::string
     return ModelError{name.by, name.line, 0, "the file '" + name.file + "' is included again",
                       "MuJoCo includes a file once"};
   }
+  if (walk.broken()) return walk.broken();
   for (const SourceWalk::Name& name : walk.named()) {
     const std::string why = why_foreign(walk.path_of_asset(name), root, folder, false);
     if (!why.empty()) return refuse(name, why);

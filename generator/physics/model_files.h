@@ -29,7 +29,7 @@ struct ModelSources {
 tl::expected<ModelSources, std::string> find_model_sources(const std::filesystem::path& root,
                                                            const std::string& name);
 
-// The files that a model reads, and the first of them that it must not.
+// The files that a model reads, and the first of them that it must not, or cannot.
 struct NamedFiles {
   std::vector<std::string> files;  // that are there, the main file first
   std::optional<ModelError> foreign;
@@ -39,7 +39,8 @@ struct NamedFiles {
 
 // Of the model in the file `name` beneath `course`, which need not compile. Foreign is what lies
 // outside of the folder of that file or of `course`, by its name or by a link, is no file but a
-// device or a pipe, is MJCF of many megabytes, is included twice, or is what a browser would run.
+// device or a pipe, is MJCF of many megabytes, is included twice, cannot be included, or is what a
+// browser would run.
 NamedFiles look_at_model_files(const std::filesystem::path& course, const std::string& name);
 
 // The same of MJCF without a file of its own, which may name none.

@@ -125,7 +125,7 @@ tl::expected<Renderer, std::string> Renderer::create() {
 tl::expected<Picture, std::string> Renderer::render(const Simulation& simulation,
                                                     const Camera& camera, const Overlays& overlays,
                                                     PictureSize size, Detail detail) {
-  if (simulation.stopped()) return tl::unexpected(*simulation.trouble());
+  if (simulation.stopped()) return tl::unexpected(simulation.trouble()->what);
   const auto options = visual_options(overlays);
   if (!options) return tl::unexpected(options.error());
   if (std::min(size.width, size.height) < 1 || std::max(size.width, size.height) > kLongestSide) {

@@ -19,6 +19,24 @@ std::string at(double time) {
   return text.str();
 }
 
+// A model that states a size of MuJoCo's memory states too small a one.
+std::string larger(const std::string& size) {
+  return "a larger `" + size + "` in the model's `<size>`, or none: MuJoCo finds one then";
+}
+
+std::string cure_of(int warning) {
+  switch (warning) {
+    case mjWARN_CONTACTFULL:
+      return larger("nconmax");
+    case mjWARN_CNSTRFULL:
+      return larger("njmax");
+    case mjWARN_INERTIA:
+      return "larger masses and inertias, or an `armature` in the joint";
+    default:
+      return "";
+  }
+}
+
 }  // namespace
 
 Simulation::Simulation(Model model) : model_(std::move(model)), data_(model_) {
@@ -83,7 +101,9 @@ void Simulation::guarded(const Work& work) {
     work();
     watch();
   } catch (const MujocoError& error) {
-    stop("MuJoCo gave up" + at(last_time_) + error.what());
+    const std::string what = error.what();
+    stop("MuJoCo gave up" + at(last_time_) + what,
+         what.find("Stack overflow") == what.npos ? "" : larger("nstack"));
   }
   if (!log.warnings().empty()) report("MuJoCo warns: " + log.warnings().front());
 }
@@ -99,19 +119,19 @@ void Simulation::watch() {
   for (int i = 0; i < mjNWARNING; ++i) {
     const mjWarningStat& warning = data_->warning[i];
     if (warning.number > 0) {
-      report("MuJoCo warns" + at(data_->time) + mju_warningText(i, warning.lastinfo));
+      report("MuJoCo warns" + at(data_->time) + mju_warningText(i, warning.lastinfo), cure_of(i));
     }
   }
   last_time_ = data_->time;
 }
 
 // The first trouble is the one to mend; what follows from it is not told.
-void Simulation::report(std::string what) {
-  if (!trouble_) trouble_ = std::move(what);
+void Simulation::report(std::string what, std::string cure) {
+  if (!trouble_) trouble_ = Trouble{std::move(what), std::move(cure)};
 }
 
-void Simulation::stop(std::string what) {
-  report(std::move(what));
+void Simulation::stop(std::string what, std::string cure) {
+  report(std::move(what), std::move(cure));
   stopped_ = true;
 }
 

@@ -38,8 +38,12 @@ class Simulation {
   // As many steps as come nearest to `seconds` of simulated time.
   void advance(double seconds);
 
+  // What went wrong, and what MuJoCo would have done about it: "" where who runs it knows better.
+  struct Trouble {
+    std::string what, cure;
+  };
   // The first thing that went wrong since the last reset: a divergence, or a warning of MuJoCo's.
-  const std::optional<std::string>& trouble() const { return trouble_; }
+  const std::optional<Trouble>& trouble() const { return trouble_; }
   // Has it diverged, or met an error of MuJoCo's? Its state is then worth nothing until a reset.
   bool stopped() const { return stopped_; }
   // Look for trouble now. Call it after mj_step or mj_forward on data() from elsewhere.
@@ -49,13 +53,13 @@ class Simulation {
   template <typename Work>
   void guarded(const Work& work);
   void begin(int key);
-  void report(std::string what);
-  void stop(std::string what);
+  void report(std::string what, std::string cure = "");
+  void stop(std::string what, std::string cure = "");
 
   Model model_;
   Data data_;
   double last_time_ = 0;  // data's time when last looked at, in seconds
-  std::optional<std::string> trouble_;
+  std::optional<Trouble> trouble_;
   bool stopped_ = false;
 };
 

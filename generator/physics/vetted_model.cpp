@@ -1,5 +1,7 @@
 #include "physics/vetted_model.h"
 
+#include <re2/re2.h>
+
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -12,8 +14,10 @@
 
 #include "base/attempt.h"
 #include "base/content_hash.h"
+#include "base/files.h"
 #include "physics/data.h"
 #include "physics/infinite_field.h"
+#include "physics/lost_line.h"
 #include "physics/model_files.h"
 #include "physics/mujoco_guard.h"
 
@@ -40,10 +44,12 @@ constexpr bool kTries = true;
 // MuJoCo holds locks while it loads. A child that is forked meanwhile would wait for them for ever.
 std::shared_mutex loading;
 
+// MuJoCo's own words where it got no memory; not an author's, who may name a body `memory`.
 bool speaks_of_memory(const std::string& message) {
-  // mju_malloc's words, and the compiler's where it tries what it made.
-  return message.find("llocat") != message.npos || message.find("memory") != message.npos ||
-         message.find("could not create mjData") != message.npos;
+  static const RE2 words(
+      "(?i)(?:object '[^']*': )?(?:\\w+: )?could not "
+      "(?:allocate|create mjData).*");
+  return RE2::FullMatch(message, words);
 }
 
 // In a child: all that takes memory and time of a model's size.
@@ -97,10 +103,17 @@ std::optional<ModelError> try_once(const std::string& key, const std::string& fi
   return verdict_of(found->second, file);
 }
 
+// `whole` puts the model's text together, for what MuJoCo tells no line of.
 Loaded load_in_peace(const std::string& file, const std::optional<ModelError>& infinite,
-                     const std::function<Loaded()>& load) {
+                     const std::function<Loaded()>& load, const std::function<WholeMjcf()>& whole) {
   const std::shared_lock lock(loading);
   Loaded model = load();
+  if (!model && model.error().line == 0) {
+    return tl::unexpected(with_line(model.error(), whole(), [&](const std::string& mjcf) {
+      const Loaded again = load_model_as(file, mjcf);
+      return again ? ModelError{} : again.error();
+    }));
+  }
   if (const std::string field = model ? find_infinite_field(*model) : ""; !field.empty()) {
     return tl::unexpected(infinite.value_or(
         ModelError{file, 0, 0, "the model's " + field + " is not a finite number", ""}));
@@ -141,7 +154,9 @@ Loaded load_vetted_file(const fs::path& root, const std::string& name) {
   if (auto wrong = try_once(key_of(named.files), path, load)) {
     return tl::unexpected(*std::move(wrong));
   }
-  return load_in_peace(path, named.infinite, load);
+  const auto read = [&](const std::string& file) { return read_beneath(root, file).value_or(""); };
+  return load_in_peace(path, named.infinite, load,
+                       [&] { return whole_mjcf(path, read(path), read); });
 }
 
 Loaded load_vetted_text(const std::string& mjcf) {
@@ -150,7 +165,8 @@ Loaded load_vetted_text(const std::string& mjcf) {
   if (named.foreign) return tl::unexpected(*std::move(named.foreign));
   const auto load = [&] { return load_model_text(mjcf); };
   if (auto wrong = try_once(content_hash(mjcf), "", load)) return tl::unexpected(*std::move(wrong));
-  return load_in_peace("", named.infinite, load);
+  return load_in_peace("", named.infinite, load,
+                       [&] { return whole_mjcf("", mjcf, [](const auto&) { return ""; }); });
 }
 
 }  // namespace mjcourse

@@ -96,7 +96,7 @@ JSObjectRef make_names(JSContextRef context, const Model& model) {
 JSObjectRef make_mover(JSContextRef context, Simulation& simulation, void (*move)(Simulation&)) {
   return make_function(context, [&simulation, move](JSContextRef at, std::span<const JSValueRef>) {
     move(simulation);
-    if (simulation.trouble()) throw std::runtime_error(*simulation.trouble());
+    if (simulation.trouble()) throw std::runtime_error(simulation.trouble()->what);
     return JSValueMakeUndefined(at);
   });
 }

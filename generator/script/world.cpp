@@ -119,7 +119,8 @@ tl::expected<void, ScriptError> World::Parts::advance(double seconds) {
   if (!simulation.trouble()) return {};
   ScriptError error;
   error.id = "E-script-mujoco";
-  error.message = *simulation.trouble();
+  error.message = simulation.trouble()->what;
+  error.cure = simulation.trouble()->cure;
   return tl::unexpected(std::move(error));
 }
 

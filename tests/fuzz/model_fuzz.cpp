@@ -71,7 +71,7 @@ void check_model(const std::string& mjcf, const std::string& answer) {
   static CourseOfModel course;
   course.check(mjcf);
   check_text(mjcf);
-  check_error(explain_load_error(answer, "models/m.xml", mjcf));
+  check_error(explain_load_error(answer, "models/m.xml"));
 }
 
 }  // namespace

@@ -85,7 +85,7 @@ const char* mjc_reset_to_keyframe(mjcSimulation* simulation, int key) {
 }
 
 const char* mjc_trouble(mjcSimulation* simulation) {
-  return simulation->trouble() ? simulation->trouble()->c_str() : nullptr;
+  return simulation->trouble() ? simulation->trouble()->what.c_str() : nullptr;
 }
 
 const char* mjc_exception_text(void* exception) {

@@ -17,8 +17,8 @@ static void PrintTo(const ModelError& error, std::ostream* out) {
 
 namespace {
 
-ModelError explain(const std::string& answer, const std::string& mjcf = "") {
-  return explain_load_error(answer, "models/arm.xml", mjcf);
+ModelError explain(const std::string& answer) {
+  return explain_load_error(answer, "models/arm.xml");
 }
 
 TEST(ModelError, ReadsTheXmlParsersSpelling) {
@@ -79,32 +79,16 @@ TEST(ModelError, TakesALineInAMessageForNoLineNumber) {
       (ModelError{"models/arm.xml", 7, 2, "object 'line = 8': line 9 is a name"}));
 }
 
-TEST(ModelError, NamesTheIncludedFileAtFault) {
-  const std::string answer =
-      "XML Error: Include error: 'XML parse error 14:\nError=XML_ERROR_MISMATCHED_ELEMENT "
-      "ErrorID=14 (0xe) Line number=3: XMLElement name=geom\n'\nElement 'include', line 3\n";
-  const std::string mjcf =
-      "<mujoco>\n  <include file=\"fine.xml\"/>\n  <include\n   file='parts/hand.xml'/>\n</mujoco>";
-  EXPECT_EQ(explain(answer, mjcf), (ModelError{"models/parts/hand.xml", 3, 0,
-                                               "not well-formed XML: mismatched element 'geom'"}));
-  // Without the text there is no telling which include it was.
-  EXPECT_EQ(explain(answer), (ModelError{"models/arm.xml", 3, 0,
-                                         "an included file: not well-formed XML: mismatched "
-                                         "element 'geom'"}));
-}
-
-TEST(ModelError, BlamesTheIncludeForAMissingFile) {
-  EXPECT_EQ(
-      explain("XML Error: Include error: 'XML parse error 3:\nError=XML_ERROR_FILE_NOT_FOUND "
-              "ErrorID=3 (0x3) Line number=0: filename=gone.xml\n'\nElement 'include', line 2",
-              "<mujoco>\n<include file='gone.xml'/></mujoco>"),
-      (ModelError{"models/arm.xml", 2, 0, "included file 'gone.xml': file not found"}));
-}
-
-TEST(ModelError, SaysThatALinelessElementMayBeInAnInclude) {
-  EXPECT_EQ(explain("XML Error: bad\nElement 'geom', line 0\n", "<mujoco><include file='a'/>"),
-            (ModelError{"models/arm.xml", 0, 0,
-                        "element 'geom': bad (in a file that this one includes)"}));
+TEST(ModelError, SaysWhichVersionHasAWord) {
+  const std::string schema = "XML Error: Schema violation: unrecognized ";
+  const auto cure = [](const std::string& answer) { return explain(answer).cure; };
+  EXPECT_EQ(cure(schema + "attribute: 'memory'\n\nElement 'size', line 2\n"),
+            "MuJoCo has `memory` from version 2.3.0 on; this is MuJoCo 2.2.2");
+  EXPECT_EQ(cure(schema + "element\n\nElement 'frame', line 2\n"),
+            "MuJoCo has `frame` from version 3.1.0 on; this is MuJoCo 2.2.2");
+  EXPECT_EQ(cure("XML Error: invalid keyword: 'implicitfast'\nElement 'option', line 1\n"),
+            "MuJoCo has `implicitfast` from version 2.3.3 on; this is MuJoCo 2.2.2");
+  EXPECT_EQ(cure("XML Error: invalid keyword: 'implicitfast'\nElement 'geom', line 1\n"), "");
 }
 
 }  // namespace

@@ -86,29 +86,6 @@ TEST(Model, SaysWhatIsMissing) {
   EXPECT_EQ(error_of(load_model_text("<html/>")).message, "Unrecognized XML model type: 'html'");
 }
 
-TEST(Model, SaysWhichIncludeIsWrong) {
-  const ModelFolder folder;
-  const std::string main = folder.write("main.xml",
-                                        "<mujoco>\n<include file='part.xml'/>\n"
-                                        "</mujoco>");
-  const ModelError missing = error_of(load_model_file(main));
-  EXPECT_EQ(missing.file, main);
-  EXPECT_EQ(missing.line, 2);
-  EXPECT_EQ(missing.message, "included file 'part.xml': file not found");
-
-  const std::string part = folder.write("part.xml", "<mujoco>\n\n<worldbody>\n</mujoco>");
-  const ModelError inside = error_of(load_model_file(main));
-  EXPECT_EQ(inside.file, part);
-  EXPECT_EQ(inside.line, 3);
-
-  folder.write("part.xml", "<mujoco><worldbody><geom sizee='1'/></worldbody></mujoco>");
-  const ModelError lineless = error_of(load_model_file(main));
-  EXPECT_EQ(lineless.file, main);
-  EXPECT_EQ(lineless.line, 0);
-  EXPECT_EQ(lineless.message,
-            "element 'geom': unrecognized attribute: 'sizee' (in a file that this one includes)");
-}
-
 TEST(Model, LoadsFilesFromMemory) {
   const ModelFiles files{{"Arm.xml", "<mujoco><include file='parts/hand.xml'/></mujoco>"},
                          {"hand.xml", kArm}};

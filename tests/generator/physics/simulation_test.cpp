@@ -28,7 +28,7 @@ const std::string exploding = R"(<mujoco><option timestep="0.01" gravity="0 0 0"
   </worldbody></mujoco>)";
 
 testing::AssertionResult says(const Simulation& simulation, const std::string& words) {
-  const std::string trouble = simulation.trouble().value_or("(no trouble)");
+  const std::string trouble = simulation.trouble() ? simulation.trouble()->what : "(no trouble)";
   if (trouble.find(words) != std::string::npos) return testing::AssertionSuccess();
   return testing::AssertionFailure() << "the trouble is: " << trouble;
 }

@@ -51,6 +51,72 @@ TEST_F(VettedModelTest, SaysWhatMujocoSays) {
   EXPECT_EQ(refused(folder_.path("models/gone.xml")), "models/gone.xml:0: file not found");
 }
 
+TEST_F(VettedModelTest, SaysWhereInWhatItIncludes) {
+  fs::create_directory(folder_.path("models/parts"));
+  const std::string main = model("<include file='parts/hand.xml'/>");
+  folder_.write("models/parts/hand.xml",
+                "<mujoco>\n<worldbody/>\n<include file='parts/finger.xml'/></mujoco>");
+  const auto finger = [&](const std::string& text) {
+    folder_.write("models/parts/finger.xml", "<mujoco>\n" + text + "\n</mujoco>");
+    return refused(main);
+  };
+  const std::string in_finger = "models/parts/finger.xml:";
+  EXPECT_EQ(finger("<worldbody>\n<geom sizee='1'/></worldbody>"),
+            in_finger + "3: element 'geom': unrecognized attribute: 'sizee'");
+  EXPECT_EQ(
+      finger("<worldbody>\n<body name='b'><freejoint/></body></worldbody>"),
+      in_finger + "3: object 'b': mass and inertia of moving bodies must be larger than mjMINVAL");
+  EXPECT_EQ(finger("<asset>\n\n<mesh name='m' file='gone.stl'/></asset>").substr(0, 39),
+            in_finger + "4: object 'm': ");
+  EXPECT_EQ(finger("<worldbody>\n\n</body>"),
+            in_finger + "2: not well-formed XML: mismatched element 'worldbody'");
+}
+
+TEST_F(VettedModelTest, SaysWhereAnIncludeIsLookedFor) {
+  fs::create_directory(folder_.path("models/parts"));
+  const std::string main = model("<include file='parts/hand.xml'/>");
+  EXPECT_EQ(refused(main),
+            "models/main.xml:2: the file 'parts/hand.xml' is not there: it is looked for as "
+            "models/parts/hand.xml");
+  folder_.write("models/parts/hand.xml", "<mujoco>\n\n<include file='finger.xml'/></mujoco>");
+  const std::string starts = "MuJoCo starts from the folder of the main file, models/main.xml";
+  EXPECT_EQ(load(main).error().cure, starts);
+  folder_.write("models/parts/finger.xml", "<mujoco><worldbody/></mujoco>");
+  EXPECT_EQ(refused(main),
+            "models/parts/hand.xml:3: the file 'finger.xml' is not there: it is looked for as "
+            "models/finger.xml");
+  EXPECT_EQ(load(main).error().cure, starts + ": write `parts/finger.xml`");
+}
+
+TEST_F(VettedModelTest, SaysWhichKeyframeIsOfAWrongSize) {
+  folder_.write("models/keys.xml",
+                "<mujoco><keyframe>\n<key/>\n<key name='low' qpos='1 2\n3'/></keyframe></mujoco>");
+  const std::string main = model(
+      "<worldbody><body><freejoint/><geom size='1'/></body></worldbody>\n"
+      "<include file='keys.xml'/>");
+  EXPECT_EQ(refused(main),
+            "models/keys.xml:3: object 'low': key 1: invalid qpos size, expected length 7");
+  EXPECT_EQ(load(main).error().cure, "write 7 numbers there, not 3");
+}
+
+TEST_F(VettedModelTest, SaysWhereTooSmallAStackIsAskedFor) {
+  const std::string main = model(
+      "<size nstack='50'/><worldbody><body><freejoint/><geom size='1'/>"
+      "</body></worldbody>\n<size nstack='1'/>");
+  EXPECT_EQ(refused(main), "models/main.xml:3: Stack overflow");
+  EXPECT_EQ(load(main).error().cure,
+            "nstack=\"1\" is too small for this model; without it, MuJoCo finds a size that does");
+}
+
+TEST_F(VettedModelTest, TakesNoWordOfAnAuthorsForWantOfMemory) {
+  EXPECT_EQ(refused(model("<size memory='1M'/>")),
+            "models/main.xml:2: element 'size': unrecognized attribute: 'memory'");
+  EXPECT_EQ(refused(model("<worldbody><body name='allocated memory'><freejoint/></body>"
+                          "</worldbody>")),
+            "models/main.xml:2: object 'allocated memory': mass and inertia of moving bodies must "
+            "be larger than mjMINVAL");
+}
+
 TEST_F(VettedModelTest, RefusesFilesOfOtherFolders) {
   folder_.write("outside.xml", "<mujoco/>");
   const std::string outside = "' lies outside of the folder of the model";
