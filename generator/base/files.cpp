@@ -126,6 +126,16 @@ std::vector<std::string> DiskFiles::folders(const std::string& folder) const {
   return names;
 }
 
+std::vector<std::string> DiskFiles::list_below(const std::string& folder) const {
+  std::vector<std::string> names;
+  for (const Entry& entry : below(folder)) {
+    if (entry.is_folder || !exists(entry.path)) continue;
+    names.push_back(entry.path.substr(folder.empty() ? 0 : folder.size() + 1));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
 std::vector<DiskFiles::Entry> DiskFiles::below(const std::string& folder) const {
   std::vector<Entry> entries;
   for (const Named& one : names_in(beneath_, folder)) {
@@ -192,6 +202,14 @@ std::vector<std::string> MemoryFiles::folders(const std::string& folder) const {
     if (end != path.npos) names.insert(path.substr(folder.size() + 1, end - folder.size() - 1));
   }
   return {names.begin(), names.end()};
+}
+
+std::vector<std::string> MemoryFiles::list_below(const std::string& folder) const {
+  std::vector<std::string> names;
+  for (const auto& [path, bytes] : files_) {
+    if (path.starts_with(folder + "/")) names.push_back(path.substr(folder.size() + 1));
+  }
+  return names;
 }
 
 void write_file(const fs::path& path, std::string_view bytes) {

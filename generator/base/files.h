@@ -28,6 +28,8 @@ class Files {
   virtual std::vector<std::string> list(const std::string& folder) const = 0;
   // The names of the folders in `folder`, sorted. Not all tell.
   virtual std::vector<std::string> folders(const std::string& /*folder*/) const { return {}; }
+  // The same of what is in `folder` or in a folder below it, sorted: "scene.xml", "arm/arm.xml".
+  virtual std::vector<std::string> list_below(const std::string& folder) const = 0;
   // Why the file or the folder `path`, which is there, is never read: "leads out of the course". ""
   // where it is not there, or is read.
   virtual std::string refusal(const std::string& /*path*/) const { return ""; }
@@ -43,6 +45,7 @@ class DiskFiles : public Files {
   bool exists(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
   std::vector<std::string> folders(const std::string& folder) const override;
+  std::vector<std::string> list_below(const std::string& folder) const override;
   std::string refusal(const std::string& path) const override;
 
   bool is_folder(const std::string& path) const;
@@ -68,6 +71,7 @@ class MemoryFiles : public Files {
   bool exists(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
   std::vector<std::string> folders(const std::string& folder) const override;
+  std::vector<std::string> list_below(const std::string& folder) const override;
 
  private:
   std::map<std::string, std::string> files_;

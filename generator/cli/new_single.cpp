@@ -8,6 +8,7 @@
 #include "base/our_command.h"
 #include "cli/new_part.h"
 #include "cli/skeleton.h"
+#include "course/course.h"
 #include "course/lesson_name.h"
 
 namespace mjcourse {
@@ -26,7 +27,10 @@ tl::expected<std::string, Refusal> name_of(const std::string& kind, const std::s
                                            const std::vector<std::string>& words,
                                            const std::string& form) {
   if (words.empty()) return wrong_words("new " + kind + " needs a name", "as in " + form);
-  static const RE2 good("[a-z][a-z0-9_]*");
+  // A model may lie in a folder of its own, with what it is made of.
+  static const RE2 plain("[a-z][a-z0-9_]*"),
+      in_folders("(?:[a-z0-9][a-z0-9_-]*/)*[a-z0-9][a-z0-9_]*");
+  const RE2& good = kind == "model" ? in_folders : plain;
   std::string name = plain_name(words[0], folder, ending);
   if (RE2::FullMatch(name, good)) return name;
   std::string likely = slug_of(name);
@@ -37,19 +41,11 @@ tl::expected<std::string, Refusal> name_of(const std::string& kind, const std::s
           (RE2::FullMatch(likely, good) ? "; did you mean `" + likely + "`?" : ""));
 }
 
-std::vector<std::string> models_of(const Files& course) {
-  std::vector<std::string> models;
-  for (const std::string& file : course.list("models")) {
-    if (file.ends_with(".xml")) models.push_back(file.substr(0, file.size() - 4));
-  }
-  return models;
-}
-
 // The model that a program begins with: the one that was named, the one that is called as the
 // program is, or the first.
 tl::expected<std::string, Refusal> model_for(const Files& course, const std::string& example,
                                              const std::vector<std::string>& words) {
-  const std::vector<std::string> models = models_of(course);
+  const std::vector<std::string> models = model_names(course);
   const auto has = [&](const std::string& name) {
     return std::find(models.begin(), models.end(), name) != models.end();
   };

@@ -36,7 +36,9 @@ struct Course {
   std::map<std::string, std::string> macros;  // TeX, shared by all lessons: "\\R" → "\\mathbb{R}"
   std::vector<Level> levels;
   std::vector<Lesson> lessons;      // in the course's order; most of many are at rest
-  std::vector<std::string> models;  // names: "joint_zoo" for models/joint_zoo.xml
+  // Names: "joint_zoo" for models/joint_zoo.xml, "arm/scene" for models/arm/scene.xml. A file that
+  // only others include is among them, and nobody compiles it by itself.
+  std::vector<std::string> models;
   std::optional<Glossary> glossary;
 
   // Null where there is none. Of lessons with the same number, the first.
@@ -59,5 +61,8 @@ inline constexpr std::size_t kMostAwake = 500;
 std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics,
                                   std::size_t threads = core_count(),
                                   std::size_t awake = kMostAwake, LessonShelf* shelf = nullptr);
+
+// What Course::models has, sorted.
+std::vector<std::string> model_names(const Files& files);
 
 }  // namespace mjcourse

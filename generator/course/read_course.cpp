@@ -284,9 +284,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
   });
   course.lessons.reserve(listed.size());
   for (Listed& one : listed) add_listed(files, one, reading, course, diagnostics);
-  for (const std::string& name : files.list("models")) {
-    if (name.ends_with(".xml")) course.models.push_back(name.substr(0, name.size() - 4));
-  }
+  course.models = model_names(files);
   report_refused_folders(files, diagnostics);
   warn_of_unlisted(files, course, diagnostics);
   read_glossary_file(files, course, diagnostics);
@@ -295,6 +293,15 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
   for (Lesson& lesson : course.lessons) forget_links(lesson);
   warn_of_unused_references(files, course, diagnostics);
   return course;
+}
+
+std::vector<std::string> model_names(const Files& files) {
+  std::vector<std::string> names;
+  for (const std::string& name : files.list_below("models")) {
+    if (name.ends_with(".xml")) names.push_back(name.substr(0, name.size() - 4));
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 }  // namespace mjcourse

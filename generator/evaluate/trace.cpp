@@ -50,6 +50,11 @@ std::vector<std::string> TracedFiles::list(const std::string& folder) const {
   return files_.list(folder);
 }
 
+std::vector<std::string> TracedFiles::list_below(const std::string& folder) const {
+  trace_.unknown();  // which folders there are, cannot be named
+  return files_.list_below(folder);
+}
+
 std::string TracedFiles::refusal(const std::string& path) const {
   trace_.file(path);
   return files_.refusal(path);

@@ -53,6 +53,7 @@ class TracedFiles : public Files {
   tl::expected<std::string, std::string> read(const std::string& path) const override;
   bool exists(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  std::vector<std::string> list_below(const std::string& folder) const override;
   std::string refusal(const std::string& path) const override;
 
  private:

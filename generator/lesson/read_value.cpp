@@ -13,7 +13,7 @@ constexpr const char* kValueCure =
 
 // The end of the name behind the brace that `code` begins with; 0 where there is none.
 std::size_t end_of_name(std::string_view code) {
-  static const RE2 form(R"(\{[A-Za-z_][\w.-]*)");
+  static const RE2 form(R"(\{[A-Za-z_][\w.-]*(?:/[\w.-]+)*)");
   re2::StringPiece rest(code);
   RE2::Consume(&rest, form);
   return code.size() - rest.size();

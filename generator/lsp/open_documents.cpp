@@ -121,4 +121,15 @@ std::vector<std::string> OpenDocuments::list(const std::string& folder) const {
   return names;
 }
 
+std::vector<std::string> OpenDocuments::list_below(const std::string& folder) const {
+  std::vector<std::string> names = saved_.list_below(folder);
+  const std::lock_guard lock(mutex_);
+  for (const auto& [name, text] : open_) {
+    if (auto below = name_below(name, folder)) names.push_back(*std::move(below));
+  }
+  std::ranges::sort(names);
+  names.erase(std::unique(names.begin(), names.end()), names.end());
+  return names;
+}
+
 }  // namespace mjcourse

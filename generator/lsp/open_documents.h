@@ -49,6 +49,7 @@ class OpenDocuments : public Files {
   bool exists(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
   std::vector<std::string> folders(const std::string& folder) const override;
+  std::vector<std::string> list_below(const std::string& folder) const override;
   std::string refusal(const std::string& path) const override;
 
  private:

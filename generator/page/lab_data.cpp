@@ -96,12 +96,12 @@ json PageWriter::live_data(const Lab& lab, const LabResult& result, std::size_t 
   LabFiles files = write_lab_module(lab, result, number, *this);
   json data = nullptr;
   if (press_.manifest.contains("engine.wasm")) {
-    data = {{"module", "../" + site_address(files.module)}};
+    data = {{"module", from_root(files.module)}};
     for (const auto& [name, asset] : {std::pair("code", "lab.js"),
                                       {"style", "lab.css"},
                                       {"engine", "engine.mjs"},
                                       {"wasm", "engine.wasm"}}) {
-      data[name] = "../" + press_.manifest.at(asset).get<std::string>();
+      data[name] = from_root(press_.manifest.at(asset).get<std::string>());
     }
   }
   lab_files_.push_back(std::move(files));

@@ -221,19 +221,20 @@ std::string asset_path(const std::string& name, const std::filesystem::path& fil
 LabFiles write_lab_module(const Lab& lab, const LabResult& result, const std::string& name,
                           const PageWriter& writer) {
   LabFiles files;
+  const std::string base = "labs/" + name;
   std::map<std::string, std::string> assets;
   for (const auto& [asset, file] : result.model.assets) {
     const std::string path = asset_path(asset, file);
     files.copied[path] = file;
-    assets[asset] = "../" + site_address(path);
+    assets[asset] = way_to_root(base) + site_address(path);
   }
   LabDescription description(lab, result, writer);
   std::string text =
       "export const lab = " + description.describe(assets).dump() + ";\nexport const scripts = [\n";
   for (const std::string& function : description.functions()) text += function + ",\n";
   text += "];\n";
-  files.written["labs/" + name + ".rehearsal.json"] = lab_record(lab, result);
-  files.module = "labs/" + name + "-" + content_hash(text) + ".js";
+  files.written[base + ".rehearsal.json"] = lab_record(lab, result);
+  files.module = base + "-" + content_hash(text) + ".js";
   files.written[files.module] = std::move(text);
   return files;
 }

@@ -64,7 +64,7 @@ json lab_data(const ModelPage& model, const Course& course, const Press& press,
   results.of_block[0] = model.lab->result;
   PageWriter writer(course, lesson, results, press);
   json data = writer.lab(0);
-  data["poster"] = poster_data(model, "../", Loaded::at_once);
+  data["poster"] = poster_data(model, way_to_root(press.page), Loaded::at_once);
   files = writer.lab_files();
   return data;
 }
@@ -89,11 +89,12 @@ json sizes_data(const ModelPage& model) {
 ModelPageHtml model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,
                          const Press& press) {
   ModelPageHtml page;
+  const std::string root = way_to_root(press.page);
   json files = json::array();
   for (const ModelPage::File& file : model.files) {
     files.push_back({{"id", nullptr},
                      {"file", file.path},
-                     {"download", "../" + site_address(file.path)},
+                     {"download", root + site_address(file.path)},
                      {"zip", nullptr},
                      {"code", press.highlighter.highlight(file.text, "xml")},
                      {"is_text", !file.text.empty()},
@@ -103,13 +104,14 @@ ModelPageHtml model_page(const ModelPage& model, const Course& course, const Eva
   page.body = render_template(
       press.templates, "model",
       {{"name", model.name},
-       {"poster", poster_data(model, "../", Loaded::at_once)},
+       {"root", root},
+       {"poster", poster_data(model, root, Loaded::at_once)},
        {"lab", lab_data(model, course, press, page.lab_files)},
        {"sizes", sizes_data(model)},
        {"timestep", model.timestep},
        {"tables", tables_of(model)},
        {"files", std::move(files)},
-       {"uses", uses_data(uses_of_model(course, model.name), course, evaluation, "../")}});
+       {"uses", uses_data(uses_of_model(course, model.name), course, evaluation, root)}});
   return page;
 }
 

@@ -214,9 +214,7 @@ std::string PageWriter::write_term(const TermUse& term, const std::string& inner
 
 // The way from the page being written to a file below the site's root.
 std::string PageWriter::from_root(const std::string& path) const {
-  std::string way;
-  for (const char c : press_.page) way += c == '/' ? "../" : "";
-  return way + site_address(path);
+  return way_to_root(press_.page) + site_address(path);
 }
 
 std::string PageWriter::children_html(cmark_node* node) const {

@@ -138,7 +138,7 @@ void SitePages::write_model(const ModelPage& model, PagePress& press) {
               {"model", model.name,
                "The model " + model.name + " of " + site_.course.title +
                    ": a live lab, its joints, its MJCF.",
-               "../"},
+               way_to_root(path)},
               page.body, styles);
   write_labs(page.lab_files, out_);
   out_.write(model_poster_path(model) + ".webp", model.poster.webp);

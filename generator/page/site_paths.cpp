@@ -23,6 +23,12 @@ std::string site_address(const std::string& path) {
   return address;
 }
 
+std::string way_to_root(const std::string& path) {
+  std::string way;
+  for (const char c : path) way += c == '/' ? "../" : "";
+  return way;
+}
+
 std::string page_path(const Lesson& lesson) {
   return (lesson.folder.empty() ? "" : lesson.folder + "/") + lesson.slug + ".html";
 }

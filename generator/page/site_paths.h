@@ -12,6 +12,10 @@ namespace mjcourse {
 
 // The file `path` as an address has it: "a b" is "a%20b". Needs no escape in HTML.
 std::string site_address(const std::string& path);
+
+// The way from the page or the file `path` to the site's root: "../" for each folder.
+std::string way_to_root(const std::string& path);
+
 // The lesson's page.
 std::string page_path(const Lesson& lesson);
 // A copy of a picture that the author put beside it.

@@ -74,6 +74,16 @@ std::vector<std::string> ThemedAssets::list(const std::string& folder) const {
   return {all.begin(), all.end()};
 }
 
+std::vector<std::string> ThemedAssets::list_below(const std::string& folder) const {
+  std::vector<std::string> names = assets_.list_below(folder);
+  if (folder + "/" != kTemplates) return names;
+  std::set<std::string> all(names.begin(), names.end());
+  for (const DiskFiles& one : templates_) {
+    for (const std::string& name : one.list_below("")) all.insert(name);
+  }
+  return {all.begin(), all.end()};
+}
+
 Diagnostics check_theme(const Files& course, const Files& assets) {
   Diagnostics diagnostics;
   std::vector<std::string> known;

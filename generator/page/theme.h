@@ -32,6 +32,7 @@ class ThemedAssets : public Files {
   tl::expected<std::string, std::string> read(const std::string& path) const override;
   bool exists(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
+  std::vector<std::string> list_below(const std::string& folder) const override;
 
  private:
   DiskFiles assets_;

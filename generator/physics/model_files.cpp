@@ -349,7 +349,9 @@ NamedFiles look_at_model_files(const fs::path& course, const std::string& name) 
   NamedFiles found;
   SourceWalk walk(root, folder);
   walk.enter(path);
-  found.foreign = find_foreign(walk, path, root, folder);
+  // Models in folders share what lies in `models`.
+  const fs::path first = *fs::path(name).begin();
+  found.foreign = find_foreign(walk, path, root, first == name ? root : root / first);
   found.infinite = walk.infinite();
   found.files = files_of(walk);
   return found;

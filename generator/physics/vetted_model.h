@@ -15,7 +15,7 @@
 
 namespace mjcourse {
 
-// The model in the file `name` beneath `root`; all its files lie in the folder of that.
+// The model in the file `name` beneath `root`; all its files lie in the first folder of that.
 tl::expected<Model, ModelError> load_vetted_file(const std::filesystem::path& root,
                                                  const std::string& name);
 

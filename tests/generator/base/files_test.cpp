@@ -26,6 +26,12 @@ TEST(MemoryFiles, ListsAFolderButNotTheFoldersInIt) {
   EXPECT_EQ(files.list("nowhere"), Names{});
 }
 
+TEST(MemoryFiles, ListsWhatLiesDeeperToo) {
+  const MemoryFiles files({{"a/y", ""}, {"a/b/c/z", ""}, {"a/b/x", ""}, {"ab/w", ""}});
+  EXPECT_EQ(files.list_below("a"), (Names{"b/c/z", "b/x", "y"}));
+  EXPECT_EQ(files.list_below("nowhere"), Names{});
+}
+
 TEST(MemoryFiles, NamesTheFileThatIsNotThere) {
   EXPECT_EQ(MemoryFiles({}).read("models/x.xml").error(),
             "models/x.xml: No such file or directory");
@@ -42,6 +48,15 @@ TEST_F(DiskFilesTest, ReadsTheBytesThatWereWritten) {
   write_file(folder_.path() / "deep" / "er" / "x.bin", bytes);
   EXPECT_EQ(files_.read("deep/er/x.bin").value(), bytes);
   EXPECT_TRUE(files_.exists("deep/er/x.bin"));
+}
+
+TEST_F(DiskFilesTest, ListsWhatLiesDeeperToo) {
+  for (const char* name : {"a/y", "a/b/c/z", "a/b/x", "ab/w"})
+    write_file(folder_.path() / name, "");
+  fs::create_directory_symlink("b", folder_.path() / "a/link");
+  EXPECT_EQ(files_.list_below("a"), (Names{"b/c/z", "b/x", "y"}));
+  EXPECT_EQ(files_.list_below("a/b"), (Names{"c/z", "x"}));
+  EXPECT_EQ(files_.list_below("nowhere"), Names{});
 }
 
 TEST_F(DiskFilesTest, ReadsAnEmptyFileAsNothing) {

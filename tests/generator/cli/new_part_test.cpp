@@ -133,6 +133,8 @@ TEST(NewLesson, NeedsALevelANameAndAFreeNumber) {
 TEST(NewModel, IsOneFile) {
   EXPECT_EQ(made({"model", "two_rods"}), Words{"models/two_rods.xml"});
   EXPECT_EQ(made({"model", "models/two_rods.xml"}), Words{"models/two_rods.xml"});
+  EXPECT_EQ(made({"model", "arm-2/scene"}), Words{"models/arm-2/scene.xml"});
+  EXPECT_EQ(one({"model", "../scene"}).substr(0, 35), "2 `../scene` is no name for a model");
   EXPECT_EQ(one({"model"}), "2 new model needs a name | as in `mjcourse new model pendulum`");
   EXPECT_EQ(one({"model", "Two-Rods"}),
             "2 `Two-Rods` is no name for a model | small letters, digits and underscores, as in "

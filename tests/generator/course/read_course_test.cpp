@@ -31,7 +31,7 @@ levels:
   EXPECT_EQ(course.levels[1].lessons, (std::vector<std::size_t>{1, 2}));
   EXPECT_EQ(course.find_lesson("1.1"), &course.lessons[2]);
   EXPECT_EQ(course.find_lesson("1.3"), nullptr);
-  EXPECT_EQ(course.models, std::vector<std::string>{"zoo"});
+  EXPECT_EQ(course.models, (std::vector<std::string>{"arm/arm", "zoo"}));
 }
 
 TEST(Course, HasAtMostTwentyThousandLessons) {

@@ -23,6 +23,7 @@ std::string value(const std::string& body) {
 TEST(Value, IsANameInBracesAndAnExpression) {
   EXPECT_EQ(value("a `{joint_zoo} model.nq` b\n"), "joint_zoo 4:5|model.nq 4:16|\n");
   EXPECT_EQ(value("`{l1_2-x.y}  naive_qz`\n"), "l1_2-x.y 4:3|naive_qz 4:14|\n");
+  EXPECT_EQ(value("`{arm/scene} model.nq`\n"), "arm/scene 4:3|model.nq 4:14|\n");
   EXPECT_EQ(value("`{a} x` and `{a} x`\n"), "a 4:3|x 4:6|\na 4:15|x 4:18|\n");
 }
 
@@ -44,7 +45,7 @@ TEST(Value, StandsWhereverTextMay) {
 
 TEST(Value, IsNotEveryCodeThatBeginsWithABrace) {
   for (const std::string code : {"{x}", "{}", "{", "{x", "{1, 2}", "{0} x", "{ a } b", "{a, b}",
-                                 "{return x;}", "{\"a\": 1}", "x {a} b"}) {
+                                 "{return x;}", "{\"a\": 1}", "x {a} b", "{a/} b", "{/a} b"}) {
     EXPECT_EQ(value("`" + code + "`\n"), "") << code;
   }
   EXPECT_EQ(value("<code>{a} b</code>\n"), "");

@@ -19,13 +19,13 @@ class LabModuleTest : public PageWriterTest {
   }
 
   // The module of a lab with these members.
-  LabFiles module(const std::string& members) {
+  LabFiles module(const std::string& members, const std::string& name = "1.1-1") {
     PageWriter with = writer(R"(```lab simlab
 {"title": "T", "model": "m", "alt": "A")" +
                              members + "}\n```\n");
     for (const Block& block : course_.lessons[0].blocks) {
       const auto* lab = std::get_if<Lab>(&block);
-      if (lab != nullptr) return write_lab_module(*lab, result_, "1.1-1", with);
+      if (lab != nullptr) return write_lab_module(*lab, result_, name, with);
     }
     ADD_FAILURE() << "no lab";
     return {};
@@ -144,6 +144,10 @@ TEST_F(LabModuleTest, NamesItsModelsFiles) {
   EXPECT_TRUE(path.starts_with("models/wedge-") && path.ends_with(".obj")) << path;
   EXPECT_EQ(file, folder.path() / "wedge.obj");
   EXPECT_EQ(lab(files)["model"]["assets"], json({{"wedge.obj", "../" + path}}));
+  // Of a model that lies in a folder.
+  const LabFiles deeper = module("", "arm/scene-1");
+  EXPECT_TRUE(deeper.module.starts_with("labs/arm/scene-1-")) << deeper.module;
+  EXPECT_EQ(lab(deeper)["model"]["assets"], json({{"wedge.obj", "../../" + path}}));
 }
 
 }  // namespace
