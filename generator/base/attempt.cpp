@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,6 +20,34 @@ namespace mjcourse {
 namespace {
 
 constexpr int kMemory = 1, kThrew = 2;  // exit codes
+// Address space costs nothing until it is used, and some ask for more than they ever touch.
+constexpr rlim_t kSpaceToMemory = 4;
+constexpr suseconds_t kLook = 1000;  // microseconds, in which some megabytes can be touched
+
+std::uint64_t most_resident = 0;  // in the child
+
+// The most that it ever had, which no allocator can hide.
+std::uint64_t peak_resident() {
+  rusage use{};
+  getrusage(RUSAGE_SELF, &use);
+  return static_cast<std::uint64_t>(use.ru_maxrss) << 10;
+}
+
+extern "C" void look_at_memory(int /*signal*/) {
+  if (peak_resident() > most_resident) _exit(kMemory);
+}
+
+// What was there at the fork is no part of it. A signal comes between any two instructions, so
+// whoever takes memory is ended, wherever that may be.
+void watch_memory(std::uint64_t bytes) {
+  most_resident = peak_resident() + bytes;
+  struct sigaction look {};
+  look.sa_handler = look_at_memory;
+  look.sa_flags = SA_RESTART;
+  sigaction(SIGALRM, &look, nullptr);
+  const itimerval often{{0, kLook}, {0, kLook}};
+  setitimer(ITIMER_REAL, &often, nullptr);
+}
 
 // Of address space, which a script engine reserves by the gigabyte.
 std::uint64_t bytes_in_use() {
@@ -27,12 +56,13 @@ std::uint64_t bytes_in_use() {
   return pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-[[noreturn]] void work_within(const std::function<void()>& work, rlim_t bytes, rlim_t seconds) {
+[[noreturn]] void work_within(const std::function<void()>& work, std::uint64_t bytes, rlim_t space,
+                              rlim_t seconds) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   for (const int signal_number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
     signal(signal_number, SIG_DFL);
   }
-  const rlimit none{0, 0}, memory{bytes, bytes}, time{seconds, seconds};
+  const rlimit none{0, 0}, memory{space, space}, time{seconds, seconds};
   setrlimit(RLIMIT_CORE, &none);
   setrlimit(RLIMIT_AS, &memory);
   setrlimit(RLIMIT_CPU, &time);
@@ -40,6 +70,7 @@ std::uint64_t bytes_in_use() {
   const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
   dup2(nowhere, STDOUT_FILENO);
   dup2(nowhere, STDERR_FILENO);
+  watch_memory(bytes);
   try {
     work();
   } catch (const std::bad_alloc&) {
@@ -47,6 +78,7 @@ std::uint64_t bytes_in_use() {
   } catch (...) {
     _exit(kThrew);
   }
+  look_at_memory(0);
   _exit(0);
 }
 
@@ -70,10 +102,10 @@ int wait_for(pid_t child, double seconds, bool& in_time) {
 }  // namespace
 
 Attempt attempt(const std::function<void()>& work, std::uint64_t bytes, double seconds) {
-  const rlim_t limit = bytes_in_use() + bytes;
+  const rlim_t space = bytes_in_use() + kSpaceToMemory * bytes;
   const pid_t child = fork();
   if (child < 0) throw_errno("fork");
-  if (child == 0) work_within(work, limit, static_cast<rlim_t>(std::ceil(seconds)));
+  if (child == 0) work_within(work, bytes, space, static_cast<rlim_t>(std::ceil(seconds)));
   bool in_time = false;
   const int status = wait_for(child, seconds, in_time);
   if (!in_time || (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)) return Attempt::too_long;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "evaluate/assignment.h"
+#include "evaluate/lab_memory.h"
 #include "evaluate/lab_model.h"
 #include "evaluate/pin.h"
 #include "evaluate/rehearsal.h"
@@ -49,12 +50,15 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Work
   check_overlays(names_of(lab.overlays), bench);
   if (!guard_scripts(bench, result.scripts, doubtful)) return std::nullopt;
   std::optional<LabRun> run = LabRun::start(bench, lab.model);
-  if (!run) return std::nullopt;
+  if (!run || !fits_in_page(bench, run->simulation())) return std::nullopt;
   result.script_names = run->world().names();
   result.keyframes = find_keyframes(lab, run->simulation().model());
   const bool read = read_at_rest(lab, *run, result);
   // What fails at rest would fail again after every control.
-  if (check_at_rest(bench, *run) && read) {
+  const bool at_rest = check_at_rest(bench, *run);
+  result.camera = camera_of(lab.camera, run->simulation().model());
+  run.reset();  // a large model is not there twice
+  if (at_rest && read) {
     result.runs = rehearse(bench);
     evaluate_assignment(bench, result);
   }
@@ -63,7 +67,6 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Work
     for (const DoubtfulScript& script : doubtful) bench.error(script.error, *script.text);
   }
   if (diagnostics.size() > before) return std::nullopt;
-  result.camera = camera_of(lab.camera, run->simulation().model());
   return result;
 }
 

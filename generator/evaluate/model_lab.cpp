@@ -81,13 +81,20 @@ std::optional<ModelPage::LiveLab> rehearsed(const std::string& name, std::string
 
 }  // namespace
 
-std::optional<ModelPage::LiveLab> evaluate_model_lab(const ModelPage& page, const Model& model,
-                                                     const View& view, Workshop& workshop) {
+std::vector<std::string> model_lab_fences(const ModelPage& page, const Model& model,
+                                          const View& view) {
   const json readouts = readouts_of(page, model);
-  auto lab =
-      rehearsed(page.name, fence_of(page, view, controls_of(page, model), readouts), workshop);
-  if (lab) return lab;
-  return rehearsed(page.name, fence_of(page, view, json::array(), readouts), workshop);
+  return {fence_of(page, view, controls_of(page, model), readouts),
+          fence_of(page, view, json::array(), readouts)};
+}
+
+std::optional<ModelPage::LiveLab> evaluate_model_lab(const std::string& name,
+                                                     const std::vector<std::string>& fences,
+                                                     Workshop& workshop) {
+  for (const std::string& fence : fences) {
+    if (auto lab = rehearsed(name, fence, workshop)) return lab;
+  }
+  return std::nullopt;
 }
 
 }  // namespace mjcourse

@@ -6,6 +6,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "evaluate/model_page.h"
 #include "evaluate/view.h"
@@ -14,9 +16,14 @@
 namespace mjcourse {
 
 // For `page`, which tells of `model`: a control for each named keyframe and each actuator, a
-// reading for each joint of one degree of freedom, up to a handful. Nothing where not even the
-// model alone can be rehearsed.
-std::optional<ModelPage::LiveLab> evaluate_model_lab(const ModelPage& page, const Model& model,
-                                                     const View& view, Workshop& workshop);
+// reading for each joint of one degree of freedom, up to a handful; and a lab without controls.
+std::vector<std::string> model_lab_fences(const ModelPage& page, const Model& model,
+                                          const View& view);
+
+// The first of these labs on the page of the model `name` that can be rehearsed. Nothing where not
+// even the model alone can.
+std::optional<ModelPage::LiveLab> evaluate_model_lab(const std::string& name,
+                                                     const std::vector<std::string>& fences,
+                                                     Workshop& workshop);
 
 }  // namespace mjcourse

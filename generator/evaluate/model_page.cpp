@@ -138,7 +138,7 @@ std::string alt_of(const ModelPage& page) {
 
 std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Bench& bench) {
   Workshop& workshop = bench.workshop();
-  const auto simulation =
+  std::optional<Simulation> simulation =
       workshop.simulate_named(name, *bench.lesson().source, bench.diagnostics());
   if (!simulation) return std::nullopt;
   const Model& model = simulation->model();
@@ -163,7 +163,9 @@ std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Benc
   const auto picture = draw(*simulation, view, "the model's picture", name.span(), bench);
   if (!picture) return std::nullopt;
   page.poster = poster_of(*picture, view);
-  page.lab = evaluate_model_lab(page, model, view, workshop);
+  const std::vector<std::string> fences = model_lab_fences(page, model, view);
+  simulation.reset();  // a large model is not there twice
+  page.lab = evaluate_model_lab(page.name, fences, workshop);
   return page;
 }
 

@@ -77,6 +77,7 @@ class Answerer {
     try {
       Task& task = task_of(question);
       answer.whole = task.work_apart(workshop, answer.finding);
+      workshop.let_go();
       answer.looked_at = workshop.trace().names();
       answer.traced = workshop.trace().complete() && workshop.trace().sets().empty();
     } catch (const std::exception& error) {

@@ -30,7 +30,8 @@ struct WorkerProgram {
 // Of one task, whatever it is made of.
 struct WorkLimits {
   double seconds = 60;
-  std::uint64_t memory = 3ull << 30;  // bytes; a model is tried with two thirds of it
+  // Bytes. A model may take 2 GiB of it, and once more where it is drawn.
+  std::uint64_t memory = 5ull << 30;
 };
 
 class Worker {

@@ -71,6 +71,10 @@ tl::expected<Renderer*, std::string> Workshop::renderer() {
   return &*renderer_;
 }
 
+void Workshop::let_go() {
+  if (renderer_) renderer_->let_go();
+}
+
 void Workshop::report_model_file(const ModelError& error, const std::string& path,
                                  const LocatedText& model, const SourceText& lesson,
                                  Diagnostics& diagnostics) {

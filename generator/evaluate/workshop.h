@@ -40,6 +40,9 @@ class Workshop {
   // What scripts may use of the world.
   const std::vector<std::string>& script_names();
 
+  // What a large model left behind goes.
+  void let_go();
+
   // The off-screen renderer, made at first use; or why there is none.
   tl::expected<Renderer*, std::string> renderer();
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <numeric>
 #include <optional>
 #include <sstream>
 #include <vector>
@@ -15,7 +16,8 @@
 namespace mjcourse {
 namespace {
 
-constexpr std::size_t kMostModels = 8;  // a sky alone takes 5 MB
+constexpr std::size_t kMostModels = 8;         // a sky alone takes 5 MB
+constexpr std::size_t kMostBytes = 128 << 20;  // of all together, but for the one used last
 
 // The same to the bit, but for its serial number.
 Model copy_of(const Model& model) {
@@ -82,8 +84,21 @@ tl::expected<Model, ModelError> ModelShelf::get(
     }
   }
   const tl::expected<Model, ModelError>& model = *loaded.get();
+  if (first && model) make_room(name, static_cast<std::size_t>((*model)->nbuffer));
   if (!model) return tl::unexpected(model.error());
   return copy_of(*model);
+}
+
+void ModelShelf::make_room(const std::string& name, std::size_t bytes) {
+  const std::lock_guard lock(mutex_);
+  for (Kept& kept : kept_) {
+    if (kept.name == name) kept.bytes = bytes;
+  }
+  const auto all = [&] {
+    return std::accumulate(kept_.begin(), kept_.end(), std::size_t{0},
+                           [](std::size_t sum, const Kept& kept) { return sum + kept.bytes; });
+  };
+  while (kept_.size() > 1 && all() > kMostBytes) kept_.pop_back();
 }
 
 }  // namespace mjcourse

@@ -2,7 +2,8 @@
 //
 // Compiling draws textures and fits inertias, some 40 ms for a model with a sky; a copy takes two.
 // A lab's rehearsal needs the same model a dozen times, fresh each time, as scripts may change one.
-// A model is compiled again when one of its files has changed. Any thread may ask.
+// A model is compiled again when one of its files has changed. Eight are kept, and not so many of
+// large ones. Any thread may ask.
 #pragma once
 
 #include <filesystem>
@@ -28,10 +29,14 @@ class ModelShelf {
   struct Kept {
     std::string name;  // with what tells a path from a text
     std::shared_future<Loaded> loaded;
+    std::size_t bytes = 0;  // once it is loaded
   };
 
   tl::expected<Model, ModelError> get(const std::string& name,
                                       const std::function<tl::expected<Model, ModelError>()>& load);
+
+  // `name` was loaded, and takes `bytes`: others go, those used longest ago first.
+  void make_room(const std::string& name, std::size_t bytes);
 
   std::mutex mutex_;
   std::list<Kept> kept_;  // the last one used first

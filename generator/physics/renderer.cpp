@@ -12,6 +12,7 @@ namespace {
 constexpr int most_shapes = 10000;  // in one scene, frames' axes and the like counted
 constexpr int kLongestSide = 2048;  // pixels; with 4 samples a buffer takes 32 bytes a pixel
 constexpr int film_shadow = 1024;   // texels a side
+constexpr int kLarge = 64 << 20;    // bytes that are not kept for the next picture
 
 mjvCamera free_camera(const Camera& camera) {
   mjvCamera free;
@@ -144,7 +145,13 @@ tl::expected<Picture, std::string> Renderer::render(const Simulation& simulation
     return tl::unexpected(std::string(error.what()));
   }
   if (!log.warnings().empty()) return tl::unexpected(log.warnings().front());
-  return read_picture(size, stage_->context);
+  Picture picture = read_picture(size, stage_->context);
+  if (detail == Detail::still) let_go();
+  return picture;
+}
+
+void Renderer::let_go() {
+  if (stage_->stand_in && (*stage_->stand_in)->nbuffer > kLarge) stage_->clear();
 }
 
 }  // namespace mjcourse

@@ -1,8 +1,8 @@
 // Pictures of simulations, drawn by MuJoCo's own renderer without a screen.
 //
 // Renderer::create() makes an OpenGL context in memory (OSMesa, on the CPU) and render() draws with
-// it. A picture at 640 x 400 takes some 50 ms; what is uploaded for a model is kept for the next
-// picture of the same simulation, and for no other: another that looks alike, drawn with what is
+// it. A picture at 640 x 400 takes some 50 ms; what is uploaded for a model that is not large is kept
+// for the next picture of the same simulation, and for no other: another that looks alike, drawn with what is
 // kept, differs in some pixels by what was drawn before. Repeated on the same kind of CPU, a
 // picture is the same to the bit; across kinds of CPU compare with a tolerance.
 #pragma once
@@ -55,6 +55,10 @@ class Renderer {
   tl::expected<Picture, std::string> render(const Simulation& simulation, const Camera& camera,
                                             const Overlays& overlays = {}, PictureSize size = {},
                                             Detail detail = Detail::still);
+
+  // Forgets the model drawn last where it takes much memory, as after each picture that is no
+  // film's.
+  void let_go();
 
  private:
   struct Stage;

@@ -23,6 +23,7 @@ const reasons = {
     "This browser has no WebAssembly, or it is switched off, so the lab stays a picture. " +
     "Another browser may run it.",
   network: "The lab could not be loaded. Check the connection, then reload the page.",
+  unknown: "The lab could not be started, and the browser’s console tells why.",
 } as const;
 
 class SimLab extends HTMLElement {
@@ -75,8 +76,17 @@ class SimLab extends HTMLElement {
     if (location.protocol === "file:") throw new Refusal(reasons.file);
     if (typeof WebAssembly !== "object") throw new Refusal(reasons.noWebAssembly);
     const address = new URL(this.dataset["code"]!, document.baseURI).href;
-    const { openLab } = (await import(address)) as LabCode;
+    const { openLab } = await this.#code(address);
     return openLab(this);
+  }
+
+  async #code(address: string): Promise<LabCode> {
+    try {
+      return (await import(address)) as LabCode;
+    } catch (cause) {
+      reportError(cause);
+      throw new Refusal(reasons.network);
+    }
   }
 }
 
@@ -89,7 +99,7 @@ class Refusal extends Error {
 function reasonOf(error: unknown): string {
   if (error instanceof Error && error.name === "Refusal") return error.message;
   reportError(error);
-  return reasons.network;
+  return reasons.unknown;
 }
 
 function savesData(): boolean {

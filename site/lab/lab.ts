@@ -2,10 +2,13 @@
  * Wakes a lab of the page: enter at openLab(), which client/lab-loader.ts calls when it has loaded
  * this module. However many labs a page has, there is one engine and one WebGL context.
  */
+import type { Engine, ModelFiles } from "../engine/engine.js";
 import { LiveLab } from "./bench/live-lab.js";
+import type { LabModule } from "./lab-module.js";
 import { wear } from "./page/stylesheet.js";
 import { arrive, fetchFiles, loadModule, openEngine } from "./run/engine-room.js";
 import { Run } from "./run/run.js";
+import { whyNoStart } from "./run/trouble.js";
 import { Stage } from "./stage/stage.js";
 
 export interface LabHandle {
@@ -30,10 +33,23 @@ export async function openLab(lab: HTMLElement): Promise<LabHandle> {
     arrive("The lab’s stylesheet", wear(address("style"))),
   ]).catch(refuse);
   const files = await fetchFiles(module, described.lab.model).catch(refuse);
-  const live = new LiveLab(lab, new Run(engine, described, files), opened);
+  const live = new LiveLab(lab, start(engine, described, files), opened);
   awake.push(live);
   await live.restoreLink();
   return live;
+}
+
+/** With its scenes, which take as much memory again. */
+function start(engine: Engine, module: LabModule, files: ModelFiles): Run {
+  let run: Run | undefined;
+  try {
+    run = new Run(engine, module, files);
+    void run.stage;
+    return run;
+  } catch (cause) {
+    run?.free();
+    throw new Refusal(whyNoStart(cause), { cause });
+  }
 }
 
 /** The page's one. */

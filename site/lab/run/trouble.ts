@@ -24,6 +24,17 @@ export class ScriptTrouble extends Error implements Trouble {
   }
 }
 
+/** Why a lab's model does not start here, which the build could simulate: a page has less memory, and
+ * all its labs share it. */
+export function whyNoStart(error: unknown): string {
+  const message = error instanceof Error ? error.message : String(error);
+  if (!/alloc|memory|bytes left/i.test(message)) return `The lab could not be started: ${message}`;
+  return (
+    "The page has no memory left for this lab’s model, so it stays a picture. Reload the page and " +
+    "play this lab first."
+  );
+}
+
 /** `error` as trouble; mistakes of ours are thrown on. */
 export function troubleOf(error: unknown): Trouble {
   if (error instanceof ScriptTrouble) return error;

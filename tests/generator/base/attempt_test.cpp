@@ -4,6 +4,8 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstring>
+#include <memory>
 #include <new>
 #include <stdexcept>
 #include <vector>
@@ -29,6 +31,38 @@ TEST(Attempt, BoundsMemory) {
   EXPECT_EQ(attempt(take(kBytes / 10), kBytes, 10), Attempt::done);
 #ifndef __SANITIZE_ADDRESS__  // which ends the process at once
   EXPECT_EQ(attempt(take(10 * kBytes), kBytes, 10), Attempt::too_much_memory);
+#endif
+}
+
+// A library may reserve what it never needs.
+TEST(Attempt, CountsTheMemoryThatIsUsed) {
+  const auto touch = [](std::size_t bytes) {
+    return [bytes] {
+      const std::unique_ptr<char[]> many(new char[3 * kBytes]);
+      std::memset(many.get(), 'x', bytes);
+      if (many[bytes / 2] != 'x') raise(SIGABRT);
+    };
+  };
+#ifndef __SANITIZE_ADDRESS__  // whose shadow counts too
+  EXPECT_EQ(attempt(touch(kBytes / 2), kBytes, 10), Attempt::done);
+  EXPECT_EQ(attempt(touch(2 * kBytes), kBytes, 10), Attempt::too_much_memory);
+#endif
+}
+
+// One allocation after the other is more than the largest of them, and no more than the peak.
+TEST(Attempt, CountsTheMostAtOneTime) {
+  const auto one_by_one = [](bool keeps) {
+    return [keeps] {
+      std::vector<std::vector<char>> kept;
+      for (int i = 0; i < 8; ++i) {
+        if (!keeps) kept.clear();
+        kept.emplace_back(kBytes / 3, 'x');
+      }
+    };
+  };
+#ifndef __SANITIZE_ADDRESS__
+  EXPECT_EQ(attempt(one_by_one(false), kBytes, 10), Attempt::done);
+  EXPECT_EQ(attempt(one_by_one(true), kBytes, 10), Attempt::too_much_memory);
 #endif
 }
 

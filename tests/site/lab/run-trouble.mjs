@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { mjcfOf, newEngine, openRun } from "./run-harness.mjs";
+import { lab, mjcfOf, newEngine, openRun } from "./run-harness.mjs";
 
 const engine = await newEngine();
 
@@ -57,4 +57,30 @@ test("trouble stops, says where it was, and is gone after a reset", async () => 
   assert.equal(run.readingTrouble.source, "data.qpos[1]");
   assert.equal(run.step(10), 10);
   run.free();
+});
+
+test("a model that the page has no room for, and the next that has", async () => {
+  const asks = (nstack) => `<mujoco><size nstack="${nstack}"/></mujoco>`;
+  // Twice as much: for the simulation, and for its scene.
+  for (const nstack of [400e6, 200e6]) {
+    let run;
+    const open = async () => {
+      run = await openRun(engine, asks(nstack));
+      return run.stage;
+    };
+    await assert.rejects(open(), (error) => {
+      assert.equal(
+        lab.whyNoStart(error),
+        "The page has no memory left for this lab’s model, so it stays a picture. Reload the " +
+          "page and play this lab first.",
+      );
+      return true;
+    });
+    run?.free();
+  }
+  const run = await openRun(engine, asks(20e6));
+  assert.ok(run.stage);
+  run.free();
+  const mistake = new TypeError("x is not a function");
+  assert.equal(lab.whyNoStart(mistake), "The lab could not be started: x is not a function");
 });
