@@ -51,8 +51,9 @@ std::optional<FigureResult> evaluate_figure(const Figure& figure, const Lesson& 
   check_overlays(names_of(figure.overlays), bench);
   std::optional<Simulation> simulation = simulate_figure(figure, bench);
   if (!simulation || diagnostics.size() > before) return std::nullopt;
-  const View view{camera_of(figure.camera, simulation->model()), figure.overlays, figure.width,
-                  figure.height};
+  WholeView seen(simulation->model());
+  seen.add(*simulation);
+  const View view{camera_of(figure.camera, seen), figure.overlays, figure.width, figure.height};
   const auto picture = draw(*simulation, view, "the figure", figure.span, bench);
   if (!picture) return std::nullopt;
   FigureResult result{poster_of(*picture, view), {}};

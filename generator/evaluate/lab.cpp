@@ -56,10 +56,10 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Work
   const bool read = read_at_rest(lab, *run, result);
   // What fails at rest would fail again after every control.
   const bool at_rest = check_at_rest(bench, *run);
-  result.camera = camera_of(lab.camera, run->simulation().model());
+  WholeView view(run->simulation().model());
   run.reset();  // a large model is not there twice
   if (at_rest && read) {
-    result.runs = rehearse(bench);
+    result.runs = rehearse(bench, view);
     evaluate_assignment(bench, result);
   }
   if (std::optional<LabModel> model = find_lab_model(bench)) result.model = *std::move(model);
@@ -67,6 +67,7 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Work
     for (const DoubtfulScript& script : doubtful) bench.error(script.error, *script.text);
   }
   if (diagnostics.size() > before) return std::nullopt;
+  result.camera = camera_of(lab.camera, view);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "base/utf8.h"
 #include "evaluate/bench.h"
 #include "evaluate/model_lab.h"
+#include "evaluate/step_count.h"
 #include "evaluate/view.h"
 #include "physics/model_files.h"
 
@@ -123,9 +124,17 @@ std::vector<ModelPage::File> files_of(const fs::path& root, const std::string& m
   return files;
 }
 
-// All of the model, from less high above than a figure has it.
-View portrait_of(const Model& model) {
-  View view{camera_of(std::nullopt, model), {}, kPictureWidth, kPictureHeight};
+// All of the model, also as it moves for two seconds, from less high above than a figure has it.
+View portrait_of(Simulation& simulation) {
+  WholeView seen(simulation.model());
+  seen.add(simulation);
+  const int frames = step_count(simulation.model(), 2) ? 50 : 0;
+  for (int frame = 0; frame < frames && !simulation.stopped(); ++frame) {
+    simulation.advance(2.0 / frames);
+    if (!simulation.stopped()) seen.add(simulation);
+  }
+  simulation.reset();
+  View view{camera_of(std::nullopt, seen), {}, kPictureWidth, kPictureHeight};
   view.camera.elevation = -30;
   return view;
 }
@@ -159,7 +168,7 @@ std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Benc
                 "save it as UTF-8");
     return std::nullopt;
   }
-  const View view = portrait_of(model);
+  const View view = portrait_of(*simulation);
   const auto picture = draw(*simulation, view, "the model's picture", name.span(), bench);
   if (!picture) return std::nullopt;
   page.poster = poster_of(*picture, view);

@@ -73,9 +73,9 @@ bool check_slider(const LabBench& bench, const Lab::Slider& slider) {
   return true;
 }
 
-// Of the control with this index, or of none.
+// Of the control with this index, or of none. `view`, which may be null, sees it all.
 std::optional<LabRunResult> run_of(const LabBench& bench, std::optional<std::size_t> control,
-                                   const Deed& deed) {
+                                   const Deed& deed, WholeView* view) {
   std::optional<LabRun> run = LabRun::start(bench, bench.lab().model);
   if (!run) return std::nullopt;
   for (const ControlValue& value : deed.values) {
@@ -89,6 +89,7 @@ std::optional<LabRunResult> run_of(const LabBench& bench, std::optional<std::siz
     result.readings.push_back({run->steps_in(seconds).value(), {}});
   }
   const bool played = play(*run, kRehearsal, [&](int steps, const std::vector<double>& readouts) {
+    if (view != nullptr) view->add(run->simulation());
     for (LabReading& reading : result.readings) {
       if (reading.steps == steps) reading.values = readouts;
     }
@@ -118,10 +119,10 @@ bool play(LabRun& run, double seconds,
   return true;
 }
 
-std::vector<LabRunResult> rehearse(const LabBench& bench) {
+std::vector<LabRunResult> rehearse(const LabBench& bench, WholeView& view) {
   std::vector<LabRunResult> runs;
   // What fails by itself would fail again after every control.
-  std::optional<LabRunResult> alone = run_of(bench, std::nullopt, {});
+  std::optional<LabRunResult> alone = run_of(bench, std::nullopt, {}, &view);
   if (!alone) return runs;
   runs.push_back(*std::move(alone));
   const std::vector<Lab::Control>& controls = bench.lab().controls;
@@ -129,7 +130,7 @@ std::vector<LabRunResult> rehearse(const LabBench& bench) {
     const auto* slider = std::get_if<Lab::Slider>(&controls[i]);
     if (slider != nullptr && !check_slider(bench, *slider)) continue;
     for (const Deed& deed : std::visit(DeedsOf{}, controls[i])) {
-      std::optional<LabRunResult> run = run_of(bench, i, deed);
+      std::optional<LabRunResult> run = run_of(bench, i, deed, nullptr);
       if (!run) break;
       runs.push_back(*std::move(run));
     }

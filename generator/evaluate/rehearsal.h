@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "evaluate/lab_run.h"
+#include "physics/whole_view.h"
 
 namespace mjcourse {
 
@@ -14,8 +15,8 @@ namespace mjcourse {
 bool play(LabRun& run, double seconds,
           const std::function<bool(int steps, const std::vector<double>& readouts)>& look);
 
-// Two seconds of every control in every value, and of none. A control that fails is reported, and
-// left out of what is given.
-std::vector<LabRunResult> rehearse(const LabBench& bench);
+// Two seconds of every control in every value, and of none, in which `view` sees all that there is.
+// A control that fails is reported, and left out of what is given.
+std::vector<LabRunResult> rehearse(const LabBench& bench, WholeView& view);
 
 }  // namespace mjcourse

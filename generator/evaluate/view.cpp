@@ -34,10 +34,8 @@ std::vector<LocatedText> names_of(const std::vector<Lab::Overlay>& overlays) {
   return names;
 }
 
-Lab::Camera camera_of(const std::optional<Lab::Camera>& camera, const Model& model) {
-  const mjStatistic& seen = model->stat;
-  return camera.value_or(
-      Lab::Camera{90, -45, 1.5 * seen.extent, {seen.center[0], seen.center[1], seen.center[2]}});
+Lab::Camera camera_of(const std::optional<Lab::Camera>& camera, const WholeView& view) {
+  return camera.value_or(Lab::Camera{90, -45, 1.5 * view.extent(), view.center()});
 }
 
 std::optional<Picture> draw(const Simulation& simulation, const View& view, const std::string& what,

@@ -6,6 +6,7 @@
 
 #include "evaluate/bench.h"
 #include "evaluate/result.h"
+#include "physics/whole_view.h"
 
 namespace mjcourse {
 
@@ -21,7 +22,7 @@ void check_overlays(const std::vector<LocatedText>& names, const Bench& bench);
 std::vector<LocatedText> names_of(const std::vector<Lab::Overlay>& overlays);
 
 // Without one of the author's, all of the model is seen.
-Lab::Camera camera_of(const std::optional<Lab::Camera>& camera, const Model& model);
+Lab::Camera camera_of(const std::optional<Lab::Camera>& camera, const WholeView& view);
 
 // Nothing (reported at `blamed`) where it cannot be drawn; `what` names it: "the poster".
 std::optional<Picture> draw(const Simulation& simulation, const View& view, const std::string& what,

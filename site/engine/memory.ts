@@ -5,6 +5,8 @@ import type { Numbers } from "../script/native.js";
 
 /** The types of numbers by mjcFieldType (physics/field_table.h); text, the last, is not one. */
 const kinds = [Float64Array, Float32Array, Int32Array, Uint8Array] as const;
+/** mjcFIELD_FLOAT. */
+export const float = 1;
 
 export class Memory {
   constructor(private readonly glue: Glue) {}

@@ -4,7 +4,7 @@
  */
 import { MujocoError } from "./errors.js";
 import type { Pointer } from "./glue.js";
-import type { Memory } from "./memory.js";
+import { float, type Memory } from "./memory.js";
 import { type Layout, readLayouts, type Struct } from "./struct-layout.js";
 
 /** What a drag does, with MuJoCo's numbers (mjtMouse). */
@@ -20,6 +20,12 @@ export type Action = keyof typeof actions;
 /** How a body is held, with MuJoCo's numbers (mjtPertBit). */
 const holds = { none: 0, pull: 1, turn: 2 } as const;
 export type Hold = keyof typeof holds;
+
+/** Three numbers for each vertex; those of skin i begin at its skin_vertadr. */
+export interface Skins {
+  readonly vertices: Float32Array;
+  readonly normals: Float32Array;
+}
 
 export class Scene {
   private readonly layouts: ReadonlyMap<string, Layout>;
@@ -61,6 +67,17 @@ export class Scene {
   /** mjvGeom, each with a `label`. They are the same objects from update to update. */
   get geoms(): readonly Struct[] {
     return this.array("mjvGeom", "mjc_scene_geoms", this.call("mjc_scene_geom_count"));
+  }
+
+  /** The vertices of all skins, where the bodies have brought them, in place. */
+  get skins(): Skins {
+    const count = 3 * this.call("mjc_scene_skin_vertex_count");
+    const floats = (first: string) =>
+      this.memory.view(float, this.call(first), count) as Float32Array;
+    return {
+      vertices: floats("mjc_scene_skin_vertices"),
+      normals: floats("mjc_scene_skin_normals"),
+    };
   }
 
   /** mjvLight. */

@@ -24,6 +24,28 @@ test("each geom of the model is in it where mj_forward puts it", () => {
   }
 });
 
+test("skins are where their bodies have brought them", () => {
+  const cloth = load(engine, path.join(models, "cloth.xml"));
+  const draped = cloth.openScene();
+  const corners = () => {
+    assert.ok(draped.update());
+    const { vertices, normals } = draped.skins;
+    assert.equal(vertices.length, 3 * cloth.world.model.nskinvert);
+    assert.equal(normals.length, vertices.length);
+    return [...vertices];
+  };
+  const height = () => cloth.world.data.xpos.at(-1);
+  const [before, top] = [corners(), height()];
+  cloth.step(100);
+  const after = corners();
+  const fallen = height() - top;
+  assert.ok(fallen < -0.1);
+  const sinks = after.map((z, i) => z - before[i]).filter((_, i) => i % 3 === 2);
+  for (const sink of sinks) assert.ok(Math.abs(sink - fallen) < 0.01);
+  cloth.free();
+  assert.equal(scene.skins.vertices.length, 0);
+});
+
 test("drawing changes no bit of the motion", () => {
   const run = (draw) => {
     simulation.reset();

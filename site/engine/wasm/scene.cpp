@@ -89,6 +89,18 @@ int mjc_scene_geom_count(const mjcScene* scene) {
   return scene->scene.ngeom;
 }
 
+const float* mjc_scene_skin_vertices(const mjcScene* scene) {
+  return scene->scene.skinvert;
+}
+
+const float* mjc_scene_skin_normals(const mjcScene* scene) {
+  return scene->scene.skinnormal;
+}
+
+int mjc_scene_skin_vertex_count(const mjcScene* scene) {
+  return scene->simulation.model()->nskinvert;
+}
+
 const mjvLight* mjc_scene_lights(const mjcScene* scene) {
   return scene->scene.lights;
 }

@@ -36,6 +36,11 @@ MJC_EXPORT int mjc_scene_geom_count(const mjcScene* scene);
 MJC_EXPORT const mjvLight* mjc_scene_lights(const mjcScene* scene);
 MJC_EXPORT int mjc_scene_light_count(const mjcScene* scene);
 MJC_EXPORT const mjvGLCamera* mjc_scene_view(const mjcScene* scene);
+/* The skins' vertices and their normals, three numbers each, in the world's frame; the vertices of
+ * one lie where mjModel's skin_vertadr says. */
+MJC_EXPORT const float* mjc_scene_skin_vertices(const mjcScene* scene);
+MJC_EXPORT const float* mjc_scene_skin_normals(const mjcScene* scene);
+MJC_EXPORT int mjc_scene_skin_vertex_count(const mjcScene* scene);
 /* The camera is the page's to set. */
 MJC_EXPORT mjvCamera* mjc_scene_camera(mjcScene* scene);
 

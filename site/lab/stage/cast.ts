@@ -5,6 +5,7 @@
  */
 import { type Material, Matrix4, type Mesh, Scene } from "three";
 
+import type { Skins } from "../../engine/scene.js";
 import type { Eye } from "./eye.js";
 import { canMove, type Geom, geomTypes, heightAbove, isOfModel } from "./geom.js";
 import { Instances } from "./instances.js";
@@ -22,6 +23,12 @@ const turns = { mirror: 0, solid: 1, sky: 2, clear: 10, ghost: 1e6 };
 const solidAlpha = 0.995;
 /** What a plane keeps of its alpha when it is seen from behind. */
 const behindOpacity = 0.3;
+
+/** A scene as MuJoCo lists it. */
+export interface Players {
+  readonly geoms: readonly Geom[];
+  readonly skins: Skins;
+}
 
 interface Clear {
   readonly geom: Geom;
@@ -59,28 +66,24 @@ export class Cast {
     });
   }
 
-  /** `mirror` is one of `geoms`; of `ghosts` the bodies are shown. */
-  assemble(
-    geoms: readonly Geom[],
-    eye: Eye,
-    mirror: Geom | undefined,
-    ghosts: readonly Geom[],
-  ): void {
+  /** `mirror` is one of the geoms of `players`; of `ghosts` the bodies are shown. */
+  assemble(players: Players, eye: Eye, mirror: Geom | undefined, ghosts?: Players): void {
     for (const crowd of this.crowds.values()) crowd.begin();
     const clear: Clear[] = [];
-    for (const geom of geoms) {
+    for (const geom of players.geoms) {
       const kind = this.kinds.of(geom);
       if (kind === undefined) continue;
       const way = wayOf(geom, eye);
-      if (way === "solid") this.crowd(geom === mirror ? "mirror" : way, kind).add(geom);
-      else clear.push({ geom, kind, way, distance: this.distance(geom, eye) });
+      if (way === "solid") {
+        this.crowd(geom === mirror ? "mirror" : way, kind).add(geom, players.skins);
+      } else clear.push({ geom, kind, way, distance: this.distance(geom, eye) });
     }
-    for (const geom of ghosts) {
+    for (const geom of ghosts?.geoms ?? []) {
       const kind = canMove(geom) ? this.kinds.of(geom) : undefined;
-      if (kind !== undefined) this.crowd("ghost", kind).add(geom);
+      if (kind !== undefined) this.crowd("ghost", kind).add(geom, ghosts!.skins);
     }
     for (const crowd of this.crowds.values()) crowd.end();
-    this.assembleClear(clear);
+    this.assembleClear(clear, players.skins);
   }
 
   dispose(): void {
@@ -88,13 +91,13 @@ export class Cast {
     for (const { all } of this.soloists.values()) all.forEach((soloist) => soloist.dispose());
   }
 
-  private assembleClear(clear: Clear[]): void {
+  private assembleClear(clear: Clear[], skins: Skins): void {
     for (const soloists of this.soloists.values()) soloists.used = 0;
     clear.sort((a, b) => a.distance - b.distance);
     clear.forEach(({ geom, kind, way }, i) => {
       const soloist = this.soloist(way, kind);
       soloist.begin();
-      soloist.add(geom, way === "behind" ? behindOpacity : 1);
+      soloist.add(geom, skins, way === "behind" ? behindOpacity : 1);
       soloist.end();
       const [going, coming] = soloist.meshes;
       going!.renderOrder = turns.clear + i;

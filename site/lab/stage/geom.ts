@@ -17,6 +17,7 @@ export const geomTypes = {
   arrow1: 101,
   arrow2: 102,
   line: 103,
+  skin: 104,
 } as const;
 
 /** mjOBJ_GEOM: what is drawn is a geom of the model, `objid` its id. */

@@ -13,8 +13,10 @@ import {
   Mesh,
 } from "three";
 
+import type { Skins } from "../../engine/scene.js";
 import type { Geom } from "./geom.js";
 import { type Kind, patternOf, sizeOf } from "./kinds.js";
+import { moveSkin, ownSkin } from "./skins.js";
 
 /** What the shaders know of an instance: names, and how many numbers each has. */
 const members = {
@@ -26,6 +28,8 @@ const members = {
   patternSpecular: 4, // how its texture is stretched, and how much it shines
   shininess: 1,
 };
+/** Of what lies in the world's frame already. */
+const inPlace = { pos: [0, 0, 0], mat: [1, 0, 0, 0, 1, 0, 0, 0, 1] };
 const numbersEach = Object.values(members).reduce((sum, count) => sum + count);
 
 export class Instances {
@@ -44,8 +48,13 @@ export class Instances {
   ) {
     // Attributes of its own over the shape's numbers: three.js frees those of a geometry with it.
     const { attributes, index } = kind.shape;
-    for (const [name, { array, itemSize }] of Object.entries(attributes)) {
-      this.geometry.setAttribute(name, new BufferAttribute(array, itemSize));
+    for (const [name, attribute] of Object.entries(attributes)) {
+      const { array, itemSize } = attribute;
+      const moves = kind.skin !== undefined && name !== "uv";
+      this.geometry.setAttribute(
+        name,
+        moves ? ownSkin(attribute as BufferAttribute) : new BufferAttribute(array, itemSize),
+      );
     }
     this.geometry.setIndex(new BufferAttribute(index!.array, 1));
     this.meshes = materials.map((material) => {
@@ -61,10 +70,12 @@ export class Instances {
     this.count = 0;
   }
 
-  /** `opacity` is what is left of its alpha. */
-  add(geom: Geom, opacity = 1): void {
+  /** `opacity` is what is left of its alpha. A skin is where `skins` has it. */
+  add(geom: Geom, skins: Skins, opacity = 1): void {
     if (this.buffer === undefined || this.count === this.buffer.count) this.grow();
-    const { pos, mat, rgba } = geom;
+    const { rgba } = geom;
+    const { pos, mat } = this.kind.skin === undefined ? geom : inPlace;
+    if (this.kind.skin !== undefined) moveSkin(this.geometry, this.kind.skin, skins);
     const { data } = this;
     const start = numbersEach * this.count++;
     for (let row = 0; row < 3; row++) {

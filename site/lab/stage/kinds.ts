@@ -9,6 +9,7 @@ import type { Pattern } from "./materials.js";
 import { hfieldOf, meshOf } from "./meshes.js";
 import type { ModelFields } from "./model-fields.js";
 import { type Quality, shapeOf, square } from "./shapes.js";
+import { skinOf, type SkinRange, skinRange } from "./skins.js";
 import type { Textures } from "./textures.js";
 
 /** Into how many pieces MuJoCo cuts a plane at most (mjMAXPLANEGRID). */
@@ -22,6 +23,7 @@ export interface Kind {
   readonly map: Texture | undefined;
   /** Of a plane: half its sides, also where it is infinite. */
   readonly extent: readonly [number, number] | undefined;
+  readonly skin: SkinRange | undefined;
 }
 
 export class Kinds {
@@ -34,9 +36,9 @@ export class Kinds {
     private readonly quality: Quality,
   ) {}
 
-  /** Undefined for what is not drawn: skins, and labels without a geom. */
+  /** Undefined for what is not drawn: labels without a geom. */
   of(geom: Geom): Kind | undefined {
-    const [type, dataid, texid] = [geom.type[0]!, geom.dataid[0]!, geom.texid[0]!];
+    const [type, dataid, texid] = [geom.type[0]!, dataOf(geom), geom.texid[0]!];
     // Room for 2 * 65536 meshes and as many textures.
     const id = ((type * 0x20000 + dataid + 1) * 0x10000 + texid + 1) * 2 + geom.texcoord[0]!;
     if (this.known.has(id)) return this.known.get(id);
@@ -50,16 +52,17 @@ export class Kinds {
     const shape = this.shape(geom);
     if (shape === undefined) return undefined;
     const extent = type === geomTypes.plane ? this.extent(geom) : undefined;
+    const skin = type === geomTypes.skin ? skinRange(this.model, dataOf(geom)) : undefined;
     const texture = geom.texid[0]!;
-    if (texture < 0) return { id, type, shape, pattern: "none", map: undefined, extent };
+    if (texture < 0) return { id, type, shape, pattern: "none", map: undefined, extent, skin };
     const isFlat = this.textures.isFlat(texture);
     const isUnwrapped = isFlat && geom.texcoord[0] !== 0 && shape.hasAttribute("uv");
     const pattern = isUnwrapped ? "unwrapped" : isFlat ? "flat" : "cube";
-    return { id, type, shape, pattern, map: this.textures.at(texture), extent };
+    return { id, type, shape, pattern, map: this.textures.at(texture), extent, skin };
   }
 
   private shape(geom: Geom): BufferGeometry | undefined {
-    const [type, dataid] = [geom.type[0]!, geom.dataid[0]!];
+    const [type, dataid] = [geom.type[0]!, dataOf(geom)];
     const key = type * 0x20000 + dataid + 1;
     if (!this.shapes.has(key)) this.shapes.set(key, this.makeShape(geom, type, dataid));
     return this.shapes.get(key);
@@ -68,6 +71,7 @@ export class Kinds {
   private makeShape(geom: Geom, type: number, dataid: number): BufferGeometry | undefined {
     if (type === geomTypes.plane) return square(this.pieces(geom, 0), this.pieces(geom, 1));
     if (type === geomTypes.mesh) return dataid < 0 ? undefined : meshOf(this.model, dataid);
+    if (type === geomTypes.skin) return skinOf(this.model, dataid);
     if (type === geomTypes.hfield) return dataid < 0 ? undefined : hfieldOf(this.model, dataid);
     return shapeOf(type, this.quality);
   }
@@ -97,8 +101,13 @@ export class Kinds {
   }
 }
 
+/** Which mesh or height field, and which skin, of which MuJoCo says it in another member. */
+function dataOf({ type, dataid, objid }: Geom): number {
+  return type[0] === geomTypes.skin ? objid[0]! : dataid[0]!;
+}
+
 /** Shapes that have their own size already. */
-const sized: readonly number[] = [geomTypes.mesh, geomTypes.hfield];
+const sized: readonly number[] = [geomTypes.mesh, geomTypes.hfield, geomTypes.skin];
 
 /** Writes three numbers: by how much the shape is stretched. */
 export function sizeOf({ size }: Geom, kind: Kind, to: Float32Array, at: number): void {

@@ -13,6 +13,9 @@ import type { Kind, Kinds } from "./kinds.js";
 import { depthMaterial, type Materials } from "./materials.js";
 import { square } from "./shapes.js";
 
+/** A plane or a box is none. */
+const noSkins = { vertices: new Float32Array(0), normals: new Float32Array(0) };
+
 export class Mirror {
   private readonly scene = new Scene();
   /** The top of a box. */
@@ -23,6 +26,7 @@ export class Mirror {
     pattern: "none",
     map: undefined,
     extent: undefined,
+    skin: undefined,
   };
   private readonly sheet = square(1, 1);
   private readonly outlines = new Map<number, Instances>();
@@ -81,7 +85,7 @@ export class Mirror {
     }
     for (const other of this.outlines.values()) {
       other.begin();
-      if (other === outline) other.add(geom);
+      if (other === outline) other.add(geom, noSkins);
       other.end();
     }
   }

@@ -3,7 +3,7 @@ import { Vector2, type WebGLRenderer } from "three";
 
 import type { Scene } from "../../engine/scene.js";
 import type { Simulation } from "../../engine/simulation.js";
-import { Cast, findMirror } from "./cast.js";
+import { Cast, findMirror, type Players } from "./cast.js";
 import { Eye } from "./eye.js";
 import { Gaze } from "./gaze.js";
 import { geomOf } from "./geom.js";
@@ -21,6 +21,10 @@ export interface Frame {
   readonly width: number;
   readonly height: number;
   readonly density: number;
+}
+
+function playersOf(scene: Scene): Players {
+  return { geoms: scene.geoms.map(geomOf), skins: scene.skins };
 }
 
 export class Show {
@@ -70,13 +74,14 @@ export class Show {
   draw(renderer: WebGLRenderer, frame: Frame, scene: Scene, ghost: Scene | undefined): void {
     const { eye, lights, cast, gaze } = this;
     const { plainCount, lightCount } = lights.uniforms;
-    const geoms = scene.geoms.map(geomOf);
+    const players = playersOf(scene);
+    const { geoms } = players;
     eye.look(scene.eyes, frame.width / frame.height);
     lights.read(scene.lights, eye, this.shadowSettings.size > 0 ? Infinity : 0);
     this.lineWidth.value.set(2 / frame.width, 2 / frame.height);
     this.lineWidth.value.multiplyScalar(this.line * frame.density);
     const reflecting = findMirror(geoms, eye);
-    cast.assemble(geoms, eye, reflecting, ghost?.geoms.map(geomOf) ?? []);
+    cast.assemble(players, eye, reflecting, ghost && playersOf(ghost));
     this.sky?.place(geoms, eye);
 
     gaze.straight(eye);
