@@ -35,7 +35,7 @@ struct Course {
   std::string edit;  // where a lesson is edited, with {path} for its file; "" unless told
   std::map<std::string, std::string> macros;  // TeX, shared by all lessons: "\\R" → "\\mathbb{R}"
   std::vector<Level> levels;
-  std::vector<Lesson> lessons;      // in the course's order; most of many are at rest
+  std::vector<Lesson> lessons;  // in the course's order; most of many are at rest
   // Names: "joint_zoo" for models/joint_zoo.xml, "arm/scene" for models/arm/scene.xml. A file that
   // only others include is among them, and nobody compiles it by itself.
   std::vector<std::string> models;

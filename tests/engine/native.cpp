@@ -24,7 +24,7 @@ mjcourse::Simulation simulation_of(const std::string& path) {
 }
 
 void check(const mjcourse::Simulation& simulation) {
-  if (simulation.trouble()) throw std::runtime_error(*simulation.trouble());
+  if (simulation.trouble()) throw std::runtime_error(simulation.trouble()->what);
 }
 
 void print_state(const std::string& path, int steps) {
