@@ -342,6 +342,12 @@ function isNotWrittenThrough(user) {
     place("trace.json", "--trace FILE"),
   );
   refused(
+    "a store elsewhere",
+    (c) => ["check", "--store", c.path(".cache")],
+    (c, there) => c.link(there, ".cache"),
+    place(".cache", "--store DIR"),
+  );
+  refused(
     "a new model elsewhere",
     () => ["new", "model", "arm"],
     (c, there) => c.link(there, "models"),

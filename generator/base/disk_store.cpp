@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <ctime>
 #include <system_error>
@@ -21,6 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kAnyMark = "mjcourse-store ", kMark = "mjcourse-store 2 ";
+// All that lies in a store: results, their bytes, what is being written, headers made beforehand,
+// and two stamps.
+constexpr std::array kParts{"ac", "cas", "tmp", "prepared", "lock", "pruned"};
 constexpr off_t kMostBytes = off_t{1} << 30;  // of an entry
 constexpr std::time_t kHour = 3600;           // seconds
 
@@ -93,6 +97,17 @@ void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
   }
 }
 
+// What a store removes is its own, so a folder with anything else in it is none.
+void refuse_other_folder(const fs::path& folder) {
+  if (!fs::is_directory(folder)) return;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename();
+    if (std::ranges::count(kParts, name) > 0) continue;
+    throw std::system_error(ENOTEMPTY, std::generic_category(),
+                            folder.string() + " is no store, as it holds " + name);
+  }
+}
+
 int open_lock(const fs::path& folder) {
   return open((folder / "lock").c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
 }
@@ -122,6 +137,7 @@ DiskStore::DiskStore(fs::path folder) : folder_(std::move(folder)) {
 
 // What it writes, and forgets, lies in itself: a link may lead anywhere.
 void DiskStore::prepare() {
+  refuse_other_folder(folder_);
   for (const char* kind : {"ac", "cas", "tmp"}) {
     if (!fs::is_symlink(folder_ / kind)) continue;
     throw std::system_error(ENOTDIR, std::generic_category(), (folder_ / kind).string());
@@ -214,13 +230,25 @@ struct Entry {
   }
 };
 
+// "ac/…" of the file that path_of() gives for it.
+std::string name_of(const std::string& kind, const fs::path& file) {
+  return kind + "/" + file.parent_path().filename().string() + file.filename().string();
+}
+
+// As mkostemp() has named it.
+bool is_unfinished(const fs::directory_entry& entry) {
+  return entry.is_regular_file() && !entry.is_symlink() &&
+         entry.path().filename().string().size() == std::string_view("XXXXXX").size();
+}
+
 std::vector<Entry> entries_of(const fs::path& folder) {
   std::vector<Entry> entries;
   for (const char* kind : {"ac", "cas"}) {
     if (!fs::exists(folder / kind)) continue;
     for (const fs::directory_entry& file : fs::recursive_directory_iterator(folder / kind)) {
-      if (file.is_regular_file())
+      if (file.is_regular_file() && is_name(name_of(kind, file.path()))) {
         entries.push_back({file.path(), file.file_size(), file.last_write_time()});
+      }
     }
   }
   if (!fs::exists(prepared_folder(folder))) return entries;
@@ -244,7 +272,7 @@ void clear_unfinished(const fs::path& folder) {
   }
   if (!fs::exists(folder / "tmp")) return;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder / "tmp")) {
-    fs::remove_all(entry.path());
+    if (is_unfinished(entry)) fs::remove(entry.path());
   }
 }
 
@@ -252,6 +280,7 @@ void clear_unfinished(const fs::path& folder) {
 
 std::optional<Pruned> prune_store(const fs::path& folder, std::uintmax_t keep, bool wait) {
   if (!fs::exists(folder)) return Pruned{};
+  refuse_other_folder(folder);
   const Descriptor lock(open_lock(folder));
   if (lock.get() < 0) throw_errno(folder / "lock");
   while (flock(lock.get(), LOCK_EX | (wait ? 0 : LOCK_NB)) != 0) {

@@ -1,10 +1,17 @@
 #include "base/nearest.h"
 
 #include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <numeric>
 
 namespace mjcourse {
 namespace {
+
+// Longer names are nobody's slip of the fingers, and are not listed.
+constexpr std::size_t kLongest = 80;  // bytes
+// All suggestions of a run may take so many steps, a second, which no honest course comes near.
+constexpr std::uint64_t kMostSteps = 1'000'000'000;
 
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -24,9 +31,14 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearest(std::string_view name, const std::vector<std::string>& candidates) {
+  static std::atomic<std::uint64_t> steps = 0;
   std::string best;
+  if (name.size() > kLongest) return best;
   std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
+    const std::size_t longer = std::max(name.size(), candidate.size());
+    if (longer - std::min(name.size(), candidate.size()) >= best_distance) continue;
+    if ((steps += name.size() * candidate.size()) > kMostSteps) return best;
     const std::size_t distance = edit_distance(name, candidate);
     // Two edits make any short word out of any other.
     if (distance < best_distance && distance < name.size()) {
@@ -43,10 +55,11 @@ std::string suggest(std::string_view name, const std::vector<std::string>& candi
   constexpr std::size_t shown = 12;
   std::string list;
   for (std::size_t i = 0; i < std::min(shown, candidates.size()); ++i) {
-    list += (i == 0 ? "" : ", ") + candidates[i];
+    if (candidates[i].size() <= kLongest) list += (list.empty() ? "" : ", ") + candidates[i];
   }
   if (candidates.size() > shown) list += ", …";
-  return list.empty() ? "there is none yet" : "known: " + list;
+  if (candidates.empty()) return "there is none yet";
+  return list.empty() ? "" : "known: " + list;
 }
 
 }  // namespace mjcourse

@@ -8,7 +8,7 @@
 namespace mjcourse {
 
 // The candidate that `name` most likely meant, by Levenshtein distance; empty when none is near
-// (more than two edits and more than a third of the name away).
+// (more than two edits and more than a third of the name away), or the name has more than 80 bytes.
 std::string nearest(std::string_view name, const std::vector<std::string>& candidates);
 
 // "did you mean `X`?" for the nearest candidate, else "known: a, b, c" (the first dozen).

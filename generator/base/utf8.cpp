@@ -173,6 +173,27 @@ std::string readable(std::string text) {
   return line;
 }
 
+std::string readable_output(std::string_view line) {
+  bool plain = !find_control_character(line) && !find_invalid_utf8(line);
+  for (std::size_t at = 0; plain && at < line.size(); ++at) plain = !is_layout_at(line, at);
+  return plain ? std::string(line) : readable(std::string(line));
+}
+
+std::string with_marks_for_unreadable(std::string_view line) {
+  std::string text;
+  for (std::size_t at = 0; at < line.size(); ++at) {
+    const bool is_layout = is_layout_at(line, at);
+    if (const auto control = control_at(line, at)) {
+      text += line[at] == '\t' ? ' ' : '?';
+      at += *control >= 0x80 ? 1 : 0;
+    } else {
+      text += is_layout ? '?' : line[at];
+      at += is_layout ? 2 : 0;
+    }
+  }
+  return text;
+}
+
 std::string utf8_of(std::u16string_view text) {
   const auto is_half = [&](std::size_t at, char16_t first) {
     return at < text.size() && (text[at] & 0xFC00) == first;

@@ -38,6 +38,13 @@ inline bool is_word_character(char c) {
 // each byte that is not UTF-8.
 std::string readable(std::string text);
 
+// A line of a program's or a tool's words, the same; but tabs stay where all else is readable.
+std::string readable_output(std::string_view line);
+
+// `line` with a blank for each tab and a `?` for each other character that readable() would write
+// out, so that all others stay where they are.
+std::string with_marks_for_unreadable(std::string_view line);
+
 // UTF-16 as UTF-8, with U+FFFD for each half of a surrogate pair that stands alone.
 std::string utf8_of(std::u16string_view text);
 

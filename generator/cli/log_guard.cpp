@@ -15,7 +15,8 @@ bool is_in_log() {
 PlainLog::int_type PlainLog::overflow(int_type given) {
   if (traits_type::eq_int_type(given, traits_type::eof())) return traits_type::not_eof(given);
   const char c = traits_type::to_char_type(given);
-  const bool blank = c == ' ' || c == '\t';
+  // What is no ASCII may be a blank of Unicode's.
+  const bool blank = c == ' ' || (c >= '\t' && c <= '\r') || static_cast<unsigned char>(c) >= 0x80;
   const bool starts = at_ == At::begin && c == ':';
   const bool opens = at_ == At::command && c == '[';
   if ((starts || opens) && traits_type::eq_int_type(to_.sputc('\\'), traits_type::eof())) {

@@ -42,6 +42,13 @@ std::optional<Refusal> refused_out(const Options& options, std::string_view comm
   }
   if (!refused && !options.trace.empty()) {
     refused = refused_place(options.course, options.trace, "--trace FILE");
+    if (!refused && fs::exists(options.trace) && !fs::is_regular_file(options.trace)) {
+      refused = Refusal{kWrongUsage, options.trace.string() + " is not a file",
+                        "name a file: `--trace FILE`"};
+    }
+  }
+  if (!refused && !options.store.empty()) {
+    refused = refused_place(options.course, options.store, "--store DIR");
   }
   return refused;
 }

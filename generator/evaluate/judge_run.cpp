@@ -13,12 +13,6 @@
 namespace mjcourse {
 namespace {
 
-// A line that may hold anything as one that a terminal shows; tabs are harmless.
-std::string shown(std::string_view line) {
-  const bool plain = !find_control_character(line) && !find_invalid_utf8(line);
-  return plain ? std::string(line) : readable(std::string(line));
-}
-
 // The last lines of what a program wrote, for a person to see why it ended.
 std::string tail(std::string_view text) {
   constexpr std::size_t most = 8;
@@ -28,7 +22,7 @@ std::string tail(std::string_view text) {
   std::string shown_lines;
   for (std::size_t i = lines.size() - std::min(most, lines.size()); i < lines.size(); ++i) {
     if (shown_lines.empty() && lines[i].empty()) continue;
-    shown_lines += (shown_lines.empty() ? "" : "\n") + shown(lines[i]);
+    shown_lines += (shown_lines.empty() ? "" : "\n") + readable_output(lines[i]);
   }
   return shown_lines;
 }
@@ -47,12 +41,12 @@ std::optional<UncaughtException> find_uncaught_exception(std::string_view err) {
   err.remove_prefix(at + start.size());
   const std::size_t type_end = err.find('\'');
   if (type_end == err.npos) return std::nullopt;
-  const std::string type = shown(err.substr(0, type_end));
+  const std::string type = readable_output(err.substr(0, type_end));
   err.remove_prefix(type_end);
   if (!err.starts_with(before_what)) return UncaughtException{type, err.substr(1)};
   err.remove_prefix(before_what.size());
   const std::size_t end = std::min(err.find('\n'), err.size());
-  return UncaughtException{type + ": " + shown(err.substr(0, end)), err.substr(end)};
+  return UncaughtException{type + ": " + readable_output(err.substr(0, end)), err.substr(end)};
 }
 
 // What MuJoCo said when it ended the run, as examples/include/mjcourse/handlers.cpp and the program

@@ -34,8 +34,11 @@ bool is_text(const std::string& path, const std::string& bytes, Diagnostics& dia
   const std::size_t control = find_control_character(bytes).value_or(bytes.size());
   const std::size_t at = std::min(invalid, control);
   if (at == bytes.size()) return true;
+  // A control character of two bytes is U+0080 to U+009F, whose second byte is its number.
+  const bool is_long = control < invalid && bytes[at] == '\xC2';
   char byte[8];
-  std::snprintf(byte, sizeof byte, "0x%02X", static_cast<unsigned>(bytes[at]) & 0xFFU);
+  std::snprintf(byte, sizeof byte, is_long ? "U+%04X" : "0x%02X",
+                static_cast<unsigned>(bytes[at + (is_long ? 1 : 0)]) & 0xFFU);
   const SourceText source(path, readable_line(bytes, at));
   Reading reading(source, diagnostics);
   if (invalid < control) {
@@ -43,7 +46,8 @@ bool is_text(const std::string& path, const std::string& bytes, Diagnostics& dia
                   "save the file as UTF-8");
   } else {
     reading.error("E-control-character", {at, at + 2},
-                  std::string("byte ") + byte + " is a control character, which no text holds",
+                  std::string(is_long ? "" : "byte ") + byte +
+                      " is a control character, which no text holds",
                   bytes[at] == '\r' ? "end lines with a line feed, also behind a carriage return"
                                     : "remove it");
   }

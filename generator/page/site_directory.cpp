@@ -51,6 +51,9 @@ SiteDirectory::SiteDirectory(const fs::path& site, fs::path course)
   fs::create_directories(site_.parent_path());
   const fs::path lock = beside(site_, ".lock");
   lock_ = Descriptor(open(lock.c_str(), O_CREAT | O_RDWR | O_NOFOLLOW | O_CLOEXEC, 0644));
+  if (!lock_.is_open() && errno == ELOOP) {
+    throw FolderRefused(lock.string() + " is a link", "remove it; builds keep others out by it");
+  }
   if (!lock_.is_open()) throw_errno(lock);
   if (flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
     throw std::runtime_error("another build is writing " + site_.string() + "; wait for it");

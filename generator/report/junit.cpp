@@ -9,10 +9,33 @@
 namespace mjcourse {
 namespace {
 
-// XML has no place for control characters, not even escaped (XML 1.0, production 2).
+// XML has no place for control characters, U+FFFE and U+FFFF, not even escaped (XML 1.0, production
+// 2).
 std::string plain(std::string text) {
   const auto is_barred = [](char c) { return c >= 0 && c < ' ' && c != '\n' && c != '\t'; };
   std::replace_if(text.begin(), text.end(), is_barred, '?');
+  for (const char* barred : {"\uFFFE", "\uFFFF"}) {
+    for (std::size_t at; (at = text.find(barred)) != text.npos;) text.replace(at, 3, "\uFFFD");
+  }
+  return text;
+}
+
+// The report may be printed into the log of a service that takes `::` at a line's beginning, and
+// `##[` in a line, for commands. A reader of XML sees the same characters.
+std::string without_commands(const std::string& xml) {
+  std::string text;
+  bool begins = true;
+  for (std::size_t at = 0; at < xml.size(); ++at) {
+    const std::string_view rest = std::string_view(xml).substr(at);
+    const char c = xml[at];
+    if ((begins && rest.starts_with("::")) || rest.starts_with("##")) {
+      text += c == ':' ? "&#58;" : "&#35;";
+    } else {
+      text += c;
+    }
+    const bool blank = c == ' ' || c == '\t' || static_cast<unsigned char>(c) >= 0x80;
+    begins = c == '\n' || (begins && blank);
+  }
   return text;
 }
 
@@ -94,7 +117,7 @@ std::string junit_xml(const std::vector<TestSuite>& suites, double seconds) {
     writer.close();
   }
   writer.close();
-  return writer.take();
+  return without_commands(writer.take());
 }
 
 }  // namespace mjcourse

@@ -75,11 +75,7 @@ std::vector<std::string_view> characters_of(std::string_view text) {
 // The line of `place`; where `room` columns cannot hold it, only what is around the caret: a third
 // of the room before it, the rest behind.
 Shown shown(const Place& place, int room) {
-  std::string line = place.excerpt;
-  std::replace(line.begin(), line.end(), '\t', ' ');
-  // One column each, as the caret counts them.
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; }, '?');
+  const std::string line = with_marks_for_unreadable(place.excerpt);
   const std::vector<std::string_view> characters = characters_of(line);
   std::vector<int> starts{0};  // the column where each begins, and where the last one ends
   for (const std::string_view one : characters)
@@ -125,9 +121,7 @@ void DiagnosticWriter::indented(std::string_view lines) {
   while (!lines.empty()) {
     const std::size_t end = lines.find('\n');
     const std::string_view line = lines.substr(0, end);
-    const bool plain = !find_control_character(line) && !find_invalid_utf8(line);
-    out_ << (line.empty() ? "" : "    ")
-         << (plain ? std::string(line) : readable(std::string(line))) << '\n';
+    out_ << (line.empty() ? "" : "    ") << readable_output(line) << '\n';
     lines = end == std::string_view::npos ? std::string_view() : lines.substr(end + 1);
   }
 }

@@ -82,6 +82,35 @@ TEST_F(DiskStoreTest, DropsWhatIsDamagedWithANote) {
   EXPECT_EQ(store.get(put_blob(store, "a picture")), "a picture") << "it was damaged when put";
 }
 
+// What is not a store's is not taken for its own, and not removed.
+TEST_F(DiskStoreTest, RefusesAFolderThatHoldsSomethingElse) {
+  write_file(folder() / "thesis.txt", "years");
+  const auto refuses = [&](const auto& open) {
+    try {
+      open();
+      return std::string("nothing");
+    } catch (const std::system_error& error) {
+      return std::string(error.what());
+    }
+  };
+  const std::string why =
+      folder().string() + " is no store, as it holds thesis.txt: Directory not empty";
+  EXPECT_EQ(refuses([&] { DiskStore store(folder()); }), why);
+  EXPECT_EQ(refuses([&] { prune_store(folder(), 0, true); }), why);
+}
+
+TEST_F(DiskStoreTest, ForgetsOnlyWhatIsItsOwn) {
+  for (const char* file : {"tmp/notes.txt", "tmp/folder/abcdef", "ac/12/notes.txt"}) {
+    write_file(folder() / file, "mine");
+  }
+  write_file(folder() / "tmp/abcdef", "unfinished");
+  prune_store(folder(), 0, true);
+  for (const char* file : {"tmp/notes.txt", "tmp/folder/abcdef", "ac/12/notes.txt"}) {
+    EXPECT_TRUE(std::filesystem::exists(folder() / file)) << file;
+  }
+  EXPECT_FALSE(std::filesystem::exists(folder() / "tmp/abcdef"));
+}
+
 TEST_F(DiskStoreTest, TakesNoEntryForAnother) {
   DiskStore store(folder());
   const std::string other = "ac/" + std::string(64, '7');

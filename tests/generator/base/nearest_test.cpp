@@ -31,6 +31,17 @@ TEST(Nearest, DoesNotMakeOneShortWordOutOfAnother) {
   EXPECT_EQ(nearest("", {"a", "ab"}), "");
 }
 
+TEST(Nearest, LooksForNoLongName) {
+  const std::string name(80, 'a');
+  EXPECT_EQ(nearest(name, {"b" + name}), "b" + name);
+  EXPECT_EQ(nearest(name + "a", {"b" + name}), "");
+}
+
+TEST(Suggest, ListsNoLongName) {
+  EXPECT_EQ(suggest("acceleration", {std::string(81, 'x'), "qpos"}), "known: qpos");
+  EXPECT_EQ(suggest("acceleration", {std::string(81, 'x')}), "");
+}
+
 TEST(Suggest, AsksWhenSomethingIsNear) {
   EXPECT_EQ(suggest("qpso", kFields), "did you mean `qpos`?");
 }

@@ -73,6 +73,16 @@ TEST(Utf8, IsMadeReadableInOneLine) {
   EXPECT_EQ(readable("\xC3 and \xF0\x9D"), "\uFFFD and \uFFFD\uFFFD");
 }
 
+TEST(Utf8, OfAProgramKeepsItsTabsWhereAllElseIsReadable) {
+  EXPECT_EQ(readable_output("a\tb"), "a\tb");
+  EXPECT_EQ(readable_output("a\tb\x1b"), "a\\tb\\x1b");
+  EXPECT_EQ(readable_output("a\u2028b\u202E"), "a\\u2028b\\u202e");
+}
+
+TEST(Utf8, IsMarkedWhereItCannotBeRead) {
+  EXPECT_EQ(with_marks_for_unreadable("é\t\x1b[\u009B\u202Ea\u2066"), "é ?[??a?");
+}
+
 TEST(Utf8, SmallLettersAreThoseOfEveryLanguage) {
   EXPECT_EQ(lower_case_utf8("Free JOINT 2"), "free joint 2");
   EXPECT_EQ(lower_case_utf8("ÉCOLE Straße ΩΜΕΓΑ ЖУК"), "école straße ωμεγα жук");

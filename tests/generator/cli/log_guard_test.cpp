@@ -22,6 +22,10 @@ TEST(LogGuard, LeavesNoCommandAtTheBeginningOfALine) {
   EXPECT_EQ(logged("::stop-commands::x\n"), "\\::stop-commands::x\n");
   EXPECT_EQ(logged("a\n    ::error ::x\n"), "a\n    \\::error ::x\n");
   EXPECT_EQ(logged("a\r\t::x"), "a\r\t\\::x");
+  EXPECT_EQ(logged("\v\f ::x"), "\v\f \\::x");
+  for (const std::string blank : {"\u00A0", "\u1680", "\u2003", "\u2028", "\u3000"}) {
+    EXPECT_EQ(logged(blank + "::x"), blank + "\\::x");
+  }
 }
 
 TEST(LogGuard, LeavesNoCommandInsideALine) {

@@ -32,5 +32,15 @@ TEST(Junit, CountsAndListsWhatWasLookedAt) {
 )");
 }
 
+// It may end in the log of a service that takes some lines for commands.
+TEST(Junit, HasNoCommandAndNothingThatXmlHasNot) {
+  TestCase wrong{"two\nlines \uFFFE\uFFFF", 1, 0};
+  wrong.failure = "::error::a\n \t\u00A0::b\nstd::array ##[group]c";
+  const std::string xml = junit_xml({{"1", "a.md", {wrong}}}, 1);
+  EXPECT_NE(xml.find("name=\"two lines \uFFFD\uFFFD\""), xml.npos) << xml;
+  EXPECT_NE(xml.find("\n \t\u00A0&#58;:b\nstd::array &#35;#[group]c"), xml.npos) << xml;
+  EXPECT_EQ(xml.find("\n::"), xml.npos);
+}
+
 }  // namespace
 }  // namespace mjcourse
