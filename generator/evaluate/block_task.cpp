@@ -195,7 +195,12 @@ bool BlockTask::work(Workshop& workshop, Finding& finding) {
     }
   } else if (auto* chart = std::get_if<ChartResult>(&found->second)) {
     if (!are_plain(chart->drawings)) {
-      throw std::runtime_error("the plot was drawn with what no page shows");
+      finding.diagnostics.push_back(error_at(
+          place(), "E-plot-spec", "the plot's drawing would have what no page shows",
+          "look for an address or markup in a colour or a font, and for control characters in "
+          "its texts"));
+      finding.results.clear();
+      return false;
     }
     chart->file = file_of_example(std::get<Chart>(block_).example.text, workshop.course());
   }

@@ -231,9 +231,15 @@ void LessonReader::pass_code_span(const std::string& code, Region& region) {
 }
 
 void LessonReader::read_link(cmark_node* node, Region& region) {
-  // The target stands behind the link's text; a look ahead must not move the cursor past that.
-  Region ahead{region.text, region.cursor};
   const std::string target = cmark_node_get_url(node);
+  const std::string& text = region.text.text;
+  const std::size_t end = std::min(text.find("\n\n", region.cursor), text.size());
+  // Behind the link's own text; or, of a link by reference, in its definition. A look ahead must
+  // not move the cursor past what stands in the link.
+  Region ahead{region.text, region.cursor};
+  std::size_t at = std::string_view(text).substr(0, end).find("](" + target, region.cursor);
+  if (at == text.npos) at = text.find("]: " + target);
+  if (at != text.npos) ahead.cursor = text.find(target, at);
   lesson_.links.push_back({node, find(target, ahead)});
   if (!is_in(node, CMARK_NODE_HEADING)) return;
   reading_.error("E-link-place", lesson_.links.back().target.span(),

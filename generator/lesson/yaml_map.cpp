@@ -11,6 +11,9 @@
 namespace mjcourse {
 namespace {
 
+// Of a mapping of texts: each formula of a course looks at all of its macros.
+constexpr std::size_t kMostTexts = 20'000;  // bytes
+
 // A YAML mark counts lines and columns from 0, and bytes from the text's start.
 Span span_of(const YAML::Mark& mark, std::size_t length, const LocatedText& text) {
   const auto begin = mark.is_null() ? 0 : static_cast<std::size_t>(mark.pos);
@@ -153,12 +156,18 @@ std::map<std::string, std::string> YamlMap::texts(const std::string& key) {
     error(value, "`" + key + "` must be a mapping: `name: text` lines");
     return texts;
   }
+  std::size_t bytes = 0;
   for (const auto& member : value) {
     if (member.first.IsScalar() && member.second.IsScalar()) {
+      bytes += member.first.Scalar().size() + member.second.Scalar().size();
       texts[member.first.Scalar()] = member.second.Scalar();
     } else {
       error(member.first, "each of `" + key + "` must be a plain value");
     }
+  }
+  if (bytes > kMostTexts) {
+    error(value, "`" + key + "` may have " + std::to_string(kMostTexts) + " bytes in all");
+    texts.clear();
   }
   return texts;
 }

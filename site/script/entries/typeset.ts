@@ -108,11 +108,15 @@ function whole(message: string, tex: string, position: number): string {
   );
 }
 
+/** Nobody misspells a longer name, and its slips are many. */
+const mostMeant = 40;
+
 /** The command that differs by one slip of the fingers. KaTeX has no list of its commands, but it
  * tells macros whether it knows one, so the slips are tried. */
 function suggestCommand(name: string, macros: Macros): string {
   const other = untrusted[name] ?? documents[name];
   if (other !== undefined) return other;
+  if (name.length > mostMeant) return "";
   let meant: string | undefined;
   const probe = (context: object) => {
     const { isDefined } = context as { isDefined: (this: object, name: string) => boolean };

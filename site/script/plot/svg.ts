@@ -10,11 +10,17 @@ export function finish(svg: string, id: string): Drawing {
   const body = svg
     .slice(head.length)
     .replace(/<path[^>]*(?:d=""|d="M0,0h0v0h0Z")[^>]*\/>/g, "") // a group's empty ground
-    .replace(/ (?:class|role|aria-[a-z]+|pointer-events)="[^"]*"/g, "")
-    .replace(/(\bid="|url\(#|href="#)/g, `$1${id}-`)
-    .replace(/<[^>]+>/g, (tag) => tag.replace(/-?\d*\.\d{3,}(?:e-?\d+)?/g, rounded))
+    .replace(/<[^>]+>/g, (tag) => finishTag(tag, id))
     .replace(/>([-−]?)(\d+(?:\.\d+)?)e([-−+]?)(\d+)</g, powerOfTen);
   return { svg: body.slice(0, body.lastIndexOf("</svg>")), width, height };
+}
+
+/** What stands between tags is the author's. */
+function finishTag(tag: string, id: string): string {
+  return tag
+    .replace(/ (?:class|role|aria-[a-z]+|pointer-events)="[^"]*"/g, "")
+    .replace(/(\bid="|url\(#|href="#)/g, `$1${id}-`)
+    .replace(/-?\d*\.\d{3,}(?:e-?\d+)?/g, rounded);
 }
 
 /** A hundredth of a pixel is not seen. */

@@ -109,6 +109,18 @@ TEST(Link, KnowsWhereItsTargetStands) {
   EXPECT_EQ(links, "1.3 4:7\n1.3#x 4:28\n1.9 8:8\nhttps://a.example 6:13\n");
 }
 
+// The same word may stand before it, as another link's, a footnote's or mere text.
+TEST(Link, HasItsTargetBehindItsText) {
+  const ReadingOf reading = reading_of(
+      "nope [^nope] and [y](nope), [1.9] [c](1.9)\n\nnope [q][r] and [r](nope)\n\n"
+      "[^nope]: foot\n\n[r]: nope\n");
+  std::string places;
+  for (const Link& link : reading.lesson->links) {
+    places += link.target.text + " " + reading.place(link.target) + "\n";
+  }
+  EXPECT_EQ(places, "nope 4:22\n1.9 4:39\nnope 10:6\nnope 6:22\n");
+}
+
 // A footnote stands at the tree's end, by its first mention, wherever it was written.
 TEST(Footnote, LeavesEverythingInItsPlace) {
   const ReadingOf reading = reading_of(
