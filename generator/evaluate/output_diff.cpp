@@ -1,12 +1,11 @@
 #include "evaluate/output_diff.h"
 
 #include <algorithm>
-#include <cctype>
-#include <cmath>
-#include <cstdlib>
 
 #include "base/text_lines.h"
 #include "base/utf8.h"
+#include "evaluate/decimal.h"
+#include "evaluate/printed_number.h"
 
 namespace mjcourse {
 namespace {
@@ -16,77 +15,25 @@ std::string_view trimmed_right(std::string_view text) {
   return text.substr(0, last == text.npos ? 0 : last + 1);
 }
 
-// `text` from its first character that is no space.
-std::string_view without_spaces(std::string_view text) {
-  return text.substr(std::min(text.find_first_not_of(' '), text.size()));
-}
-
 std::vector<std::string_view> split_lines(std::string_view text) {
   std::vector<std::string_view> lines = lines_of(trimmed_right(text));
   for (std::string_view& line : lines) line = trimmed_right(line);
   return lines;
 }
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-// The length of the number at the start of `text`: 12, -0.5, 1e-9, 2. ; 0 when there is none.
-std::size_t number_length(std::string_view text) {
-  std::size_t at = text.starts_with('-') || text.starts_with('+') ? 1 : 0;
-  int digits = 0;
-  for (bool point = false; at < text.size(); ++at) {
-    if (is_digit(text[at])) {
-      ++digits;
-    } else if (text[at] == '.' && !point) {
-      point = true;
-    } else {
-      break;
-    }
-  }
-  if (digits == 0) return 0;
-  std::size_t exponent = at;
-  if (exponent < text.size() && (text[exponent] == 'e' || text[exponent] == 'E')) {
-    ++exponent;
-    if (exponent < text.size() && (text[exponent] == '-' || text[exponent] == '+')) ++exponent;
-    while (exponent < text.size() && is_digit(text[exponent])) at = ++exponent;
-  }
-  return at;
-}
-
-// One unit in the last place that `number` prints: 0.25 → 0.01, 3e-7 → 1e-7; 0 for a count.
-double last_place(std::string_view number) {
-  const std::size_t e = std::min(number.find_first_of("eE"), number.size());
-  const std::size_t point = number.substr(0, e).find('.');
-  const std::size_t digits = point == number.npos ? 0 : e - point - 1;
-  if (digits == 0 && e == number.size()) return 0;
-  const int exponent = e < number.size() ? std::atoi(std::string(number.substr(e + 1)).c_str()) : 0;
-  return std::pow(10.0, exponent - static_cast<int>(digits));
-}
-
-bool numbers_agree(std::string_view stated, std::string_view real,
-                   std::optional<double> tolerance) {
-  if (stated == real) return true;  // 1e999 is no number that could be subtracted
-  const double a = std::strtod(std::string(stated).c_str(), nullptr);
-  const double b = std::strtod(std::string(real).c_str(), nullptr);
-  const double allowed = tolerance.value_or(last_place(stated));
-  // The printed decimals are not exact in binary: 0.1 and 0.2 are one unit apart, and a hair.
-  return std::abs(a - b) <= allowed * (1 + 1e-9) + 1e-12 * std::abs(a) * (allowed > 0 ? 1 : 0);
-}
-
-// Walks a stated line beside the real one.
+// Walks a stated line beside the real one. Both are kept whole: whether digits are a number depends
+// on what stands around them.
 class LineMatch {
  public:
-  LineMatch(std::string_view stated, std::string_view real, std::optional<double> tolerance)
+  LineMatch(std::string_view stated, std::string_view real, const std::optional<Decimal>& tolerance)
       : stated_(stated), real_(real), tolerance_(tolerance) {}
 
   bool agrees() {
-    while (!stated_.empty() || !real_.empty()) {
-      if (stated_.starts_with("[..]")) {
-        stated_.remove_prefix(4);
-        after_gap_ = stated_;
-        gap_ = real_;
-        after_word_ = false;
+    while (at_ < stated_.size() || real_at_ < real_.size()) {
+      if (stated_.substr(at_).starts_with("[..]")) {
+        at_ += 4;
+        after_gap_ = at_;
+        gap_end_ = real_at_;
       } else if (!step() && !widen_gap()) {
         return false;
       }
@@ -97,67 +44,83 @@ class LineMatch {
  private:
   // Take what agrees next from both; false when nothing does.
   bool step() {
-    if (stated_.empty() || real_.empty()) return false;
-    // A column of numbers may shift by a sign or a digit: any space matches any space, and none
-    // where only the first column shifts (" 0.1" and "-0.0").
-    const std::string_view stated_word = without_spaces(stated_), real_word = without_spaces(real_);
-    const bool spaces = stated_[0] == ' ' || real_[0] == ' ';
-    const bool first_column =
-        !after_word_ && number_length(stated_word) > 0 && number_length(real_word) > 0;
-    if (spaces && (stated_[0] == real_[0] || first_column)) {
-      stated_ = stated_word;
-      real_ = real_word;
-      after_word_ = false;
+    if (at_ == stated_.size() || real_at_ == real_.size()) return false;
+    if (stated_[at_] == ' ' || real_[real_at_] == ' ') return step_over_spaces();
+    // The real line first: behind a gap, the stated one is looked at again and again.
+    const auto real_number = PrintedNumber::find(real_, real_at_);
+    const auto number = real_number ? PrintedNumber::find(stated_, at_) : std::nullopt;
+    if (number && number->agrees_with(*real_number, tolerance_)) {
+      at_ += number->length();
+      real_at_ += real_number->length();
       return true;
     }
-    // Digits inside a word (l1_2) are letters, not numbers.
-    const std::size_t stated_number = after_word_ ? 0 : number_length(stated_);
-    const std::size_t real_number = after_word_ ? 0 : number_length(real_);
-    if (stated_number > 0 && real_number > 0) {
-      if (!numbers_agree(stated_.substr(0, stated_number), real_.substr(0, real_number),
-                         tolerance_)) {
-        return false;
-      }
-      stated_.remove_prefix(stated_number);
-      real_.remove_prefix(real_number);
-      after_word_ = true;
-      return true;
-    }
-    if (stated_[0] != real_[0]) return false;
-    after_word_ = is_word_character(stated_[0]);
-    stated_.remove_prefix(1);
-    real_.remove_prefix(1);
+    // Other numbers begin alike where a `[..]` stands for the end of one: "id 12[..]".
+    if (stated_[at_] != real_[real_at_]) return false;
+    ++at_, ++real_at_;
     return true;
   }
 
-  // Let the last `[..]` stand for one character more, and try again behind it.
+  // A column of numbers may shift by a sign or a digit: any space matches any space, and none where
+  // only the first column shifts (" 0.1" and "-0.0").
+  bool step_over_spaces() {
+    const bool both = stated_[at_] == real_[real_at_];
+    if (!both && (is_within(stated_, at_) || is_within(real_, real_at_))) return false;
+    const std::size_t word = word_from(stated_, at_), real_word = word_from(real_, real_at_);
+    if (!both && !(PrintedNumber::find(real_, real_word) && PrintedNumber::find(stated_, word))) {
+      return false;
+    }
+    at_ = word;
+    real_at_ = real_word;
+    return true;
+  }
+
+  // Where the first character from `at` on stands that is no space.
+  static std::size_t word_from(std::string_view line, std::size_t at) {
+    return std::min(line.find_first_not_of(' ', at), line.size());
+  }
+  // Behind a word or a space, where no column begins.
+  static bool is_within(std::string_view line, std::size_t at) {
+    return at > 0 && (is_word_character(line[at - 1]) || line[at - 1] == ' ');
+  }
+
+  // Let the last `[..]` stand for one character more, and try again behind it. Where a space must
+  // follow, all spaces in a row are one try.
   bool widen_gap() {
-    if (!after_gap_ || gap_.empty()) return false;
-    gap_.remove_prefix(1);
-    stated_ = *after_gap_;
-    real_ = gap_;
-    after_word_ = false;
+    if (!after_gap_ || gap_end_ == real_.size()) return false;
+    at_ = *after_gap_;
+    const bool spaces = at_ < stated_.size() && stated_[at_] == ' ' && real_[gap_end_] == ' ';
+    gap_end_ = spaces ? word_from(real_, gap_end_) : gap_end_ + 1;
+    real_at_ = gap_end_;
     return true;
   }
 
   std::string_view stated_, real_;
-  std::optional<double> tolerance_;
-  bool after_word_ = false;
-  std::optional<std::string_view> after_gap_;  // what the lesson states behind the last `[..]`
-  std::string_view gap_;                       // the real text from where that `[..]` ends
+  const std::optional<Decimal>& tolerance_;
+  std::size_t at_ = 0, real_at_ = 0;      // how far both are taken
+  std::optional<std::size_t> after_gap_;  // where the stated line goes on behind the last `[..]`
+  std::size_t gap_end_ = 0;               // where that `[..]` ends in the real line
 };
+
+bool agree(std::string_view stated, std::string_view real,
+           const std::optional<Decimal>& tolerance) {
+  return LineMatch(trimmed_right(stated), trimmed_right(real), tolerance).agrees();
+}
+
+std::optional<Decimal> exact(std::optional<double> tolerance) {
+  return tolerance ? std::optional<Decimal>(*tolerance) : std::nullopt;
+}
 
 }  // namespace
 
 bool lines_agree(std::string_view stated, std::string_view real, std::optional<double> tolerance) {
-  return LineMatch(trimmed_right(stated), trimmed_right(real), tolerance).agrees();
+  return agree(stated, real, exact(tolerance));
 }
 
 std::vector<DiffLine> output_changes(std::string_view stated, std::string_view real,
                                      std::optional<double> tolerance) {
-  return line_diff(
-      split_lines(stated), split_lines(real),
-      [&](std::string_view a, std::string_view b) { return lines_agree(a, b, tolerance); });
+  const std::optional<Decimal> most = exact(tolerance);
+  return line_diff(split_lines(stated), split_lines(real),
+                   [&](std::string_view a, std::string_view b) { return agree(a, b, most); });
 }
 
 }  // namespace mjcourse

@@ -1,8 +1,9 @@
 // Is this the output that the lesson states?
 //
-// Lines are compared word by word and numbers as numbers: two agree when they differ by at most one
-// unit in the last place that the lesson prints. A number without digits after its point counts
-// something, and must be the same. `[..]` in the lesson stands for any text on its line.
+// Lines are compared character by character, and numbers as numbers (evaluate/printed_number.h):
+// two agree when they differ by at most one unit in the last place that the lesson prints. A number
+// without digits after its point counts something, and must be the same. `[..]` in the lesson
+// stands for any text on its line.
 #pragma once
 
 #include <optional>
