@@ -15,7 +15,7 @@ namespace mjcourse {
 namespace {
 
 bool is_whole(double x) {
-  return x == std::floor(x) && std::abs(x) < 1e15;
+  return x == std::floor(x) && std::abs(x) < 0x1p53;  // above, not every whole number is a double
 }
 
 // `x` as printf prints it: a whole number plainly and another with six digits, unless `format` asks
@@ -88,7 +88,9 @@ class Quotation {
     const std::string& format = value_.format.text;
     if (format == "d" && !is_whole(x)) {
       return error("E-value-format", value_.format,
-                   "`:d` prints whole numbers, and this is " + number_in_text(x, ""),
+                   "`:d` prints whole numbers" +
+                       std::string(x == std::floor(x) ? " below 2^53" : "") + ", and this is " +
+                       number_in_text(x, ""),
                    "round it by hand, or use `:.0f`");
     }
     return ValueResult{number_in_text(x, format), origin};

@@ -1,9 +1,17 @@
 #include "evaluate/proof_text.h"
 
+#include <cmath>
 #include <sstream>
 
 namespace mjcourse {
 namespace {
+
+std::string with_digits(double value, int digits) {
+  std::ostringstream text;
+  text.precision(digits);
+  text << value;
+  return text.str();
+}
 
 std::string joints_text(const Proof& proof) {
   std::vector<std::string> kinds;
@@ -21,10 +29,16 @@ std::string joints_text(const Proof& proof) {
 }  // namespace
 
 std::string number_text(double value) {
-  std::ostringstream text;
-  text.precision(10);
-  text << value;
-  return text.str();
+  const bool whole = std::trunc(value) == value && std::abs(value) < 1e15;
+  return with_digits(value, whole ? 15 : 10);
+}
+
+std::string number_text(double value, double other) {
+  const std::string text = number_text(value);
+  if (text != number_text(other)) return text;
+  int digits = 11;
+  while (digits < 17 && with_digits(value, digits) == with_digits(other, digits)) ++digits;
+  return with_digits(value, digits);
 }
 
 std::string listed(const std::vector<std::string>& words) {

@@ -8,8 +8,10 @@
 
 namespace mjcourse {
 
-// "0.1", "1e+20": as many digits as tell two numbers apart that a lesson would.
+// "0.1", "1e+20": ten digits, and all of a whole number.
 std::string number_text(double value);
+// As many more as tell it from `other`.
+std::string number_text(double value, double other);
 
 // "a", "a and b", "a, b and c"
 std::string listed(const std::vector<std::string>& words);

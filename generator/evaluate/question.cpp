@@ -15,9 +15,18 @@
 namespace mjcourse {
 namespace {
 
-// Binary doubles hold few decimals exactly: numbers this near to each other are the same.
-double rounding(double value) {
-  return 1e-12 * std::max(1.0, std::abs(value));
+constexpr double kRounding = 1e-12;  // of a number's size
+
+// How far apart two of `values` are that only the rounding of doubles tells apart. Whole numbers
+// are held exactly, below 2^53.
+double rounding(const std::vector<double>& values) {
+  double largest = 0;
+  bool whole = true;
+  for (const double value : values) {
+    largest = std::max(largest, std::abs(value));
+    whole = whole && std::trunc(value) == value;
+  }
+  return whole && largest < 0x1p53 ? 0 : kRounding * largest;
 }
 
 class Examiner {
@@ -106,19 +115,18 @@ bool Examiner::prove_value(const Proof& proof, QuestionResult& result) {
   const std::optional<double> value = find_value(proof);
   if (!value) return false;
   const double expected = proof.equals.value_or(question_.answer);
-  const double allowed = question_.tolerance.around(expected) + rounding(*value);
+  const double allowed =
+      question_.tolerance.around(expected) * (1 + kRounding) + rounding({*value, expected});
   if (!(std::abs(*value - expected) <= allowed)) {
-    const std::string found =
-        "`" + proof.value.text + "` is " + number_text(*value) + " for " + built_text(proof);
+    const std::string stated = number_text(expected, *value), real = number_text(*value, expected);
+    const std::string found = "`" + proof.value.text + "` is " + real + " for " + built_text(proof);
     if (proof.equals) {
-      wrong("E-proof-value", proof.span,
-            "the proof expects " + number_text(expected) + ", but finds " + number_text(*value),
+      wrong("E-proof-value", proof.span, "the proof expects " + stated + ", but finds " + real,
             proof.value, found);
     } else {
       wrong("E-quiz-answer", question_.answer_span,
-            "the answer is given as " + number_text(expected) + ", but the build finds " +
-                number_text(*value),
-            proof.value, found);
+            "the answer is given as " + stated + ", but the build finds " + real, proof.value,
+            found);
     }
     return false;
   }
@@ -200,9 +208,10 @@ bool Examiner::prove_order(const Proof& proof, QuestionResult& result) {
   for (const std::size_t i : found) texts.push_back(number_text(values[i]));
 
   const std::string but = "the order is given as " + order_text(given) + ", but the build finds ";
+  const double apart = rounding(values);
   for (std::size_t place = 1; place < found.size(); ++place) {
     const std::size_t before = found[place - 1], i = found[place];
-    if (values[i] - values[before] > rounding(values[i])) continue;
+    if (values[i] - values[before] > apart) continue;
     wrong("E-quiz-answer", question_.options[i].span,
           but + option_text(before) + " and " + option_text(i) + " equal", proof.values[i],
           "both are " + texts[place] + " for " + built_text(proof));

@@ -65,7 +65,9 @@ bool check_slider(const LabBench& bench, const Lab::Slider& slider) {
   const double step = slider.step.value_or((slider.max - slider.min) / 200);
   for (const double value : {slider.min, slider.min + step, slider.max}) {
     if (!run->act(slider, value) || !run->number(slider.bind, found)) return false;
-    if (std::abs(found - value) <= 1e-6 * std::max(1.0, std::abs(value))) continue;
+    if (std::abs(found - value) <= 1e-6 * std::max(slider.max - slider.min, std::abs(value))) {
+      continue;
+    }
     return bench.error("E-lab-slider", slider.bind.span(),
                        "set to " + text_of(value) + ", this reads " + text_of(found),
                        "bind the slider to something that keeps what is written");

@@ -1,6 +1,7 @@
 #include "lesson/json_value.h"
 
 #include <cctype>
+#include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -11,6 +12,8 @@ namespace mjcourse {
 namespace {
 
 using nlohmann::json;
+
+constexpr double kFirstInexact = 0x1p53;  // no double is one more
 
 // Counts what the lexer has read, so that each event knows where it is.
 class CountingIterator {
@@ -72,12 +75,16 @@ class TreeBuilder {
     return add(std::move(result));
   }
   bool number_integer(json::number_integer_t value) {
-    return add_number(static_cast<double>(value));
+    return add_whole_number(static_cast<double>(value));
   }
   bool number_unsigned(json::number_unsigned_t value) {
-    return add_number(static_cast<double>(value));
+    return add_whole_number(static_cast<double>(value));
   }
-  bool number_float(double value, const string_t&) { return add_number(value); }
+  bool number_float(double value, const string_t& text) {
+    // A whole number that is too large for 64 bits comes as one of these.
+    const bool whole = text.find_first_of(".eE") == text.npos;
+    return whole ? add_whole_number(value) : add_number(value);
+  }
   bool string(string_t& value) {
     JsonValue result;
     result.kind = JsonValue::Kind::string;
@@ -116,6 +123,13 @@ class TreeBuilder {
     while (begin > 0 && std::string_view(" \t\r\n,[{:").find(text[begin - 1]) == text.npos) --begin;
     result.span = text_.span(begin, end);
     return result;
+  }
+  bool add_whole_number(double value) {
+    if (std::abs(value) < kFirstInexact) return add_number(value);
+    reading_.error("E-json-range", scalar(JsonValue::Kind::number).span,
+                   "whole numbers are exact below 2^53, and this one is not below",
+                   "if its last digits do not matter, write it with an exponent, as 1.2e16");
+    return false;
   }
   bool add_number(double value) {
     JsonValue result = scalar(JsonValue::Kind::number);

@@ -1,6 +1,7 @@
 // The data that the templates of a knowledge check are fed with; their own comments describe it.
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 #include "page/anchors.h"
 #include "page/page_writer.h"
@@ -15,6 +16,16 @@ using nlohmann::json;
 std::string shortest(double value) {
   char text[64];
   std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+// The shortest of which nothing is lost: an answer is held against every digit.
+std::string exact(double value) {
+  char text[64];
+  for (int digits = 10; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) break;
+  }
   return text;
 }
 
@@ -93,7 +104,7 @@ json PageWriter::data_of(const Question& question, const QuestionResult& result,
             {"numeric", kind == Question::Kind::numeric},
             {"multi", kind == Question::Kind::multi},
             {"order", kind == Question::Kind::order},
-            {"key", shortest(question.answer)},
+            {"key", exact(question.answer)},
             {"tolerance", shortest(question.tolerance.around(question.answer))},
             {"within", within(question)},
             {"q", inline_html(question.text)},
@@ -108,7 +119,7 @@ json PageWriter::data_of(const Question& question, const QuestionResult& result,
             {"proof", json::array()},
             {"because", result.because}};
   if (kind == Question::Kind::numeric) {
-    data["answers"].push_back(escape_html(shortest(question.answer)));
+    data["answers"].push_back(escape_html(exact(question.answer)));
   } else if (kind == Question::Kind::order) {
     add_items(question, data);
   } else {

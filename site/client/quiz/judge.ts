@@ -1,5 +1,6 @@
 // Right or wrong: what is given held against what is right.
 
+import { isNear } from "./near.js";
 import { parseNumber } from "./number.js";
 
 export type Verdict = "right" | "wrong" | "unclear" | "none";
@@ -19,8 +20,5 @@ export function judge({ kind, key, tolerance }: Solution, given: readonly string
   if (kind !== "numeric") return given.join(" ") === key ? "right" : "wrong";
   const value = parseNumber(given[0]!);
   if (value === undefined) return "unclear";
-  // Decimals are not exact in binary: a tolerance of 0 still allows for that.
-  const right = Number(key);
-  const allowed = Number(tolerance) + 1e-12 * Math.max(1, Math.abs(right));
-  return Math.abs(value - right) <= allowed ? "right" : "wrong";
+  return isNear(value, Number(key), Number(tolerance)) ? "right" : "wrong";
 }

@@ -42,7 +42,8 @@ TEST(InlineValue, IsComputedOnAModel) {
 
 TEST(InlineValue, IsPrintedShortlyOrAsAsked) {
   EXPECT_EQ(text_of("{ball} 1 / 3"), "0.333333");
-  EXPECT_EQ(text_of("{ball} 1e15"), "1e+15");
+  EXPECT_EQ(text_of("{ball} 2 ** 53 - 1"), "9007199254740991");
+  EXPECT_EQ(text_of("{ball} 1e16"), "1e+16");
   EXPECT_EQ(text_of("{ball} 123456789"), "123456789");
   EXPECT_EQ(text_of("{ball} -0"), "0");
   EXPECT_EQ(text_of("{ball} -0.001 :.2f"), "0.00");
@@ -96,6 +97,9 @@ TEST(InlineValue, IsOneNumberOrAText) {
   EXPECT_EQ(mistake("{tell} ratio :d"),
             "E-value-format <d> `:d` prints whole numbers, and this is 0.99958 | round it by hand, "
             "or use `:.0f`\n");
+  EXPECT_EQ(mistake("{ball} 2 ** 53 :d"),
+            "E-value-format <d> `:d` prints whole numbers below 2^53, and this is 9.0072e+15 | "
+            "round it by hand, or use `:.0f`\n");
   EXPECT_EQ(mistake("{tell} word :.2f"),
             "E-value-format <.2f> this is a text, which takes no format\n");
 }

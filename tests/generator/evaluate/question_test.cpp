@@ -75,6 +75,22 @@ TEST(Question, AllowsForItsToleranceAndForBinary) {
   EXPECT_EQ(tolerant("-10", "180"), "");
 }
 
+TEST(Question, HoldsSmallAndWholeNumbersToAllTheirDigits) {
+  const auto of = [](const std::string& answer, const std::string& value) {
+    const std::string mistakes =
+        evaluated_mistakes(number(answer, R"({"model": "ball", "value": ")" + value + "\"}"));
+    const std::size_t message = mistakes.find("the answer"), end = mistakes.find(" [");
+    return message == mistakes.npos ? mistakes : mistakes.substr(message, end - message);
+  };
+  EXPECT_EQ(of("1.6e-19", "2 * 0.8e-19"), "");
+  EXPECT_EQ(of("1.6e-19", "5e-19"), "the answer is given as 1.6e-19, but the build finds 5e-19");
+  EXPECT_EQ(of("0", "1e-13"), "the answer is given as 0, but the build finds 1e-13");
+  EXPECT_EQ(of("1000000000001", "1e12 + 2"),
+            "the answer is given as 1000000000001, but the build finds 1000000000002");
+  EXPECT_EQ(of("0.3", "0.30000000001"),
+            "the answer is given as 0.3, but the build finds 0.30000000001");
+}
+
 TEST(Question, WithAWrongAnswerIsAnError) {
   const EvaluationOf found(number("9", R"({"model": "ball", "value": "model.nq"})"));
   EXPECT_EQ(
@@ -218,6 +234,12 @@ TEST(Order, OfTwoEqualNumbersIsAnError) {
   6 | {"model": "ball", "values": ["1", "0.1 + 0.2", "0.3"]}]}]}
     |                                    ^~~~~~~~~
 )");
+}
+
+TEST(Order, OfSmallNumbersIsOne) {
+  EXPECT_EQ(
+      proofs_of(EvaluationOf(order(R"({"model": "ball", "values": ["1e-15", "2e-15", "3e-15"]})"))),
+      "ball.xml |  | 1e-15 < 2e-15 < 3e-15\n");
 }
 
 TEST(Order, IsAssertedWithoutAProofOfIt) {

@@ -139,6 +139,9 @@ TEST(Slider, ReadsWhatItHasWritten) {
   EXPECT_EQ(slider_mistakes("data.qacc[0]", R"("min": -1, "max": 1)"),
             "E-lab-slider <data.qacc[0]> set to -1, this reads 0 | bind the slider to something "
             "that keeps what is written\n");
+  EXPECT_EQ(slider_mistakes("data.qacc[0]", R"("min": -1e-7, "max": 1e-7)"),
+            "E-lab-slider <data.qacc[0]> set to -1e-07, this reads 0 | bind the slider to "
+            "something that keeps what is written\n");
   EXPECT_EQ(slider_mistakes("model.vis.global.fovy", R"("min": 10.1, "max": 60)"), "");
   EXPECT_EQ(slider_mistakes("model.opt.iterations", R"("min": 0, "max": 100)"),
             "E-script-value <model.opt.iterations> model.opt.iterations = 0.5: not a whole number "

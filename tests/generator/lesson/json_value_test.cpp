@@ -116,6 +116,22 @@ TEST(Json, ShowsWhatShouldNotBeThere) {
   EXPECT_EQ(mistake("[1e999]"), "1:2 <1e999> this number is too large");
 }
 
+TEST(Json, RefusesWholeNumbersOfWhichADoubleLosesDigits) {
+  for (const std::string number :
+       {"9007199254740992", "-9007199254740993", "123456789012345678901234567890"}) {
+    const Parsed parsed("{\"a\": " + number + "}");
+    EXPECT_FALSE(parsed.value);
+    ASSERT_EQ(parsed.diagnostics.size(), 1u);
+    const Diagnostic& found = parsed.diagnostics[0];
+    EXPECT_EQ(found.id, "E-json-range");
+    EXPECT_EQ(found.place.column, 7);
+    EXPECT_EQ(found.place.width, static_cast<int>(number.size()));
+    EXPECT_EQ(found.message, "whole numbers are exact below 2^53, and this one is not below");
+    EXPECT_EQ(found.cure, "if its last digits do not matter, write it with an exponent, as 1.2e16");
+  }
+  EXPECT_TRUE(Parsed("[9007199254740991, -9007199254740991, 9.007199254740993e15]").value);
+}
+
 // What was read as a literal ends before the quote, which need not be the second of two.
 TEST(Json, ShowsALetterBeforeAQuote) {
   EXPECT_EQ(mistake("{t\"a\": 1}"), "1:2 <t> this is not JSON: expected string literal");

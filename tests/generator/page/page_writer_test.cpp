@@ -273,6 +273,15 @@ TEST_F(PageWriterTest, SaysHowFarANumberMayBeOff) {
   expect_in(body(quiz(R"({"kind": "numeric", "q": "?", "answer": 4})")), ">Your answer</label>");
 }
 
+TEST_F(PageWriterTest, KeepsAllDigitsOfAnAnswer) {
+  for (const std::string answer : {"123456789012", "0.12345678901234", "0.1", "1e-19"}) {
+    const std::string page =
+        body(quiz(R"({"kind": "numeric", "q": "?", "answer": )" + answer + "}"));
+    expect_in(page, "data-key=\"" + answer + "\"");
+    expect_in(page, ">" + answer + "<");
+  }
+}
+
 TEST_F(PageWriterTest, KeepsWhatThereIsToSayOfAnOptionInTheAnswer) {
   const std::string html = body(quiz(R"({"kind": "multi", "q": "?", "answer": [2, 0], "hint": "*h*",
     "options": ["a", {"text": "b", "feedback": "No `b`."}, "c"]})"));

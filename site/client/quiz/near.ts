@@ -1,0 +1,8 @@
+// Whether a number that a reader gave is the right one.
+
+/** Within `tolerance`. Decimals are not exact in binary, and whole numbers are. */
+export function isNear(given: number, right: number, tolerance: number): boolean {
+  const whole = Number.isSafeInteger(given) && Number.isSafeInteger(right);
+  const rounding = whole ? 0 : 1e-12 * Math.max(Math.abs(given), Math.abs(right));
+  return Math.abs(given - right) <= tolerance * (1 + 1e-12) + rounding;
+}
