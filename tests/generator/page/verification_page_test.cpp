@@ -79,8 +79,29 @@ TEST_F(VerificationTest, SaysOnceWhatIsTrueOfAList) {
   EXPECT_EQ(group["claims"][1]["how"], "otherwise");
 }
 
+TEST_F(VerificationTest, CountsManyFormulasThatAreProved) {
+  Claims claims(9, claim(Kind::formula, Status::proved, 0, 4));
+  json group = data("$a$\n", claims)["lessons"][0]["groups"][0];
+  EXPECT_EQ(group["counted"], 9);
+  EXPECT_EQ(group["claims"].size(), 0u);
+  claims.push_back(claim(Kind::formula, Status::failed, 0, 4));
+  group = data("$a$\n", claims)["lessons"][0]["groups"][0];
+  EXPECT_EQ(group["count"], 10);
+  EXPECT_EQ(group["counted"], 9);
+  ASSERT_EQ(group["claims"].size(), 1u);
+  EXPECT_EQ(group["claims"][0]["id"], "lesson-1-1-10");
+  claims[0].how = "otherwise";
+  EXPECT_EQ(data("$a$\n", claims)["lessons"][0]["groups"][0]["claims"].size(), 10u);
+
+  json lesson = data("$a$\n", Claims(9, claims[1]))["lessons"][0];
+  EXPECT_NE(render_template(*templates_, "verified-lesson", lesson)
+                .find("<p>9 of them; <a href=\"verification.json\">the JSON</a> has each with its "
+                      "line and its key.</p>\n</details>"),
+            std::string::npos);
+}
+
 TEST_F(VerificationTest, FoldsLongLists) {
-  const Claim one = claim(Kind::formula, Status::proved, 0, 4);
+  const Claim one = claim(Kind::value, Status::proved, 0, 4);
   EXPECT_EQ(data("$a$\n", Claims(8, one))["lessons"][0]["groups"][0]["open"], true);
   EXPECT_EQ(data("$a$\n", Claims(9, one))["lessons"][0]["groups"][0]["open"], false);
 }
