@@ -66,10 +66,11 @@ struct Lesson {
 
   // How much of it is there (lesson/resting_lesson.h): all; all but its trees, which are
   // `document`, `block_of`, the nodes, and those of the front matter; or a card: where it is, its
-  // title, its headings, and these two.
+  // title, its headings, and these three.
   enum class Kept { all, blocks, card } kept = Kept::all;
-  std::string hash;   // of a card: its bytes'
-  int unchecked = 0;  // of a card: how many such blocks it has
+  std::string hash;        // of a card: its bytes'
+  std::size_t length = 0;  // of a card: how many these are
+  int unchecked = 0;       // of a card: how many such blocks it has
 
   // The block that `node` stands for; null for plain Markdown.
   const Block* block(const cmark_node* node) const {

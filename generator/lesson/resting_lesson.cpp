@@ -55,6 +55,7 @@ void put_to_rest(Lesson& lesson, Lesson::Kept kept) {
       std::count_if(lesson.blocks.begin(), lesson.blocks.end(),
                     [](const Block& block) { return std::holds_alternative<Unchecked>(block); }));
   lesson.hash = content_hash(lesson.source->text());
+  lesson.length = lesson.source->text().size();
   lesson.source = std::make_shared<SourceText>(lesson.source->path(), "");
   lesson.blocks = std::vector<Block>();
   lesson.front.tags.clear();

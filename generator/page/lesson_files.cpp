@@ -55,7 +55,7 @@ void copy_images(const Lesson& page, const LessonResults& results, SiteFiles& di
 }
 
 void write_lesson(const SiteData& site, std::size_t index, PagePress& press, SiteFiles& directory,
-                  Spool& spool, LessonParts* parts) {
+                  Spool& spool, PrintedLength& printed, LessonParts* parts) {
   const Lesson& resting = site.course.lessons[index];
   std::optional<Lesson> woken;
   const Lesson& lesson =
@@ -83,8 +83,9 @@ void write_lesson(const SiteData& site, std::size_t index, PagePress& press, Sit
                               is_card ? claims_of_prose(lesson, site.evaluation) : results.claims,
                               press.templates(), spool);
   add_search_part(lesson, results, search_share(site.course), spool, *parts);
-  if (has_print(site.course)) {
+  if (printed.fits()) {
     add_printed_parts(site, lesson, page, writer, press.templates(), spool, *parts);
+    printed.add(*parts);
   }
   parts->picture = picture;
   parts->news = spool.put(feed_entry(site, lesson, summary ? description : "", press.templates()));

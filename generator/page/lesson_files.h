@@ -7,13 +7,15 @@
 #include "page/lab_module.h"
 #include "page/lesson_parts.h"
 #include "page/page_press.h"
+#include "page/printed_course.h"
 
 namespace mjcourse {
 
 // Write all of lesson `index`. Where `parts` is given, it gets what the pages that list all lessons
-// have of it. Safe on several threads at once, each with its own `press` and with other lessons.
+// have of it, and `printed` grows by what is printed. Safe on several threads at once, each with
+// its own `press` and with other lessons.
 void write_lesson(const SiteData& site, std::size_t index, PagePress& press, SiteFiles& directory,
-                  Spool& spool, LessonParts* parts);
+                  Spool& spool, PrintedLength& printed, LessonParts* parts);
 
 void write_labs(const std::vector<LabFiles>& labs, SiteFiles& directory);
 

@@ -71,7 +71,7 @@ void write_home(const SiteData& site, const std::vector<LessonParts>& parts, Pag
       {{"course", {{"title", course.title}, {"description", course.description}}},
        {"root", ""},
        {"script", site.manifest.at("home.js")},
-       {"print", has_print(course) ? kPrintPage : ""},
+       {"print", site.prints ? kPrintPage : ""},
        {"levels", std::move(levels)},
        {"verified", verified_data(total, site.evaluation.versions.mujoco, kVerificationPage)}});
   press.write_long("index.html",

@@ -34,6 +34,7 @@ struct SiteData {
   LastChanges changes = {};                        // of the lessons' files, as far as git knows
   bool asks = has_questions(course);               // some published lesson does
   bool feed = false;                               // it has one (page/web_files.h)
+  bool prints = true;                              // it has print.html (page/printed_course.h)
 };
 
 // What the frame says of a page.

@@ -104,8 +104,12 @@ json levels_of(const Course& course) {
 
 }  // namespace
 
-bool has_print(const Course& course) {
-  return course.lessons.size() <= kMostPrinted;
+PrintedLength::PrintedLength(const Course& course) {
+  for (const Lesson& lesson : course.lessons) {
+    if (lesson.front.draft) continue;
+    bytes_ += lesson.kept == Lesson::Kept::card ? lesson.length : lesson.source->text().size();
+  }
+  if (fits()) bytes_ = 0;
 }
 
 void add_printed_parts(const SiteData& site, const Lesson& lesson, const LessonPage& page,

@@ -2,9 +2,10 @@
 //
 // Each lesson gives two pieces, made with its own page: its text, and what it asks the answers to.
 // They wait in the Spool, so the document takes no memory, however long; but a browser has to set
-// it as a whole, so a course with more lessons than `kMostPrinted` has none.
+// it as a whole, so a course of which it would have more than `kMostPrinted` bytes has none.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <vector>
 
@@ -15,10 +16,21 @@
 namespace mjcourse {
 
 inline constexpr const char* kPrintPage = "print.html";
-inline constexpr std::size_t kMostPrinted = 500;
+inline constexpr std::size_t kMostPrinted = 8 << 20;
 
-// Whether the site has that document.
-bool has_print(const Course& course);
+// How long the document is so far. Lessons add to it on several threads and in any order; once it
+// is too long, whichever come later need not.
+class PrintedLength {
+ public:
+  // A course whose own text is too long has no document from the start.
+  explicit PrintedLength(const Course& course);
+
+  bool fits() const { return bytes_ <= kMostPrinted; }
+  void add(const LessonParts& parts) { bytes_ += parts.printed.size + parts.printed_answers.size; }
+
+ private:
+  std::atomic<std::size_t> bytes_ = 0;
+};
 
 // What `lesson`, whose page is `page`, gives to it.
 void add_printed_parts(const SiteData& site, const Lesson& lesson, const LessonPage& page,

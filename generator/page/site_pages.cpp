@@ -55,19 +55,22 @@ SitePages::SitePages(const Course& course, const Evaluation& evaluation,
             places,
             write_theme(files_, out),
             std::move(changes)},
-      parts_(course.lessons.size() + 1) {
+      parts_(course.lessons.size() + 1),
+      printed_(course) {
   site_.feed = has_feed(site_);
 }
 
 void SitePages::write_lesson(std::size_t index, PressEngines& engines, bool alone) {
   PagePress press(site_, out_, engines);
-  mjcourse::write_lesson(site_, index, press, out_, spool_, alone ? nullptr : &parts_[index]);
+  mjcourse::write_lesson(site_, index, press, out_, spool_, printed_,
+                         alone ? nullptr : &parts_[index]);
 }
 
 void SitePages::write_others(PressEngines& engines) {
   PagePress press(site_, out_, engines);
   const Course& course = site_.course;
   const Evaluation& evaluation = site_.evaluation;
+  site_.prints = printed_.fits();
   if (course.glossary) {
     parts_.back() = verification_parts(course.glossary->page, evaluation.glossary.claims,
                                        press.templates(), spool_);
@@ -78,7 +81,7 @@ void SitePages::write_others(PressEngines& engines) {
   write_kept(site_, press);
   if (site_.asks) write_review(site_, parts_, press, out_, spool_);
   const std::string glossary = course.glossary ? write_glossary(press) : "";
-  if (has_print(course)) write_printed_course(site_, parts_, glossary, press, spool_, out_);
+  if (site_.prints) write_printed_course(site_, parts_, glossary, press, spool_, out_);
   if (!evaluation.api.empty()) write_api(press);
   for (const ModelPage& model : evaluation.models) write_model(model, press);
   if (!evaluation.models.empty()) write_gallery(press);

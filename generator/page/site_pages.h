@@ -11,6 +11,7 @@
 
 #include "page/lesson_parts.h"
 #include "page/page_press.h"
+#include "page/printed_course.h"
 
 namespace mjcourse {
 
@@ -48,6 +49,7 @@ class SitePages {
   SiteData site_;
   Spool spool_;
   std::vector<LessonParts> parts_;  // of the lessons, and the glossary's
+  PrintedLength printed_;
 };
 
 }  // namespace mjcourse

@@ -64,7 +64,7 @@ json sitemap_pages(const SiteData& site) {
   add(kKeptPage);
   add(kVerificationPage);
   add(kSearchPage);
-  if (has_print(course)) add(kPrintPage);
+  if (site.prints) add(kPrintPage);
   return pages;
 }
 

@@ -46,6 +46,12 @@ TEST_F(WebFiles, AreNoneWithoutAnAddress) {
   EXPECT_TRUE(written().empty());
 }
 
+TEST_F(WebFiles, TellOfNoDocumentThatIsTooLong) {
+  EXPECT_NE(written().at("sitemap.xml").find("print.html"), std::string::npos);
+  site_.data.prints = false;
+  EXPECT_EQ(written().at("sitemap.xml").find("print.html"), std::string::npos);
+}
+
 TEST_F(WebFiles, TellOfNoChangeThatNobodyKnows) {
   site_.data.changes["content/1-a/1.1-x.md"] = {};  // not committed
   const auto files = written();
