@@ -65,9 +65,9 @@ struct Pruned {
 };
 
 // Remove the entries that were not used for longest until the store in `folder` holds at most
-// `keep` bytes, and what killed processes left. Throws std::system_error where it is none, or cannot
-// be written. Waits for runs that use the store; nothing is done,
-// and nothing given, where `wait` is false and there is one.
+// `keep` bytes, and what killed processes left. Throws std::system_error where it is none, or
+// cannot be written. Waits for runs that use the store; nothing is done, and nothing given, where
+// `wait` is false and there is one.
 std::optional<Pruned> prune_store(const std::filesystem::path& folder, std::uintmax_t keep,
                                   bool wait);
 

@@ -45,11 +45,11 @@ bool is_text(const std::string& path, const std::string& bytes, Diagnostics& dia
     reading.error("E-not-utf8", {at, at + 3}, std::string("byte ") + byte + " is not UTF-8",
                   "save the file as UTF-8");
   } else {
-    reading.error("E-control-character", {at, at + 2},
-                  std::string(is_long ? "" : "byte ") + byte +
-                      " is a control character, which no text holds",
-                  bytes[at] == '\r' ? "end lines with a line feed, also behind a carriage return"
-                                    : "remove it");
+    reading.error(
+        "E-control-character", {at, at + 2},
+        std::string(is_long ? "" : "byte ") + byte + " is a control character, which no text holds",
+        bytes[at] == '\r' ? "end lines with a line feed, also behind a carriage return"
+                          : "remove it");
   }
   return false;
 }
