@@ -6,6 +6,7 @@
 
 #include "base/utf8.h"
 #include "lesson/inline_length.h"
+#include "lesson/picture_name.h"
 
 namespace mjcourse {
 namespace {
@@ -166,6 +167,7 @@ class Finder {
     const std::size_t end = next(")\n", at, kLongestAddress);
     if (end == text_.npos || text_[end] != ')' || end == at + 2) return;
     const std::string address = text_.substr(at + 2, end - at - 2);
+    if (!names_with_blanks({"](" + address + ")", {}}, 0).empty()) return;  // E-image-blank
     // Quotes are others in the page.
     const std::string_view start =
         std::string_view(address).substr(0, address.find_first_of("\"'-."));
