@@ -38,7 +38,8 @@ std::string nearest(std::string_view name, const std::vector<std::string>& candi
   for (const std::string& candidate : candidates) {
     const std::size_t longer = std::max(name.size(), candidate.size());
     if (longer - std::min(name.size(), candidate.size()) >= best_distance) continue;
-    if ((steps += name.size() * candidate.size()) > kMostSteps) return best;
+    steps += name.size() * candidate.size();
+    if (steps > kMostSteps) return best;
     const std::size_t distance = edit_distance(name, candidate);
     // Two edits make any short word out of any other.
     if (distance < best_distance && distance < name.size()) {

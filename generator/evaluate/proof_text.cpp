@@ -34,7 +34,7 @@ std::string number_text(double value) {
 }
 
 std::string number_text(double value, double other) {
-  const std::string text = number_text(value);
+  std::string text = number_text(value);
   if (text != number_text(other)) return text;
   int digits = 11;
   while (digits < 17 && with_digits(value, digits) == with_digits(other, digits)) ++digits;

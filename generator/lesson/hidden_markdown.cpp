@@ -48,7 +48,7 @@ std::optional<HiddenMarkdown> inline_at(std::string_view text, std::size_t at, C
     }
   }
   if (rest[0] != '[') return std::nullopt;
-  re2::StringPiece piece(rest.data(), rest.size());
+  const re2::StringPiece piece(rest.data(), rest.size());
   static const RE2 term(R"(\[\[[\pL`][^\[\]\n]*\]\])"), link(R"(\[[^\[\]\n]+\]\([^()\s]+\))");
   for (const auto& [form, what] : {std::pair{&term, "a term"}, std::pair{&link, "a link"}}) {
     re2::StringPiece behind = piece;

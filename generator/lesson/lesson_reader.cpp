@@ -123,7 +123,7 @@ void LessonReader::walk(cmark_node* node, Region& region) {
   if (type == CMARK_NODE_HEADING) read_heading(node, region);
   if (type == CMARK_NODE_FOOTNOTE_DEFINITION) return read_footnote(node, region);
   if (type == CMARK_NODE_CODE) read_code_span(node, region);
-  if (type == CMARK_NODE_LINK) read_link(node, region);
+  const std::size_t behind = type == CMARK_NODE_LINK ? read_link(node, region) : 0;
   if (type == CMARK_NODE_FOOTNOTE_REFERENCE) refuse_footnote_in_link(node, region);
   if (type == CMARK_NODE_HTML_BLOCK || type == CMARK_NODE_HTML_INLINE) read_html(node, region);
   // The title of a callout was moved out of the tree, and is walked with it.
@@ -139,7 +139,7 @@ void LessonReader::walk(cmark_node* node, Region& region) {
   walk_children(node, region);
   if (type == CMARK_NODE_HEADING) read_title(node);
   if (type == CMARK_NODE_BLOCK_QUOTE) read_source_of(node);
-  if (type == CMARK_NODE_LINK) pass_target(cmark_node_get_url(node), region);
+  region.cursor = std::max(region.cursor, behind);
 }
 
 void LessonReader::walk_children(cmark_node* node, Region& region) {
@@ -230,21 +230,25 @@ void LessonReader::pass_code_span(const std::string& code, Region& region) {
   }
 }
 
-void LessonReader::read_link(cmark_node* node, Region& region) {
+// Gives where the walk goes on behind a target that stands behind the link's text, so that it is
+// not taken for that of the next link. The target of a link by reference stands in its definition.
+std::size_t LessonReader::read_link(cmark_node* node, const Region& region) {
   const std::string target = cmark_node_get_url(node);
   const std::string& text = region.text.text;
   const std::size_t end = std::min(text.find("\n\n", region.cursor), text.size());
-  // Behind the link's own text; or, of a link by reference, in its definition. A look ahead must
-  // not move the cursor past what stands in the link.
-  Region ahead{region.text, region.cursor};
-  std::size_t at = std::string_view(text).substr(0, end).find("](" + target, region.cursor);
-  if (at == text.npos) at = text.find("]: " + target);
-  if (at != text.npos) ahead.cursor = text.find(target, at);
+  const std::string_view here = std::string_view(text).substr(0, end);
+  const std::string words = "[" + plain_text(node) + "]";
+  std::size_t at = here.find(words + "(" + target, region.cursor);
+  if (at != here.npos) {
+    at += words.size() - 1;
+  } else if (here.find(words, region.cursor) == here.npos) {
+    at = here.find("](" + target, region.cursor);  // there is markup in its text
+  }
+  const bool is_behind = at != here.npos;
+  if (!is_behind) at = text.find("]: " + target);
+  Region ahead{region.text, at == text.npos ? region.cursor : text.find(target, at)};
   lesson_.links.push_back({node, find(target, ahead)});
-  if (!is_in(node, CMARK_NODE_HEADING)) return;
-  reading_.error("E-link-place", lesson_.links.back().target.span(),
-                 "a link cannot stand in a heading, which is a link itself",
-                 "put it into the text below");
+  return is_behind ? at + 2 + target.size() : region.cursor;
 }
 
 void LessonReader::refuse_footnote_in_link(cmark_node* node, const Region& region) {
@@ -261,14 +265,6 @@ void LessonReader::refuse_footnote_in_link(cmark_node* node, const Region& regio
                  in_heading ? "a footnote's mark cannot stand in a heading, which is a link itself"
                             : "a footnote's mark cannot stand in the text of a link",
                  in_heading ? "put it into the text below" : "put it behind the link");
-}
-
-// A target that stands behind its link's text on the same line is not that of the next link.
-void LessonReader::pass_target(const std::string& target, Region& region) {
-  const std::string& text = region.text.text;
-  const std::size_t end = std::min(text.find('\n', region.cursor), text.size());
-  const std::size_t at = std::string_view(text).substr(0, end).find("](" + target, region.cursor);
-  if (at < end) region.cursor = at + 2 + target.size();
 }
 
 void LessonReader::read_heading(cmark_node* node, const Region& region) {

@@ -60,8 +60,7 @@ class LessonReader {
   void warn_of_doubtful_math(const LocatedText& tex);
   void read_code_span(cmark_node* node, Region& region);
   static void pass_code_span(const std::string& code, Region& region);
-  static void pass_target(const std::string& target, Region& region);
-  void read_link(cmark_node* node, Region& region);
+  std::size_t read_link(cmark_node* node, const Region& region);
   void refuse_footnote_in_link(cmark_node* node, const Region& region);
   cmark_node* read_text(cmark_node* node, Region& region);
   void read_term(const struct CutTerm& term, Region& region);

@@ -2,6 +2,7 @@
 
 #include <re2/re2.h>
 
+#include <ranges>
 #include <sstream>
 
 #include "base/counted.h"
@@ -38,12 +39,12 @@ ModelError in_keyframe(ModelError error, int key, const std::string& part, int e
 
 // The last one that says `nstack` holds.
 ModelError in_stack(ModelError error, const WholeMjcf& whole) {
-  for (auto size = whole.elements.rbegin(); size != whole.elements.rend(); ++size) {
-    const auto nstack = size->attributes.find("nstack");
-    if (size->name != "size" || nstack == size->attributes.end()) continue;
+  for (const auto& element : std::ranges::reverse_view(whole.elements)) {
+    const auto nstack = element.attributes.find("nstack");
+    if (element.name != "size" || nstack == element.attributes.end()) continue;
     error.cure = "nstack=\"" + nstack->second +
                  "\" is too small for this model; without it, MuJoCo finds a size that does";
-    return at(*size, std::move(error));
+    return at(element, std::move(error));
   }
   return error;
 }

@@ -101,7 +101,7 @@ tl::expected<Model, ModelError> load_model_files(const std::string& name, const 
     if (!problem.empty()) return tl::unexpected(ModelError{added, 0, 0, problem});
   }
   return load(name, virtual_files.get()).map_error([&](const std::string& answer) {
-    return explain_load_error(answer, name);
+    return explain_load_error(answer, name, main->second);
   });
 }
 

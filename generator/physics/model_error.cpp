@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <filesystem>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -81,6 +82,31 @@ std::string xml_problem(std::string kind, std::string_view detail) {
     where = where.substr(0, at) + "'" + where.substr(name, end - name) + "'" + where.substr(end);
   }
   return "not well-formed XML: " + kind + (where.empty() ? "" : " " + where);
+}
+
+// The value of the attribute `file` in the tag whose attributes `tag` begins with; "" for none.
+std::string file_in(std::string_view tag) {
+  tag = tag.substr(0, tag.find('>'));
+  for (std::size_t at = 0; (at = tag.find("file", at)) != tag.npos;) {
+    Scanner scanner(tag.substr(at += 4));
+    scanner.skip_blanks();
+    if (!scanner.take("=")) continue;
+    scanner.skip_blanks();
+    for (const std::string_view quote : {"\"", "'"}) {
+      if (scanner.take(quote)) return scanner.take_before(quote).value_or("");
+    }
+  }
+  return "";
+}
+
+// The `file` of the <include> that begins on line `line` of `mjcf`; "" when there is none.
+std::string included_file(std::string_view mjcf, int line) {
+  if (line <= 0) return "";
+  Scanner lines(mjcf);
+  for (int i = 1; i < line; ++i) {
+    if (!lines.take_before("\n")) return "";
+  }
+  return lines.take_before("<include") ? file_in(lines.rest()) : "";
 }
 
 // XML parse error 14:
@@ -169,6 +195,25 @@ std::optional<ModelError> object_error(std::string_view answer, const std::strin
       (name.empty() ? "" : "object '" + name + "': ") + on_one_line(std::string(parts->first))};
 }
 
+// XML Error: Include error: '(a parse error of the included file)'
+// Element 'include', line 2
+std::optional<ModelError> include_error(std::string_view answer, const std::string& file,
+                                        std::string_view mjcf) {
+  Scanner scanner(answer);
+  if (!scanner.take("XML Error: Include error: '")) return std::nullopt;
+  const auto parts = cut_at_last(scanner.rest(), "\nElement 'include', line ");
+  if (!parts) return std::nullopt;
+  const int line = Scanner(parts->second).take_number();
+  const std::string name = included_file(mjcf, line);
+  const std::string path = (std::filesystem::path(file).parent_path() / name).string();
+  const std::string_view said = parts->first.substr(0, parts->first.rfind('\''));
+  const std::optional<ModelError> inner = parse_error(said, path);
+  if (!inner) return std::nullopt;
+  if (inner->line > 0 && !name.empty()) return *inner;
+  const std::string which = name.empty() ? "an included file" : "included file '" + name + "'";
+  return ModelError{file, line, 0, which + ": " + inner->message};
+}
+
 // Whatever else MuJoCo says, which then has no line.
 ModelError other_error(std::string_view answer, const std::string& file) {
   Scanner scanner(answer);
@@ -176,7 +221,8 @@ ModelError other_error(std::string_view answer, const std::string& file) {
   return {file, 0, 0, on_one_line(std::string(scanner.rest()))};
 }
 
-ModelError error_in(const std::string& answer, const std::string& file) {
+ModelError error_in(const std::string& answer, const std::string& file, const std::string& mjcf) {
+  if (const auto error = include_error(answer, file, mjcf)) return *error;
   if (const auto error = parse_error(answer, file)) return *error;
   if (const auto error = element_error(answer, file)) return *error;
   if (const auto error = object_error(answer, file)) return *error;
@@ -185,8 +231,9 @@ ModelError error_in(const std::string& answer, const std::string& file) {
 
 }  // namespace
 
-ModelError explain_load_error(const std::string& answer, const std::string& file) {
-  ModelError error = error_in(answer, file);
+ModelError explain_load_error(const std::string& answer, const std::string& file,
+                              const std::string& mjcf) {
+  ModelError error = error_in(answer, file, mjcf);
   error.message = on_one_line(error.message);  // whatever names it has in it
   return error;
 }

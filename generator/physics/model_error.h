@@ -17,8 +17,10 @@ struct ModelError {
 };
 
 // The error that `answer`, mj_loadXML's error buffer, speaks of. `file` is the path that was
-// loaded, or "" for text. MuJoCo keeps no line of an element that came from an include, and knows
-// none of a keyframe: lost_line.h finds these.
-ModelError explain_load_error(const std::string& answer, const std::string& file);
+// loaded, or "" for text; `mjcf` is its content, which is asked for the name of an include at
+// fault. MuJoCo keeps no line of an element that came from an include, and knows none of a
+// keyframe: lost_line.h finds these.
+ModelError explain_load_error(const std::string& answer, const std::string& file,
+                              const std::string& mjcf = "");
 
 }  // namespace mjcourse

@@ -44,7 +44,7 @@ function start(engine: Engine, module: LabModule, files: ModelFiles): Run {
   let run: Run | undefined;
   try {
     run = new Run(engine, module, files);
-    void run.stage;
+    run.stage.update();
     return run;
   } catch (cause) {
     run?.free();

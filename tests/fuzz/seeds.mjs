@@ -2,7 +2,7 @@
 // the project has.
 
 import { createHash } from "node:crypto";
-import { existsSync, globSync, readFileSync, writeFileSync } from "node:fs";
+import { existsSync, globSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import { dirname, join, resolve } from "node:path";
 
 const root = resolve(import.meta.dirname, "../..");
@@ -16,7 +16,9 @@ function courses() {
 function lessonsOf(content) {
   return globSync("*/*.md", { cwd: content })
     .sort()
-    .map((file) => readFileSync(join(content, file), "utf8"));
+    .map((file) => join(content, file))
+    .filter((file) => statSync(file).isFile())
+    .map((file) => readFileSync(file, "utf8"));
 }
 
 const lessons = () => courses().flatMap(lessonsOf);

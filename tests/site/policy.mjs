@@ -1,7 +1,10 @@
 // What a stranger's lesson could put into a page does nothing in its reader's browser: the page's policy
 // lets no script run that is not the site's, no address begin elsewhere, and no form go elsewhere.
 
-import { pages, testSite } from "./browser.mjs";
+import { globSync, readFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { folder, pages, testSite } from "./browser.mjs";
 
 // Gives what came of each attack.
 async function attack() {
@@ -30,7 +33,16 @@ async function attack() {
   };
 }
 
+const policy = /<meta http-equiv="Content-Security-Policy" content="([^"]*)">/;
+
 await testSite(async (visitor) => {
+  // Also those that nobody can stay on, that are shown for others, or printed.
+  for (const path of globSync("**/*.html", { cwd: folder })) {
+    const said = policy.exec(readFileSync(join(folder, path), "utf8"))?.[1] ?? "";
+    for (const rule of ["default-src 'self'", "script-src 'self'", "base-uri 'none'"]) {
+      visitor.expect(said.includes(rule), path, `its policy has no ${rule}`);
+    }
+  }
   // One page of each folder, as the policy is its template's.
   const kinds = new Map(pages.map((path) => [path.replace(/[^/]*$/, ""), path]));
   for (const path of kinds.values()) {

@@ -97,9 +97,9 @@ let refused = 0;
 
 function look(course) {
   const mistakes = mistakesOf(course);
-  const lessons = readdirSync(join(course, "content"), { recursive: true })
-    .filter((name) => name.endsWith(".md"))
-    .map((name) => join("content", name));
+  const lessons = readdirSync(join(course, "content"), { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile() && entry.name.endsWith(".md"))
+    .map((entry) => relative(course, join(entry.parentPath, entry.name)));
   for (const lesson of lessons) {
     for (const fence of fencesOf(readFileSync(join(course, lesson), "utf8"))) {
       const value = parsed(fence.body);

@@ -37,14 +37,18 @@ function pairsOf(letters: readonly string[]): string[] {
 /** What is looked for where a reader types `text`. */
 export function soughtOf(text: string): string[] {
   return wordsOf(text).flatMap((one) => {
-    const letters = [...one];
+    const letters = Array.from(one);
     return isRun(one) && letters.length > 1 ? pairsOf(letters) : [one];
   });
 }
 
+function lettersAndPairs(letters: readonly string[]): string[] {
+  return [...letters, ...pairsOf(letters)];
+}
+
 /** `one` and, of a name, its parts; of a run its letters and pairs of them. */
 export function partsOf(one: string): string[] {
-  if (isRun(one)) return [...new Set([...one, ...pairsOf([...one])])];
+  if (isRun(one)) return Array.from(new Set(lettersAndPairs(Array.from(one))));
   if (!name.test(one)) return [one];
   const parts = one.split(/_+/).flatMap((part) => [part, ...part.split(humps)]);
   return [...new Set([one, ...parts.filter((part) => part.length > 1)])];

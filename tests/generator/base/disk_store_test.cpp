@@ -281,9 +281,6 @@ TEST_F(DiskStoreTest, GoesThroughNoLink) {
     EXPECT_FALSE(fs::is_symlink(folder() / kind)) << kind;
     EXPECT_EQ(read_file(elsewhere.path() / "letters" / "one").value(), "precious") << kind;
   }
-  fs::create_directories(folder() / "tmp" / "left" / "behind");
-  EXPECT_TRUE(prune_store(folder(), 0, true).has_value());
-  EXPECT_TRUE(fs::is_empty(folder() / "tmp"));
 }
 
 TEST_F(DiskStoreTest, IsNotPrunedWhileItIsUsed) {

@@ -40,7 +40,7 @@ TEST(MereText, IsNotWhatIsDefinedCodeOrEscaped) {
 
 TEST(MereText, IsALinkWithABlank) {
   EXPECT_EQ(found("[t](a b.html) ![p](my d.svg)\n"),
-            "W-link-blank <[t](a b.html)>, W-link-blank <![p](my d.svg)>");
+            "W-link-blank <[t](a b.html)>, E-image-blank <my d.svg>");
   EXPECT_EQ(
       found("[t](https://example.org \"a title\") [t](<https://example.org/a b>) [t] (a b)\n"), "");
 }

@@ -118,7 +118,7 @@ TEST(Link, HasItsTargetBehindItsText) {
   for (const Link& link : reading.lesson->links) {
     places += link.target.text + " " + reading.place(link.target) + "\n";
   }
-  EXPECT_EQ(places, "nope 4:22\n1.9 4:39\nnope 10:6\nnope 6:22\n");
+  EXPECT_EQ(places, "nope 4:22\n1.9 4:39\nnope 10:6\nnope 6:21\n");
 }
 
 // A footnote stands at the tree's end, by its first mention, wherever it was written.

@@ -45,13 +45,13 @@ test("fifty models come and go in the same memory", async () => {
     ghost: { label: "slow", run: run("model.opt.timestep *= 2") },
   }));
   const buffers = new Set();
-  for (let i = 0; i < 50; i++) {
+  for (let i = 0; i < 80; i++) {
     run.stage.update();
     run.step(5);
     assert.ok(run.recompile("<mujoco><worldbody><geom/></worldbody></mujoco>"));
     assert.equal(run.recompile(mjcfOf(i % 2 ? "stacked_boxes" : "free")), undefined);
     buffers.add(run.simulation.opened.buffer);
-    if (i === 10) buffers.clear();
+    if (i === 30) buffers.clear(); // the first ones may leave gaps
   }
   assert.equal(buffers.size, 1);
   run.free();

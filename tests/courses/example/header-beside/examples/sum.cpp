@@ -1,6 +1,6 @@
-#include "three.h"
-
 #include <cstdio>
+
+#include "three.h"
 
 int main() {
   std::printf("%d\n", kThree);
