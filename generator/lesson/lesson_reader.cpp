@@ -248,6 +248,11 @@ std::size_t LessonReader::read_link(cmark_node* node, const Region& region) {
   if (!is_behind) at = text.find("]: " + target);
   Region ahead{region.text, at == text.npos ? region.cursor : text.find(target, at)};
   lesson_.links.push_back({node, find(target, ahead)});
+  if (is_in(node, CMARK_NODE_HEADING)) {
+    reading_.error("E-link-place", lesson_.links.back().target.span(),
+                   "a link cannot stand in a heading, which is a link itself",
+                   "put it into the text below");
+  }
   return is_behind ? at + 2 + target.size() : region.cursor;
 }
 
