@@ -37,8 +37,8 @@ extern "C" void look_at_memory(int /*signal*/) {
   if (peak_resident() > most_resident) _exit(kMemory);
 }
 
-// What was there at the fork is no part of it. A signal comes between any two instructions, so
-// whoever takes memory is ended, wherever that may be.
+// Memory that was there at the fork does not count. A signal comes between any two instructions, so
+// the process ends wherever it takes too much.
 void watch_memory(std::uint64_t bytes) {
   most_resident = peak_resident() + bytes;
   struct sigaction look {};

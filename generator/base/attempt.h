@@ -12,8 +12,8 @@ namespace mjcourse {
 enum class Attempt { done, too_much_memory, too_long, crashed };
 
 // `work` is done when it returns; std::bad_alloc means that memory was short. It must need no lock
-// that another thread of ours may hold at this moment. `bytes` of memory that is used come on top
-// of what we have; what is only asked for, and never touched, is not counted.
+// that another of our threads may hold at this moment. It may use `bytes` of memory beyond what the
+// process has; memory that it asks for and never touches does not count.
 Attempt attempt(const std::function<void()>& work, std::uint64_t bytes, double seconds);
 
 }  // namespace mjcourse

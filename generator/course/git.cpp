@@ -90,7 +90,7 @@ std::optional<Git> Git::find(const fs::path& folder) {
 
 tl::expected<std::string, std::string> Git::ask(const std::vector<std::string>& arguments) const {
   Command command;
-  // Whoever owns the repository: see the header. Where we are root, git is not.
+  // The repository may have any owner: see the header. Where we are root, git is not.
   command.arguments = {"git"};
   for (const char* setting :
        {"safe.directory=*", "safe.bareRepository=explicit", "core.quotePath=false",

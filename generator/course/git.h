@@ -5,9 +5,9 @@
 // find the repository, git is told which it is, reads that and nothing else, and starts nothing.
 // Nor does what a user has set up for git change what it prints.
 //
-// git itself refuses a repository of another owner ("dubious ownership"), as every container has
-// it, since such a one could have it start programs for whom that owner is no friend. Here it
-// cannot, so it is read whoever owns it, without an entry in `safe.directory`.
+// git itself refuses a repository of another owner ("dubious ownership"), which every container
+// has, since its configuration could make git start that owner's programs. Here it cannot, so a
+// repository of any owner is read, without an entry in `safe.directory`.
 #pragma once
 
 #include <filesystem>

@@ -11,7 +11,7 @@
 namespace mjcourse {
 namespace {
 
-// RFC 5646, 2.1, without what nobody has registered.
+// RFC 5646, 2.1, without languages of four letters or more, as none is registered.
 bool has_form(const std::string& tag) {
   static const RE2 form(
       "(?i)[a-z]{2,3}(-[a-z]{3}){0,3}"        // de, zh-yue

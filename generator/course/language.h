@@ -6,7 +6,7 @@
 
 namespace mjcourse {
 
-// What to write instead of `tag`, which has not the form of one; nothing where it has.
+// What to write instead of `tag`, which does not have a tag's form; nothing where it does.
 std::optional<std::string> cure_of_language(const std::string& tag);
 
 // Is it written from right to left?

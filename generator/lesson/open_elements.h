@@ -1,8 +1,8 @@
 // The elements of raw HTML that are open at a place of a lesson, as its tree is walked.
 //
 // An element may hold Markdown, so its two tags are in different nodes of the tree; but it must end
-// in the paragraph, the item or the quote that it began in, or its page is another one to each
-// browser. A browser itself ends what HTML lets go without an end, as `<li>`.
+// in the paragraph, the item or the quote that it began in, or browsers differ in what they show. A
+// browser itself ends the elements that need no end tag in HTML, such as `<li>`.
 #pragma once
 
 #include <map>

@@ -5,7 +5,7 @@
 
 namespace mjcourse {
 
-// Of KaTeX's `markup`, which has the formula as MathML as well; "" where it has not.
+// Of KaTeX's `markup`, which has the formula as MathML as well; "" where it does not.
 std::string formula_text(const std::string& markup);
 
 // May it be wider than a phone? Then its paragraph can be scrolled to the side (math.css).
