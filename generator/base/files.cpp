@@ -69,7 +69,7 @@ std::vector<Named> names_in(const Beneath& beneath, const std::string& folder) {
     struct stat status {};
     // Some file systems do not tell.
     if (type == DT_UNKNOWN && fstatat(number, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0) {
-      type = IFTODT(status.st_mode);
+      type = static_cast<unsigned char>(IFTODT(status.st_mode));
     }
     names.push_back({name, type});
   }
