@@ -8,6 +8,7 @@
 #include "course/lesson_shelf.h"
 #include "course/link_target.h"
 #include "course/missing_lesson.h"
+#include "course/prerequisites.h"
 #include "course/reference_picture.h"
 #include "course/web_address.h"
 #include "lesson/is_text.h"
@@ -290,6 +291,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
   read_glossary_file(files, course, diagnostics);
   check_references(files, course, diagnostics);
   check_terms(files, course, diagnostics);
+  warn_of_missing_prerequisites(course, diagnostics);
   for (Lesson& lesson : course.lessons) forget_links(lesson);
   warn_of_unused_references(files, course, diagnostics);
   return course;

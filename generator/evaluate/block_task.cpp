@@ -68,7 +68,7 @@ struct KnownOf {
             0.1,    {fence(chart.span), block_name(lesson, index)}, {"plot"}};
   }
   Known operator()(const Quiz& quiz) const {
-    Known known{"quiz", "prove the answers of " + quiz.id, true, 0.2, {}, {"world"}};
+    Known known{"quiz", "prove the answers of " + quiz.id, true, 0.2, {}, {"world", "guard"}};
     for (const Question& question : quiz.questions) known.text.push_back(written(question.span));
     return known;
   }

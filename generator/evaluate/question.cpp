@@ -9,6 +9,7 @@
 
 #include "evaluate/proof_text.h"
 #include "evaluate/script_place.h"
+#include "evaluate/weak_proof.h"
 #include "physics/described_model.h"
 #include "script/world.h"
 
@@ -240,6 +241,10 @@ bool Examiner::prove(const Proof& proof, QuestionResult& result) {
                                               : prove_value(proof, result);
   // What is held against `equals` says nothing of the answer.
   result.proved = result.proved || (proved && !proof.equals);
+  if (proved) {
+    const auto anew = [&] { return build(proof); };
+    warn_of_weak_proof(proof, question_, lesson_, anew, workshop_, diagnostics_);
+  }
   return proved;
 }
 

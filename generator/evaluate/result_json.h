@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <variant>
 
@@ -23,25 +24,29 @@ struct adl_serializer<std::optional<T>> {
   }
 };
 
-// As the index of the alternative and its value.
+// As the index of the alternative and its value, of which std::monostate has none.
 template <typename... Ts>
 struct adl_serializer<std::variant<Ts...>> {
   static void to_json(json& j, const std::variant<Ts...>& value) {
-    std::visit([&](const auto& known) { j = json::array({value.index(), known}); }, value);
+    const auto put = [&](const auto& known) {
+      j = json::array({value.index(), nullptr});
+      if constexpr (!std::is_empty_v<std::decay_t<decltype(known)>>) j[1] = known;
+    };
+    std::visit(put, value);
   }
   static void from_json(const json& j, std::variant<Ts...>& value) {
     std::size_t index = 0;
     const auto take = [&](auto* of_type) {
-      if (index++ == j.at(0)) value = j.at(1).get<std::remove_pointer_t<decltype(of_type)>>();
+      using T = std::remove_pointer_t<decltype(of_type)>;
+      if (index++ != j.at(0)) return;
+      if constexpr (std::is_empty_v<T>) {
+        value = T();
+      } else {
+        value = j.at(1).get<T>();
+      }
     };
     (take(static_cast<Ts*>(nullptr)), ...);
   }
-};
-
-template <>
-struct adl_serializer<std::monostate> {
-  static void to_json(json& j, const std::monostate&) { j = nullptr; }
-  static void from_json(const json&, std::monostate&) {}
 };
 
 template <>

@@ -13,13 +13,17 @@ std::string name_of(ScriptKind kind) {
   return kind == ScriptKind::value ? "value" : "assignment";
 }
 
+std::string lines_of(const std::vector<std::string>& names) {
+  std::string lines;
+  for (const std::string& name : names) lines += (lines.empty() ? "" : "\n") + name;
+  return lines;
+}
+
 }  // namespace
 
 tl::expected<std::string, ScriptError> ScriptGuard::guard(const std::string& text, ScriptKind kind,
                                                           const std::vector<std::string>& names) {
-  std::string known;
-  for (const std::string& name : names) known += (known.empty() ? "" : "\n") + name;
-  const auto answer = engine_.call("guard", {text, name_of(kind), known});
+  const auto answer = engine_.call("guard", {text, name_of(kind), lines_of(names)});
   if (!answer) return tl::unexpected(answer.error());
   const nlohmann::json found = json_of(*answer);
   if (found.contains("text")) return found["text"].get<std::string>();
@@ -31,6 +35,14 @@ tl::expected<std::string, ScriptError> ScriptGuard::guard(const std::string& tex
   error.column = found["column"];
   error.width = found["width"];
   return tl::unexpected(std::move(error));
+}
+
+std::optional<ExpressionText> ScriptGuard::ask(const std::string& run, const std::string& value,
+                                               const std::vector<std::string>& names) {
+  const auto answer = engine_.call("ask", {run, value, lines_of(names)});
+  if (!answer) return std::nullopt;
+  const nlohmann::json found = json_of(*answer);
+  return ExpressionText{found["world"], found["callee"], found["values"]};
 }
 
 // As site/script/guards.ts writes them; no text of an author's has them.

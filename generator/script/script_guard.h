@@ -1,4 +1,4 @@
-// ScriptGuard: a lab's script, made fit for the reader's page.
+// ScriptGuard: a lab's script, made fit for the reader's page; and what a proof's script asks.
 //
 // In the page a script of the author's is code of the site's own, so what it may name is decided
 // here, by its text (site/script/guard/), and what the text cannot tell is asked by two functions
@@ -6,6 +6,7 @@
 // page would refuse, a build has refused before.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -17,6 +18,12 @@ namespace mjcourse {
 
 enum class ScriptKind { script, value, assignment };
 
+// What the text of an expression tells (site/script/guard/asked.ts).
+struct ExpressionText {
+  bool world = false;          // it names the model or its data, or what `run` made of them
+  std::string callee, values;  // `f` and `a, b` of `f(a, b)`, where `run` declares f; else ""
+};
+
 class ScriptGuard {
  public:
   // `bundle` is the text of script/guard.js.
@@ -26,6 +33,10 @@ class ScriptGuard {
   // E-script-syntax without a place, which the engine that runs it knows.
   tl::expected<std::string, ScriptError> guard(const std::string& text, ScriptKind kind,
                                                const std::vector<std::string>& names);
+
+  // What `value` asks for, which sees what `run` declares. Nothing of texts that do not parse.
+  std::optional<ExpressionText> ask(const std::string& run, const std::string& value,
+                                    const std::vector<std::string>& names);
 
  private:
   Engine engine_;

@@ -1,9 +1,10 @@
 /**
- * Scripts of labs, with their guards: `guard(text, kind, names)` gives JSON, of the text that is run or
- * of why there is none.
+ * Scripts, by their text. `guard(text, kind, names)` puts the guards into a lab's, and gives JSON, of
+ * the text that is run or of why there is none; `ask(run, value, names)` tells what a proof's asks.
  */
 import { parseExpressionAt } from "acorn";
 
+import { asked } from "../guard/asked.js";
 import { guarded, Refusal } from "../guard/guarded.js";
 import { isNode, type Node } from "../guard/syntax.js";
 import { closing, key, target, withoutGuards } from "../guards.js";
@@ -76,4 +77,8 @@ function told(error: unknown, text: string, before: number): object {
   };
 }
 
-Object.assign(globalThis, { guard, withoutGuards });
+function ask(run: string, value: string, names: string): string {
+  return JSON.stringify(asked(run, value, names.split("\n")));
+}
+
+Object.assign(globalThis, { guard, withoutGuards, ask });

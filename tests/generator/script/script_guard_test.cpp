@@ -56,6 +56,34 @@ TEST(ScriptGuardTest, RefusesAtItsPlace) {
             "E-script-syntax 0:0+1 a closing bracket has no opening one");
 }
 
+// "world callee(values)", as far as it is so.
+std::string asked(const std::string& value, const std::string& run = "") {
+  static ScriptGuard guard(bundle("guard"));
+  const auto found = guard.ask(run, value, {"data", "model", "qpos", "Math", "mju_rotVecQuat"});
+  if (!found) return "nothing";
+  return std::string(found->world ? "world" : "") +
+         (found->callee.empty() ? "" : " " + found->callee + "(" + found->values + ")");
+}
+
+TEST(ScriptGuardTest, TellsWhetherAnExpressionAsksTheWorld) {
+  EXPECT_EQ(asked("data.qpos[0]"), "world");
+  EXPECT_EQ(asked("[1, 2].map(i => qpos('a')[i])"), "world");
+  EXPECT_EQ(asked("x.length", "const x = [...model.qpos0];"), "world");
+  EXPECT_EQ(asked("9.81 * Math.sin(0.5)", "const unused = data.qpos[0];"), "");
+  EXPECT_EQ(asked("({model: 1}).model"), "");
+  EXPECT_EQ(asked("`${data.time}` === '0'"), "world");
+  EXPECT_EQ(asked("mju_rotVecQuat(a, [1, 0, 0], b)", "const a = [], b = [1, 0, 0, 0];"), "");
+  EXPECT_EQ(asked("1 +"), "nothing");
+}
+
+TEST(ScriptGuardTest, TellsWhatAFunctionOfTheAuthorsIsAskedAbout) {
+  const std::string run = "const near = (a, b) => a === data.qpos[b];";
+  EXPECT_EQ(asked("near([1, 2], 0 )", run), "world near([1, 2], 0)");
+  EXPECT_EQ(asked("near(1, 0) && near(2, 0)", run), "world");
+  EXPECT_EQ(asked("qpos('a')", run), "world");
+  EXPECT_EQ(asked("near()", run), "world");
+}
+
 // A mistake that is found while guarded text runs is shown in the author's.
 TEST(ScriptGuardTest, IsNotSeenInMessages) {
   const AuthorText text("own$((data.a))/*$*/[0] = data.a");
