@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <type_traits>
+#include <variant>
 #include <vector>
 
 #include "base/nearest.h"
@@ -14,15 +17,27 @@
 namespace mjcourse {
 namespace {
 
-bool is_whole(double x) {
-  return x == std::floor(x) && std::abs(x) < 0x1p53;  // above, not every whole number is a double
-}
+static_assert(std::numeric_limits<long double>::digits >= 64);  // as an integer of a program has
 
-// `x` as printf prints it: a whole number plainly and another with six digits, unless `format` asks
-// for something else.
-std::string number_in_text(double x, const std::string& format) {
-  std::string form = is_whole(x) ? "%.0f" : "%.6g";
-  if (!format.empty()) form = format == "d" ? "%.0f" : "%" + format;
+// As it was computed: a double, or an integer of a program.
+struct Number {
+  template <typename Computed>
+  explicit Number(Computed computed)
+      : value(computed),
+        is_whole(std::is_integral_v<Computed> ||
+                 // From 2^53 on, not every whole number is a double.
+                 (value == std::floor(value) && std::abs(value) < 0x1p53)) {}
+  long double value;
+  bool is_whole;
+};
+
+// `number` as printf prints it: a whole one plainly and another with six digits, unless `format`
+// asks for something else.
+std::string number_in_text(const Number& number, const std::string& format) {
+  const bool plainly = format.empty() ? number.is_whole : format == "d";
+  std::string form = plainly ? "%.0f" : "%" + (format.empty() ? ".6g" : format);
+  form.insert(form.size() - 1, "L");
+  const long double x = number.value;
   const int size = std::snprintf(nullptr, 0, form.c_str(), x);
   std::string text(static_cast<std::size_t>(size) + 1, '\0');
   std::snprintf(text.data(), text.size(), form.c_str(), x);
@@ -66,8 +81,10 @@ class Quotation {
     const std::string origin = value_.expression.text + " of " + value_.source.text + ".xml";
     const nlohmann::json& json = *found;
     if (json.is_string()) return text(json.get<std::string>(), origin);
-    if (json.is_array() && json.size() == 1 && json[0].is_number()) return number(json[0], origin);
-    if (json.is_number()) return number(json, origin);
+    if (json.is_array() && json.size() == 1 && json[0].is_number()) {
+      return number(Number(json[0].get<double>()), origin);
+    }
+    if (json.is_number()) return number(Number(json.get<double>()), origin);
     return json.is_array() ? vector(json.size(), "choose one of them, as `qpos('hinge')[0]`")
                            : error("E-value-kind", value_.expression,
                                    "this is true or false; the text takes a number", "");
@@ -78,22 +95,30 @@ class Quotation {
                            .find(value_.source, value_.expression, *lesson_.source, diagnostics_);
     if (!found) return std::nullopt;
     const std::string origin = value_.expression.text + " of " + value_.source.text + ".cpp";
-    if (const auto* x = std::get_if<double>(&*found)) return number(*x, origin);
-    if (const auto* words = std::get_if<std::string>(&*found)) return text(*words, origin);
-    return vector(std::get<std::vector<double>>(*found).size(),
-                  "report the one that the text speaks of by a name of its own");
+    return std::visit([&](const auto& reported) { return quoted(reported, origin); }, *found);
   }
 
-  std::optional<ValueResult> number(double x, const std::string& origin) {
+  std::optional<ValueResult> quoted(const std::string& reported, const std::string& origin) {
+    return text(reported, origin);
+  }
+  std::optional<ValueResult> quoted(const std::vector<double>& reported, const std::string&) {
+    return vector(reported.size(), "report the one that the text speaks of by a name of its own");
+  }
+  template <typename Reported>
+  std::optional<ValueResult> quoted(Reported reported, const std::string& origin) {
+    return number(Number(reported), origin);
+  }
+
+  std::optional<ValueResult> number(const Number& number, const std::string& origin) {
     const std::string& format = value_.format.text;
-    if (format == "d" && !is_whole(x)) {
+    if (format == "d" && !number.is_whole) {
+      const bool large = number.value == std::floor(number.value);
       return error("E-value-format", value_.format,
-                   "`:d` prints whole numbers" +
-                       std::string(x == std::floor(x) ? " below 2^53" : "") + ", and this is " +
-                       number_in_text(x, ""),
+                   "`:d` prints whole numbers" + std::string(large ? " below 2^53" : "") +
+                       ", and this is " + number_in_text(number, ""),
                    "round it by hand, or use `:.0f`");
     }
-    return ValueResult{number_in_text(x, format), origin};
+    return ValueResult{number_in_text(number, format), origin};
   }
   std::optional<ValueResult> text(const std::string& words, const std::string& origin) {
     if (value_.format.text.empty()) return ValueResult{words, origin};

@@ -97,7 +97,7 @@ std::optional<double> Examiner::find_value(const Proof& proof) {
     const auto reported = workshop_.reports_of(proof.example.text)
                               .find(proof.example, proof.value, *lesson_.source, diagnostics_);
     if (!reported) return std::nullopt;
-    if (const auto* number = std::get_if<double>(&*reported)) return *number;
+    if (const auto number = as_double(*reported)) return number;
     diagnostics_.push_back(error_at(place_of(*lesson_.source, proof.value.span()), "E-proof-value",
                                     "the result `" + proof.value.text + "` is not a number",
                                     "report the number by itself"));

@@ -2,6 +2,7 @@
 
 #include <re2/re2.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -38,7 +39,10 @@ std::vector<double> numbers_of(const json& value) {
 Reported reported_of(const json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_array()) return numbers_of(value);
-  return number_of(value);
+  const double number = number_of(value);
+  if (std::abs(number) < 0x1p53) return number;
+  if (value.is_number_unsigned()) return value.get<std::uint64_t>();
+  return value.is_number_integer() ? Reported(value.get<std::int64_t>()) : Reported(number);
 }
 
 Table table_of(const json& value) {

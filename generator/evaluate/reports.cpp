@@ -1,5 +1,8 @@
 #include "evaluate/reports.h"
 
+#include <type_traits>
+#include <variant>
+
 #include "base/nearest.h"
 
 namespace mjcourse {
@@ -37,6 +40,15 @@ const Value* find_record(const std::map<std::string, Value>& records, const Reco
 }
 
 }  // namespace
+
+std::optional<double> as_double(const Reported& reported) {
+  return std::visit(
+      []<typename Kind>(const Kind& known) -> std::optional<double> {
+        if constexpr (std::is_arithmetic_v<Kind>) return static_cast<double>(known);
+        return std::nullopt;
+      },
+      reported);
+}
 
 void Reports::add(const std::string& example, const ExampleResult* result) {
   const ExampleResult*& known = results_[example];

@@ -13,6 +13,9 @@
 
 namespace mjcourse {
 
+// A number as an answer is held against it; nothing for what is none.
+std::optional<double> as_double(const Reported& reported);
+
 class Reports {
  public:
   // `result` is null for an example that failed. It must outlive this.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -26,7 +27,9 @@ struct FormulaResult {
 };
 
 // What a program told its lesson by result(), table() and snapshot() of the helper header, by name.
-using Reported = std::variant<double, std::string, std::vector<double>>;
+// A whole number that no double holds is one of the last two.
+using Reported =
+    std::variant<double, std::string, std::vector<double>, std::int64_t, std::uint64_t>;
 // The parts of a state by MuJoCo's names of them: "time", "qpos", "mocap_pos" …
 using State = std::map<std::string, std::vector<double>>;
 struct Column {

@@ -19,6 +19,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <concepts>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -262,6 +263,11 @@ inline void record(const char* kind, std::string_view name,
 // letters, digits and _ that no other result of the program has.
 inline void result(std::string_view name, double x) {
   record("result", name, to_json(x));
+}
+// A whole number to its last digit, which a double has up to 2^53 only.
+template <std::integral Whole>
+void result(std::string_view name, Whole x) {
+  record("result", name, std::to_string(x));
 }
 inline void result(std::string_view name, std::string_view text) {
   record("result", name, to_json(text));

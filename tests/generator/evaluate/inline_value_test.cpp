@@ -14,6 +14,9 @@ int main() {
   std::ofstream(std::getenv("MJCOURSE_RECORDS")) << R"({"result": "ratio", "value": 0.99958}
 {"result": "word", "value": "a < b"}
 {"result": "pose", "value": [1, 2]}
+{"result": "key", "value": 9007199254740993}
+{"result": "low", "value": -9223372036854775808}
+{"result": "hash", "value": 18446744073709551615}
 )";
 }
 )p";
@@ -59,6 +62,18 @@ TEST(InlineValue, IsWhatAnExampleReported) {
   EXPECT_EQ(found.result<ValueResult>().text, "0.9996");
   EXPECT_EQ(found.result<ValueResult>().origin, "ratio of tell.cpp");
   EXPECT_EQ(quoting("`{tell} word`").result<ValueResult>().text, "a < b");
+}
+
+TEST(InlineValue, HasAllDigitsOfAWholeNumber) {
+  const auto text = [](const std::string& code) {
+    return quoting("`{tell} " + code + "`").result<ValueResult>().text;
+  };
+  EXPECT_EQ(text("key"), "9007199254740993");
+  EXPECT_EQ(text("key :d"), "9007199254740993");
+  EXPECT_EQ(text("key :.1f"), "9007199254740993.0");
+  EXPECT_EQ(text("key :.3e"), "9.007e+15");
+  EXPECT_EQ(text("low"), "-9223372036854775808");
+  EXPECT_EQ(text("hash"), "18446744073709551615");
 }
 
 // What is wrong with a code span in line 4, from its message on, without place and excerpt.

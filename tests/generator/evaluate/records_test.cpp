@@ -38,6 +38,23 @@ TEST(Records, AreReadByTheirKinds) {
   EXPECT_TRUE(records.snapshots.at("x").at("act").empty());
 }
 
+TEST(Records, KeepTheDigitsOfWholeNumbers) {
+  std::vector<RecordFault> faults;
+  const Records records = read_records(
+      "{\"result\": \"a\", \"value\": 9007199254740991}\n"
+      "{\"result\": \"b\", \"value\": 9007199254740993}\n"
+      "{\"result\": \"c\", \"value\": -9007199254740993}\n"
+      "{\"result\": \"d\", \"value\": 18446744073709551615}\n"
+      "{\"result\": \"e\", \"value\": 18446744073709551616}\n",
+      faults);
+  EXPECT_TRUE(faults.empty());
+  EXPECT_EQ(records.results.at("a"), Reported(9007199254740991.0));
+  EXPECT_EQ(records.results.at("b"), Reported(std::uint64_t{9007199254740993}));
+  EXPECT_EQ(records.results.at("c"), Reported(std::int64_t{-9007199254740993}));
+  EXPECT_EQ(records.results.at("d"), Reported(std::uint64_t{18446744073709551615u}));
+  EXPECT_EQ(records.results.at("e"), Reported(0x1p64));
+}
+
 TEST(Records, AreRefusedOneByOne) {
   const std::string cure = " | look for how it came about, and report what is sound\n";
   EXPECT_EQ(faults_of("{\"result\": \"x\", \"value\": null}\n"),
@@ -115,6 +132,9 @@ TEST(Records, AreWrittenByTheHelperHeader) {
   const EvaluationOf found = program(R"(  const Model model = load_model("ball");
   const Data data = make_data(model);
   result("count", model->nq);
+  result("key", 9007199254740993);
+  result("hash", 0xFFFFFFFFFFFFFFFFull);
+  result("deep", true);
   result("third", 1.0 / 3);
   result("word", "a \"b\"\n\\ é");
   result("pose", qpos(model, data).head<3>());
@@ -125,6 +145,9 @@ TEST(Records, AreWrittenByTheHelperHeader) {
   EXPECT_EQ(found.mistakes(), "");
   const Records& records = found.result<ExampleResult>().records;
   EXPECT_EQ(records.results.at("count"), Reported(8.0));
+  EXPECT_EQ(records.results.at("key"), Reported(std::uint64_t{9007199254740993}));
+  EXPECT_EQ(records.results.at("hash"), Reported(~std::uint64_t{0}));
+  EXPECT_EQ(records.results.at("deep"), Reported(1.0));
   EXPECT_EQ(records.results.at("third"), Reported(1.0 / 3));
   EXPECT_EQ(records.results.at("word"), Reported("a \"b\"\n\\ é"));
   EXPECT_EQ(records.results.at("pose"), Reported(std::vector<double>{0, 0, 1}));
