@@ -33,22 +33,36 @@ Diagnostic differs(const Output& output, const std::vector<DiffLine>& changes,
                   "if the program is right, " + our_command("accept") + " writes its lines here");
 }
 
+// The lines may be as stated: what stands behind a `[..]` begins like too much of what is printed.
+Diagnostic undecided(const Output& output, const Lesson& lesson) {
+  const std::size_t gap = output.text.text.find("[..]");
+  return error_at(place_of(*lesson.source, output.text.span(gap, gap + 4)), "E-output-gap",
+                  "finding what stands behind `[..]` would take too long: it may begin at too many "
+                  "places of a long line",
+                  "print shorter lines, or state more of them in front of `[..]`, and less behind");
+}
+
 }  // namespace
 
 std::optional<OutputResult> evaluate_output(const Output& output, const ExampleResult& example,
                                             const Lesson& lesson, Diagnostics& diagnostics) {
+  Retrials retrials;
   std::vector<DiffLine> changes =
-      output_changes(output.text.text, example.output, output.tolerance);
+      output_changes(output.text.text, example.output, output.tolerance, retrials);
   if (changes.empty()) {
     const auto lines = std::count(example.output.begin(), example.output.end(), '\n');
     return OutputResult{static_cast<int>(lines)};
+  }
+  if (retrials.left == 0) {
+    diagnostics.push_back(undecided(output, lesson));
+    return std::nullopt;
   }
   Diagnostic found = differs(output, changes, lesson);
   found.edit = output_edit(output, changes, lesson);
   const int above = lesson.source->position(output.span.begin).line;
   for (DiffLine& change : changes) change.line += above;
   found.detail = diff_text(changes, [&](std::string_view stated, std::string_view real) {
-    return lines_agree(stated, real, output.tolerance);
+    return lines_agree(stated, real, output.tolerance, retrials);
   });
   diagnostics.push_back(std::move(found));
   return std::nullopt;

@@ -25,8 +25,9 @@ std::vector<std::string_view> split_lines(std::string_view text) {
 // on what stands around them.
 class LineMatch {
  public:
-  LineMatch(std::string_view stated, std::string_view real, const std::optional<Decimal>& tolerance)
-      : stated_(stated), real_(real), tolerance_(tolerance) {}
+  LineMatch(std::string_view stated, std::string_view real, const std::optional<Decimal>& tolerance,
+            Retrials& retrials)
+      : stated_(stated), real_(real), tolerance_(tolerance), retrials_(retrials) {}
 
   bool agrees() {
     while (at_ < stated_.size() || real_at_ < real_.size()) {
@@ -87,6 +88,9 @@ class LineMatch {
   // follow, all spaces in a row are one try.
   bool widen_gap() {
     if (!after_gap_ || gap_end_ == real_.size()) return false;
+    const std::size_t back = real_at_ - gap_end_;
+    retrials_.left -= std::min(back, retrials_.left);
+    if (retrials_.left == 0) return false;
     at_ = *after_gap_;
     const bool spaces = at_ < stated_.size() && stated_[at_] == ' ' && real_[gap_end_] == ' ';
     gap_end_ = spaces ? word_from(real_, gap_end_) : gap_end_ + 1;
@@ -96,14 +100,15 @@ class LineMatch {
 
   std::string_view stated_, real_;
   const std::optional<Decimal>& tolerance_;
+  Retrials& retrials_;
   std::size_t at_ = 0, real_at_ = 0;      // how far both are taken
   std::optional<std::size_t> after_gap_;  // where the stated line goes on behind the last `[..]`
   std::size_t gap_end_ = 0;               // where that `[..]` ends in the real line
 };
 
-bool agree(std::string_view stated, std::string_view real,
-           const std::optional<Decimal>& tolerance) {
-  return LineMatch(trimmed_right(stated), trimmed_right(real), tolerance).agrees();
+bool agree(std::string_view stated, std::string_view real, const std::optional<Decimal>& tolerance,
+           Retrials& retrials) {
+  return LineMatch(trimmed_right(stated), trimmed_right(real), tolerance, retrials).agrees();
 }
 
 std::optional<Decimal> exact(std::optional<double> tolerance) {
@@ -112,15 +117,17 @@ std::optional<Decimal> exact(std::optional<double> tolerance) {
 
 }  // namespace
 
-bool lines_agree(std::string_view stated, std::string_view real, std::optional<double> tolerance) {
-  return agree(stated, real, exact(tolerance));
+bool lines_agree(std::string_view stated, std::string_view real, std::optional<double> tolerance,
+                 Retrials& retrials) {
+  return agree(stated, real, exact(tolerance), retrials);
 }
 
 std::vector<DiffLine> output_changes(std::string_view stated, std::string_view real,
-                                     std::optional<double> tolerance) {
+                                     std::optional<double> tolerance, Retrials& retrials) {
   const std::optional<Decimal> most = exact(tolerance);
-  return line_diff(split_lines(stated), split_lines(real),
-                   [&](std::string_view a, std::string_view b) { return agree(a, b, most); });
+  return line_diff(
+      split_lines(stated), split_lines(real),
+      [&](std::string_view a, std::string_view b) { return agree(a, b, most, retrials); });
 }
 
 }  // namespace mjcourse

@@ -58,6 +58,17 @@ bool decimals_before(std::string_view line, std::size_t end) {
   return end > 1 && line[end - 1] == '.' && is_digit(line[end - 2]);
 }
 
+// Does the word "version" stand before `begin`, as in "OpenGL version: 4.5"?
+bool is_version(std::string_view line, std::size_t begin) {
+  constexpr std::string_view word = "version";
+  const std::size_t last = line.substr(0, begin).find_last_not_of(" :=");
+  if (last == line.npos || last + 1 == begin || last + 1 < word.size()) return false;
+  const std::string_view before = line.substr(0, last + 1 - word.size());
+  const std::string_view written = line.substr(before.size(), word.size());
+  return (before.empty() || !is_word_character(before.back())) &&
+         std::ranges::equal(written, word, [](char a, char b) { return (a | 0x20) == b; });
+}
+
 // Is what begins at `begin` a part of what stands before it? x1, 2.2.2, l-1.5, lib/1.5, 12:30.5.
 bool goes_on_before(std::string_view line, std::size_t begin) {
   if (begin == 0) return false;
@@ -122,7 +133,7 @@ std::optional<PrintedNumber> PrintedNumber::read(std::string_view text) {
 std::optional<PrintedNumber> PrintedNumber::find(std::string_view line, std::size_t at) {
   const char first = character_at(line, at);
   if (!is_digit(first) && first != '.' && sign_length(line.substr(at)) == 0) return std::nullopt;
-  if (goes_on_before(line, at)) return std::nullopt;
+  if (goes_on_before(line, at) || is_version(line, at)) return std::nullopt;
   const std::optional<PrintedNumber> number = read(line.substr(at));
   if (!number || goes_on_behind(line, at + number->length_, !number->fraction_.empty())) {
     return std::nullopt;

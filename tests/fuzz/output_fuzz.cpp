@@ -93,7 +93,9 @@ void check_changes(const std::vector<DiffLine>& changes, const std::string& stat
       ++at;
     }
     if (gone || i == before.size()) continue;
-    require(at < after.size() && lines_agree(before[i], after[at], tolerance), "what stays agrees");
+    Retrials retrials;
+    require(at < after.size() && lines_agree(before[i], after[at], tolerance, retrials),
+            "what stays agrees");
     ++at;
   }
   require(change == changes.end() && at == after.size(), "every line is accounted for");
@@ -101,18 +103,20 @@ void check_changes(const std::vector<DiffLine>& changes, const std::string& stat
 
 void check_output(const Input& input) {
   if (!is_text(input.printed)) return;
-  require(output_changes(input.printed, input.printed, std::nullopt).empty(), "a text is itself");
+  Retrials retrials;
+  require(output_changes(input.printed, input.printed, std::nullopt, retrials).empty(),
+          "a text is itself");
   const std::string path = "content/1-a/1.1-x.md", bytes = lesson_of(input);
   Diagnostics diagnostics;
   const std::optional<Lesson> lesson = read_lesson(path, bytes, diagnostics);
   const Output* output = only_output(lesson, diagnostics);
   if (output == nullptr) return;
   const std::optional<double> tolerance = output->tolerance;
-  const auto changes = output_changes(output->text.text, input.printed, tolerance);
+  const auto changes = output_changes(output->text.text, input.printed, tolerance, retrials);
   check_changes(changes, output->text.text, input.printed, tolerance);
   if (changes.empty()) return;
   diff_text(changes, [&](std::string_view stated, std::string_view printed) {
-    return lines_agree(stated, printed, tolerance);
+    return lines_agree(stated, printed, tolerance, retrials);
   });
 
   const Edit edit = output_edit(*output, changes, *lesson);
@@ -123,7 +127,7 @@ void check_output(const Input& input) {
   const std::optional<Lesson> again = read_lesson(path, accepted, found);
   const Output* mended = only_output(again, found);
   require(mended != nullptr, "what was accepted is a lesson with one output:\n" + accepted);
-  require(output_changes(mended->text.text, input.printed, tolerance).empty(),
+  require(output_changes(mended->text.text, input.printed, tolerance, retrials).empty(),
           "what was accepted agrees:\n" + accepted);
   require(again->blocks.size() == lesson->blocks.size(), "nothing else changed");
 }

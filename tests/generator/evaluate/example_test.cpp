@@ -241,6 +241,24 @@ TEST(Output, ThatDiffersIsShownLineByLine) {
   EXPECT_EQ(found.tally().programs, 1);
 }
 
+TEST(Output, MayBeTooMuchToLookThrough) {
+  const std::string letters(20'000, 'a');
+  const EvaluationOf found = example(
+      "#include <cstdio>\nint main() { for (int i = 0; i < 60000; ++i) std::putchar('a'); }\n", "",
+      "```text\n[..]" + letters + "b\n```\n");
+  ASSERT_EQ(found.diagnostics().size(), 1u) << found.mistakes();
+  const Diagnostic& gap = found.diagnostics()[0];
+  EXPECT_EQ(gap.id, "E-output-gap");
+  EXPECT_EQ(gap.place.line, 9);
+  EXPECT_EQ(gap.place.column, 1);
+  EXPECT_EQ(gap.place.width, 4);
+  EXPECT_EQ(gap.message,
+            "finding what stands behind `[..]` would take too long: it may begin at too many "
+            "places of a long line");
+  EXPECT_EQ(gap.cure,
+            "print shorter lines, or state more of them in front of `[..]`, and less behind");
+}
+
 TEST(Output, ThatIsEmptyIsNotWhatAProgramPrints) {
   EXPECT_EQ(example(kPrints, "", "```text\n```\n").diagnostics().at(0).message,
             "this output is empty, and the program prints 3 lines (+)");

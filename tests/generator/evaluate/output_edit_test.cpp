@@ -10,13 +10,17 @@ namespace {
 
 constexpr const char* kEditedProgram = "```cpp file=examples/a.cpp\n```\n\n";
 
+std::vector<DiffLine> changes_of(const Output& output, const std::string& printed) {
+  Retrials retrials;
+  return output_changes(output.text.text, printed, std::nullopt, retrials);
+}
+
 // The lesson's body below its program, once what that `printed` is accepted.
 std::string accepted(const std::string& body, const std::string& printed) {
   const ReadingOf reading = reading_of(kEditedProgram + body);
   EXPECT_EQ(reading.mistakes(), "");
   const auto& output = reading.only<Output>();
-  const Edit edit =
-      output_edit(output, output_changes(output.text.text, printed, std::nullopt), *reading.lesson);
+  const Edit edit = output_edit(output, changes_of(output, printed), *reading.lesson);
   EXPECT_EQ(edit.file, kLessonPath);
   EXPECT_EQ(edit.what, "the output of a");
   EXPECT_EQ(edit.before, reading.lesson->source->text());
@@ -48,10 +52,8 @@ TEST(OutputEdit, KeepsTheFilesLineEnds) {
   const ReadingOf reading = reading_of_file(
       "---\r\ntitle: T\r\n---\r\n```cpp file=examples/a.cpp\r\n```\r\n\r\n```text\r\na\r\n```\r\n");
   const auto& output = reading.only<Output>();
-  EXPECT_EQ(
-      output_edit(output, output_changes(output.text.text, "b\n", std::nullopt), *reading.lesson)
-          .text,
-      "```text\r\nb\r\n```\r\n");
+  EXPECT_EQ(output_edit(output, changes_of(output, "b\n"), *reading.lesson).text,
+            "```text\r\nb\r\n```\r\n");
 }
 
 }  // namespace

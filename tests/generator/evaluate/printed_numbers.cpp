@@ -13,6 +13,7 @@ int main() {
                                                std::getline(std::cin, tolerance);) {
     const auto most =
         tolerance.empty() ? std::nullopt : std::optional(std::strtod(tolerance.c_str(), nullptr));
-    std::cout << (mjcourse::lines_agree(stated, printed, most) ? 1 : 0) << '\n';
+    mjcourse::Retrials retrials;
+    std::cout << (mjcourse::lines_agree(stated, printed, most, retrials) ? 1 : 0) << '\n';
   }
 }
