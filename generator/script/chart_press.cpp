@@ -16,6 +16,13 @@ ChartDrawing drawing_of(const json& data) {
   return {data.at("svg"), data.at("width"), data.at("height")};
 }
 
+// What kept the engine from an answer.
+ChartFault fault_of(const ScriptError& error) {
+  if (error.id != "E-script-time") return {"E-plot-spec", error.message, "", json::array()};
+  return {"E-plot-size", "the drawing of this plot " + error.message,
+          "let it show fewer rows, bins or parts, or make them in the example", json::array()};
+}
+
 ChartFault fault_of(const json& data) {
   return {data.at("id"),  data.at("message"), data.at("cure"), data.at("path"),
           data.at("key"), data.at("from"),    data.at("to")};
@@ -33,10 +40,7 @@ tl::expected<ChartDrawings, std::vector<ChartFault>> ChartPress::draw(const std:
   }
   const auto begun = engine_->call("draw", {spec, table.is_null() ? "" : table.dump(), id});
   const auto answer = begun ? engine_->call("drawn", {}) : begun;
-  if (!answer) {
-    const ScriptError& error = answer.error();
-    return tl::unexpected(std::vector{ChartFault{"E-plot-spec", error.message, "", json::array()}});
-  }
+  if (!answer) return tl::unexpected(std::vector{fault_of(answer.error())});
   const json result = json_of(*answer);
   if (const auto faults = result.find("faults"); faults != result.end()) {
     std::vector<ChartFault> found;

@@ -7,8 +7,10 @@ import "../plot/surroundings.js";
 
 import type { Row } from "../plot/drawing.js";
 import { findExcess } from "../plot/bounds.js";
-import { vegaFault } from "../plot/complaint.js";
+import { faultOf, unexplained } from "../plot/complaint.js";
+import { findCulprit } from "../plot/culprit.js";
 import { fault, Refused, type Fault } from "../plot/fault.js";
+import { findUnfitDomains } from "../plot/domains.js";
 import { findUnknownColumns } from "../plot/columns.js";
 import { drawForPage, type Drawings } from "../plot/frames.js";
 import type { JsonObject } from "../plot/json.js";
@@ -25,7 +27,7 @@ function draw(json: string, table: string, id: string): string {
   const columns = table === "" ? [] : (JSON.parse(table) as [string, number[]][]);
   const names = columns.map(([name]) => name);
   const ofTable = table === "" ? [] : findUnknownColumns(spec, names);
-  const faults = [...findUnknown(spec), ...findExcess(spec), ...ofTable];
+  const faults = [...findUnknown(spec), ...findExcess(spec), ...findUnfitDomains(spec), ...ofTable];
   if (table === "" || faults.length > 0) answer = { faults };
   else void drawKnown(spec, rowsOf(columns), id).then((found) => (answer = found));
   return "";
@@ -41,11 +43,35 @@ async function drawKnown(spec: JsonObject, rows: readonly Row[], id: string): Pr
   const faults: Fault[] = [];
   try {
     const drawings = await drawForPage(spec, rows, id, faults);
-    return faults.length > 0 ? { faults } : drawings;
+    if (faults.length === 0) return drawings;
   } catch (error) {
-    const found =
-      error instanceof Refused ? error.fault : vegaFault((error as Error).message, spec);
-    return { faults: [...faults, found] };
+    faults.push(error instanceof Refused ? error.fault : faultOf(error as Error, spec));
+  }
+  const unclear = faults.indexOf(unexplained);
+  if (unclear >= 0) faults[unclear] = await explain(spec, rows);
+  return { faults };
+}
+
+/** So many rows fail like all, most often, and are soon drawn. */
+const fewRows = 20;
+
+async function explain(spec: JsonObject, rows: readonly Row[]): Promise<Fault> {
+  const fails = (part: JsonObject) => failsToDraw(part, rows.slice(0, fewRows));
+  const path = (await fails(spec)) ? await findCulprit(spec, fails) : [];
+  const key = path.filter((step) => typeof step === "string").at(-1);
+  if (key === undefined) return unexplained;
+  const message = `Vega-Lite cannot draw a plot with this "${key}", and does not say why`;
+  const cure = `see what its documentation says of "${key}", or leave it out`;
+  return { ...fault("E-plot-spec", path, message, cure), key: path.at(-1) === key };
+}
+
+async function failsToDraw(spec: JsonObject, rows: readonly Row[]): Promise<boolean> {
+  const faults: Fault[] = [];
+  try {
+    await drawForPage(spec, rows, "trial", faults);
+    return faults.includes(unexplained);
+  } catch {
+    return true;
   }
 }
 

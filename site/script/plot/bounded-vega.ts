@@ -1,11 +1,12 @@
 /** Vega, whose transforms and functions say what they are about to make before they do: a few letters of a
  * spec can ask for more rows, bins or parts than any machine has. */
-import { accessorName, expressionFunction, transforms } from "vega";
+import { accessorName, expressionFunction, timeInterval, transforms } from "vega";
 
 import {
   addPart,
   addRows,
   checkBins,
+  checkTicks,
   exceed,
   placeOf,
   placeOfCall,
@@ -29,6 +30,14 @@ interface Parameters {
   readonly maxsteps?: number;
   readonly bins?: Partial<Bins> | readonly number[];
   readonly domain?: readonly number[];
+  readonly scale?: { readonly domain?: () => readonly unknown[] };
+  readonly count?: number | string | Interval;
+}
+
+/** Of the ticks of a time. */
+interface Interval {
+  readonly interval: string;
+  readonly step?: number;
 }
 
 interface Pulse {
@@ -107,6 +116,29 @@ scale.transform = function (parameters, pulse) {
   }
   return scaleOf.call(this, parameters, pulse);
 };
+
+// How many ticks an axis or a legend gets, who asks for a number of them or for one each so many days.
+for (const guide of ["axisticks", "legendentries"]) {
+  const prototype = prototypeOf(guide);
+  const original = prototype.transform;
+  prototype.transform = function (parameters, pulse) {
+    const { count, scale } = parameters;
+    const domain = scale?.domain?.() ?? [];
+    if (typeof count === "number") checkTicks(count);
+    const between = typeof count === "number" ? undefined : lengthOf(count);
+    const all = Math.abs(Number(domain.at(-1)) - Number(domain[0]));
+    if (between !== undefined) checkTicks(all / between);
+    return original.call(this, parameters, pulse);
+  };
+}
+
+/** About how many milliseconds lie between two ticks; nothing where Vega chooses. */
+function lengthOf(count: Interval | string | undefined): number | undefined {
+  const { interval = "", step = 1 } =
+    typeof count === "string" ? { interval: count } : (count ?? {});
+  const one = timeInterval(interval)?.offset(new Date(0), 1);
+  return one && step * one.getTime();
+}
 
 // A subflow is a part of the plot, or a line of it.
 const facet = prototypeOf("facet");

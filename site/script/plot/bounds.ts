@@ -7,7 +7,7 @@ import { isObject, walk, type Json } from "./json.js";
 export const mostParts = 1000;
 export const mostBins = 1000;
 export const mostPixels = 4000;
-const mostTicks = 1000;
+export const mostTicks = 1000;
 
 /** What these keys may say. */
 const mostOf: Readonly<Record<string, number>> = {
@@ -20,6 +20,12 @@ const mostOf: Readonly<Record<string, number>> = {
   width: mostPixels,
 };
 
+/** What these say is more than nothing. */
+const positive = new Set(["height", "maxbins", "step", "width"]);
+
+/** Keys of which each item is a part of the plot. */
+const partLists = new Set(["layer", "concat", "hconcat", "vconcat", "repeat"]);
+
 /** What a spec alone says too much of. */
 export function findExcess(spec: Json): Fault[] {
   const faults: Fault[] = [];
@@ -30,6 +36,13 @@ export function findExcess(spec: Json): Fault[] {
       const message = `"${key}" is ${number}, and a plot has room for ${most}`;
       faults.push(fault("E-plot-size", path, message, `write ${most} or less`));
     }
+    if (number !== undefined && positive.has(key) && number <= 0) {
+      const message = `"${key}" is ${number}, and nothing can be drawn so`;
+      faults.push(fault("E-plot-size", path, message, "write a number greater than 0"));
+    }
+    if (partLists.has(key) && path.at(-1) === key && Array.isArray(value) && value.length === 0) {
+      faults.push(fault("E-plot-empty", path, `"${key}" has no parts to draw`, "give it some"));
+    }
     const repeats = path.at(-1) === "repeat" && isObject(around) && "spec" in around;
     const parts = repeats ? partsOf(value) : 0;
     if (parts > mostParts) faults.push(fault("E-plot-size", path, ...tooManyParts(parts)));
@@ -37,10 +50,13 @@ export function findExcess(spec: Json): Fault[] {
   return faults;
 }
 
+/** What has a step in pixels, or as wide as its bins are. */
+const stepped = new Set(["bin", "height", "width"]);
+
 /** The number behind `key` of what stands behind `outer`, where it is bounded. */
 function sizeOf(value: Json, key: string, outer: Path[number] | undefined): number | undefined {
   if (typeof value !== "number") return undefined;
-  if (key === "step") return outer === "width" || outer === "height" ? value : undefined;
+  if (key === "step") return stepped.has(outer as string) ? value : undefined;
   if (key === "count") return outer === "scheme" ? value : undefined;
   return outer === "mark" ? undefined : value;
 }

@@ -1,6 +1,6 @@
 /** What a plot makes of its table, counted while Vega draws it (bounded-vega.ts), so that it ends where that
  * is too much. */
-import { mostBins, mostParts, tooManyParts } from "./bounds.js";
+import { mostBins, mostParts, mostTicks, tooManyParts } from "./bounds.js";
 import { fault, Refused, type Path } from "./fault.js";
 import { isObject, walk, type JsonObject } from "./json.js";
 
@@ -54,8 +54,17 @@ export interface Bins {
 
 export function checkBins({ start, stop, step }: Bins, path: () => Path): void {
   const count = Math.ceil((stop - start) / step);
+  if (!(count >= 0)) {
+    exceed(path(), "no bins are as these should be", 'write `"extent": [0, 5], "step": 0.5`');
+  }
   if (count <= mostBins) return;
   exceed(path(), `this makes ${count} bins, and ${mostBins} are the most`, "make them wider");
+}
+
+export function checkTicks(count: number): void {
+  if (count <= mostTicks) return;
+  const message = `this makes ${Math.round(count)} ticks, and ${mostTicks} are the most`;
+  exceed(placeOf(["tickCount"]), message, "let them be fewer");
 }
 
 /** Where the spec has one of `keys` for the column `name`; else, where it has one first. */

@@ -28,7 +28,7 @@ export interface Drawing {
   readonly height: number;
 }
 
-// What Vega asks of the surroundings, and its chance: its types do not name them.
+// What Vega asks of the surroundings, its chance and its days: its types do not name them.
 declare module "vega" {
   interface SetText {
     readonly fontSize?: number;
@@ -37,6 +37,9 @@ declare module "vega" {
   const textMetrics: { width: (item: SetText, text: string | null) => number };
   const randomLCG: (seed: number) => () => number;
   const setRandom: (random: () => number) => void;
+  const timeInterval: (
+    unit: string,
+  ) => { readonly offset: (date: Date, units: number) => Date } | undefined;
 }
 textMetrics.width = ({ fontSize = 11, fontWeight }, text) =>
   widthOf(text ?? "", fontSize, fontWeight === "bold" || Number(fontWeight) >= 600);

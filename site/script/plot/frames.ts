@@ -4,6 +4,7 @@ import { mostPixels } from "./bounds.js";
 import { draw, type Drawing, type Row } from "./drawing.js";
 import { fault, type Fault } from "./fault.js";
 import { isObject, type Json, type JsonObject } from "./json.js";
+import { mapParts } from "./units.js";
 
 /** As wide as a paragraph, in CSS pixels. */
 const widest = 640;
@@ -24,7 +25,8 @@ export async function drawForPage(
   faults: Fault[],
 ): Promise<Drawings> {
   const drawIn = async ({ width, height, room }: typeof wide, name: string) => {
-    const framed = hasOwnWidth(spec) ? spec : fitInto(spec, width, height);
+    const sized = withoutContainers(spec);
+    const framed = hasOwnWidth(sized) ? sized : fitInto(sized, width, height);
     const drawing = await draw(spec, framed, rows, { id: `${id}-${name}`, room }, faults);
     if (drawing.width > width) {
       const message = `this plot is ${drawing.width} pixels wide, and the page has ${width} for it`;
@@ -40,7 +42,7 @@ export async function drawForPage(
   };
   const drawing = await drawIn(wide, "wide");
   // what is wrong with one is wrong with the other
-  const again = faults.length === 0 && !hasOwnWidth(spec);
+  const again = faults.length === 0 && !hasOwnWidth(withoutContainers(spec));
   return { wide: drawing, narrow: again ? await drawIn(narrow, "narrow") : null };
 }
 
@@ -57,9 +59,18 @@ function fitInto(spec: JsonObject, width: number, height: number): JsonObject {
   return hasOwn(spec, "height") ? framed : { ...framed, height };
 }
 
-/** Does a plot, or a layer of it, say its size? The page is no container that has one. */
+/** The page is no container that has a size: such a plot, or such a layer, is as large as one that says
+ * nothing of it. */
+function withoutContainers(spec: JsonObject): JsonObject {
+  const isContainer = ([key, value]: [string, Json]) =>
+    (key === "width" || key === "height") && value === "container";
+  return mapParts(spec, (part) =>
+    Object.fromEntries(Object.entries(part).filter((member) => !isContainer(member))),
+  );
+}
+
+/** Does a plot, or a layer of it, say its size? */
 function hasOwn(spec: JsonObject, side: "width" | "height"): boolean {
   const layers = Array.isArray(spec["layer"]) ? (spec["layer"] as readonly Json[]) : [];
-  const own = spec[side] !== undefined && spec[side] !== "container";
-  return own || layers.some((part) => isObject(part) && hasOwn(part, side));
+  return spec[side] !== undefined || layers.some((part) => isObject(part) && hasOwn(part, side));
 }

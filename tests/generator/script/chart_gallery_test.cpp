@@ -59,6 +59,10 @@ TEST_F(ChartGalleryTest, ThePageIsNoContainer) {
   const std::string points = std::string(R"("mark": "point", "encoding": {)") + kXY + "}}";
   EXPECT_EQ(svg_of(R"({"width": "container", "height": "container", )" + points),
             svg_of("{" + points));
+  EXPECT_EQ(svg_of(R"({"layer": [{"height": "container", "width": "container", )" + points + "]}"),
+            svg_of(R"({"layer": [{)" + points + "]}"));
+  EXPECT_EQ(svg_of(R"({"hconcat": [{"height": "container", "width": 90, )" + points + "]}"),
+            svg_of(R"({"hconcat": [{"width": 90, )" + points + "]}"));
 }
 
 TEST_F(ChartGalleryTest, ALayerMayHaveASize) {

@@ -50,6 +50,54 @@ TEST_F(ChartLimitsTest, OfWhatASpecSays) {
       too_large("[\"transform\",0,\"order\"]", "order", 20));
 }
 
+TEST_F(ChartLimitsTest, OfWhatCannotBeDrawn) {
+  const auto nothing = [](const std::string& path, const std::string& key,
+                          const std::string& number) {
+    return "E-plot-size " + path + " \"" + key + "\" is " + number +
+           ", and nothing can be drawn so | write a number greater than 0\n";
+  };
+  EXPECT_EQ(faults(bars(R"("width": -90, )")), nothing("[\"width\"]", "width", "-90"));
+  EXPECT_EQ(faults(bars(R"("height": 0, )")), nothing("[\"height\"]", "height", "0"));
+  EXPECT_EQ(faults(bars("", R"("field": "x", "bin": {"step": -1})")),
+            nothing(R"(["encoding","x","bin","step"])", "step", "-1"));
+  EXPECT_EQ(faults(bars("", R"("field": "x", "bin": {"maxbins": 0})")),
+            nothing(R"(["encoding","x","bin","maxbins"])", "maxbins", "0"));
+  EXPECT_EQ(faults(bars("", R"("field": "x", "bin": {"extent": [5]})")),
+            R"(E-plot-size ["encoding","x","bin"] no bins are as these should be | )"
+            "write `\"extent\": [0, 5], \"step\": 0.5`\n");
+  EXPECT_EQ(faults(bars("", R"("field": "x", "bin": {"step": 100})")), "");
+  for (const std::string key : {"layer", "concat", "hconcat", "vconcat"}) {
+    EXPECT_EQ(faults("{\"" + key + "\": []}"), "E-plot-empty [\"" + key + "\"] \"" + key +
+                                                   "\" has no parts to draw | give it some\n");
+  }
+}
+
+TEST_F(ChartLimitsTest, OfTicks) {
+  const auto timed = [](const std::string& count) {
+    return R"j({"mark": "tick", "transform": [{"calculate": "datum.x * 86400000", "as": "t"}],
+               "encoding": {"x": {"field": "t", "type": "temporal", "axis": {"tickCount": )j" +
+           count + "}}}}";
+  };
+  const std::string at = R"(E-plot-size ["encoding","x","axis","tickCount"] this makes )";
+  const std::string most = " ticks, and 1000 are the most | let them be fewer\n";
+  EXPECT_EQ(faults(timed(R"("day")")), at + "2999" + most);
+  EXPECT_EQ(faults(timed(R"({"interval": "day", "step": 2})")), at + "1500" + most);
+  EXPECT_EQ(faults(timed(R"({"expr": "1e9"})")), at + "1000000000" + most);
+  EXPECT_EQ(faults(timed(R"({"interval": "month", "step": 3})")), "");
+  EXPECT_EQ(faults(timed(R"("year")")), "");
+}
+
+TEST_F(ChartLimitsTest, OfTime) {
+  const std::string loess = R"({"loess": "q", "on": "x", "as": ["x", "q"]})";
+  EXPECT_EQ(faults(R"j({"transform": [{"calculate": "sequence(30)", "as": "q"}, {"flatten": ["q"]},
+                       {"calculate": "datum.x + datum.q / 30", "as": "x"}, )j" +
+                   loess + R"(], "mark": "line", "encoding": {
+                       "x": {"field": "x", "type": "quantitative"},
+                       "y": {"field": "q", "type": "quantitative"}}})"),
+            "E-plot-size [] the drawing of this plot ran for more than 10 s | let it show fewer "
+            "rows, bins or parts, or make them in the example\n");
+}
+
 TEST_F(ChartLimitsTest, OfHeight) {
   EXPECT_EQ(faults(R"({"mark": "bar", "height": 3990, "width": 90, "title": "t",
                        "encoding": {"x": {"field": "g"}}})"),

@@ -110,11 +110,80 @@ TEST_F(ChartPressTest, TurnsVegasDoubtsIntoFaults) {
             "E-plot-spec [\"transform\",0,\"calculate\"] this is no expression: Unexpected end of "
             "input\n");
   EXPECT_EQ(faults(line(R"j(, "transform": [{"calculate": "logg(datum.x)", "as": "z"}])j")),
-            "E-plot-spec [\"transform\",0,\"calculate\"] Unrecognized function: logg\n");
+            "E-plot-spec [\"transform\",0,\"calculate\"] no function is named logg | "
+            "Vega's documentation has those of its expressions\n");
   EXPECT_EQ(faults(line("", R"(, "stack": "zero", "scale": {"type": "point"})")),
             "E-plot-spec [] Stack is applied to a non-linear scale (point).\n"
             "E-plot-spec [\"encoding\",\"y\",\"scale\",\"type\"] FieldDef does not work with "
             "\"point\" scale. We are using \"linear\" scale instead.\n");
+}
+
+TEST_F(ChartPressTest, SaysInItsOwnWordsWhatVegaMeans) {
+  EXPECT_EQ(faults(R"({"encoding": {"x": {"field": "x", "type": "quantitative"}}})"),
+            "E-plot-spec [] this plot has no mark | say what to draw: `\"mark\": \"line\"`\n");
+  EXPECT_EQ(faults(line(R"(, "transform": [{"calculate": "x + 1", "as": "z"}])")),
+            R"(E-plot-spec ["transform",0,"calculate"] nothing is named "x" here | )"
+            "a column is `datum.NAME`; other names stand in the plot's `\"params\"`\n");
+  EXPECT_EQ(faults(line("", R"(, "scale": {"domain": {"param": "brush"}})")),
+            R"(E-plot-spec ["encoding","y","scale","domain","param"] nothing is named "brush" )"
+            "here | a column is `datum.NAME`; other names stand in the plot's `\"params\"`\n");
+  EXPECT_EQ(faults(line(R"(, "params": [{"name": "a", "value": 1}, {"name": "a", "value": 2}])")),
+            R"(E-plot-spec ["params",0,"name"] two parameters are named "a" | )"
+            "give each a name of its own\n");
+  EXPECT_EQ(faults(line("", R"(, "axis": {"format": "zzz"})")),
+            R"(E-plot-spec ["encoding","y","axis","format"] nothing is written in the format "zzz")"
+            " | write `\".2f\"` or `\"%Y-%m\"`\n");
+  EXPECT_EQ(faults(line("", R"(, "scale": {"domain": "unaggregated"})")),
+            R"(E-plot-spec ["encoding","y","scale","domain"] the domain "unaggregated" is for )"
+            "what is aggregated, and this column is not | leave \"domain\" out\n");
+}
+
+TEST_F(ChartPressTest, FindsThePartThatVegaFailsAt) {
+  const auto cannot = [](const std::string& path, const std::string& key) {
+    return "E-plot-spec " + path + " key Vega-Lite cannot draw a plot with this \"" + key +
+           "\", and does not say why | see what its documentation says of \"" + key +
+           "\", or leave it out\n";
+  };
+  EXPECT_EQ(faults(R"({"mark": "bar", "encoding": {"x": {"field": "x", "type": "quantitative"},
+                       "color": {"condition": {}, "value": "black"}}})"),
+            cannot(R"(["encoding","color","condition"])", "condition"));
+  EXPECT_EQ(faults(line(R"(, "transform": [{"filter": {}}])")),
+            cannot(R"(["transform",0,"filter"])", "filter"));
+  EXPECT_EQ(faults(line(R"(, "transform": [{"calculate": "datum.x.z.z", "as": "y"}])")),
+            cannot(R"(["transform",0,"calculate"])", "calculate"));
+  EXPECT_EQ(faults(line(R"(, "transform": [{"window": [{"op": "lag", "as": "z"}]}])")),
+            cannot(R"(["transform",0,"window",0,"op"])", "op"));
+  const std::string layer =
+      R"({"mark": "bar", "encoding": {"color": {"condition": {}, "value": "a"},
+                                "x": {"field": "x", "type": "quantitative"}}})";
+  EXPECT_EQ(faults(R"({"layer": [)" + layer + ", " + layer + "]}"),
+            "E-plot-spec [] Vega-Lite cannot draw this plot, and does not say why | leave out one "
+            "part after another until it is drawn, and look at the last one\n");
+}
+
+TEST_F(ChartPressTest, RefusesADomainThatTellsNoValuesApart) {
+  const auto of_y = [&](const std::string& domain) {
+    return faults(line("", R"(, "scale": {"domain": )" + domain + "}"));
+  };
+  const std::string fault =
+      R"(E-plot-spec ["encoding","y","scale","domain"] the domain of a quantity goes from one )"
+      "number to another | write `\"domain\": [0, 1]`, or leave it out\n";
+  for (const char* domain : {"[]", "[1]", "[1, 1]", "[null, 1]", R"(["a", "b"])"}) {
+    EXPECT_EQ(of_y(domain), fault) << domain;
+  }
+  EXPECT_EQ(of_y("[2, -2]"), "");
+  EXPECT_EQ(of_y(R"([{"expr": "-2"}, 2])"), "");
+  EXPECT_EQ(of_y("[-2, 0, 2]"), "");
+  const auto timed = [&](const std::string& domain) {
+    return faults(R"({"mark": "line", "encoding": {"x": {"field": "x", "type": "temporal",
+                      "scale": {"domain": )" +
+                  domain + R"(}}, "y": {"field": "y", "type": "quantitative"}}})");
+  };
+  EXPECT_EQ(timed(R"(["1970", "1971"])"), "");
+  EXPECT_EQ(timed(R"(["foo", "bar"])"),
+            R"(E-plot-spec ["encoding","x","scale","domain"] the domain of a time goes from one )"
+            "date to another | write `\"domain\": [\"2024-01-01\", \"2025-01-01\"]`, or leave it "
+            "out\n");
 }
 
 TEST_F(ChartPressTest, HasColoursForFourSeries) {
