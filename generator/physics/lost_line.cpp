@@ -2,6 +2,7 @@
 
 #include <re2/re2.h>
 
+#include <algorithm>
 #include <ranges>
 #include <sstream>
 
@@ -37,6 +38,14 @@ ModelError in_keyframe(ModelError error, int key, const std::string& part, int e
   return error;
 }
 
+// "missing name of reference frame object in sensor '' (id = 1)": sensors count from 0.
+ModelError in_sensor(ModelError error, int sensor, const WholeMjcf& whole) {
+  for (const WholeMjcf::Element& element : whole.elements) {
+    if (element.parent == "sensor" && sensor-- == 0) return at(element, std::move(error));
+  }
+  return error;
+}
+
 // The last one that says `nstack` holds.
 ModelError in_stack(ModelError error, const WholeMjcf& whole) {
   for (const auto& element : std::ranges::reverse_view(whole.elements)) {
@@ -49,16 +58,28 @@ ModelError in_stack(ModelError error, const WholeMjcf& whole) {
   return error;
 }
 
+ModelError in_actuators(ModelError error, const WholeMjcf& whole) {
+  const auto found = std::ranges::find(whole.elements, "actuator", &WholeMjcf::Element::name);
+  return found == whole.elements.end() ? error : at(*found, std::move(error));
+}
+
 }  // namespace
 
 ModelError with_line(ModelError error, const WholeMjcf& whole,
                      const std::function<ModelError(const std::string& mjcf)>& load) {
   static const RE2 keyframe(R"(key (\d+): invalid (\w+) size, expected length (\d+)$)");
+  static const RE2 of_sensor(R"( sensor '.*' \(id = (\d+)\)$)");
   if (error.line > 0) return error;
-  int key = 0, expected = 0;
+  int key = 0, expected = 0, sensor = 0;
   std::string part;
   if (RE2::PartialMatch(error.message, keyframe, &key, &part, &expected)) {
     return in_keyframe(std::move(error), key, part, expected, whole);
+  }
+  if (RE2::PartialMatch(error.message, of_sensor, &sensor)) {
+    return in_sensor(std::move(error), sensor, whole);
+  }
+  if (error.message == "stateless actuators must come before stateful actuators") {
+    return in_actuators(std::move(error), whole);
   }
   if (error.message == "Stack overflow") return in_stack(std::move(error), whole);
   if (!whole.includes) return error;

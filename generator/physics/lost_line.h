@@ -1,5 +1,5 @@
-// Where a mistake stands of which MuJoCo tells no line: in an included file, in a keyframe, in the
-// size of its stack.
+// Where a mistake stands of which MuJoCo tells no line: in an included file, in a keyframe, in
+// a sensor, among the actuators, in the size of its stack.
 #pragma once
 
 #include <functional>

@@ -19,6 +19,7 @@
 #include "physics/infinite_field.h"
 #include "physics/lost_line.h"
 #include "physics/model_files.h"
+#include "physics/mujoco_cures.h"
 #include "physics/mujoco_guard.h"
 
 namespace mjcourse {
@@ -108,13 +109,18 @@ Loaded load_in_peace(const std::string& file, const std::optional<ModelError>& i
                      const std::function<Loaded()>& load, const std::function<WholeMjcf()>& whole) {
   const std::shared_lock lock(loading);
   Loaded model = load();
-  if (!model && model.error().line == 0) {
-    return tl::unexpected(with_line(model.error(), whole(), [&](const std::string& mjcf) {
-      const Loaded again = load_model_as(file, mjcf);
-      return again ? ModelError{} : again.error();
-    }));
+  if (!model) {
+    ModelError error = model.error();
+    if (error.line == 0) {
+      error = with_line(std::move(error), whole(), [&](const std::string& mjcf) {
+        const Loaded again = load_model_as(file, mjcf);
+        return again ? ModelError{} : again.error();
+      });
+    }
+    if (error.cure.empty()) error.cure = cure_of_model(error.message);
+    return tl::unexpected(std::move(error));
   }
-  if (const std::string field = model ? find_infinite_field(*model) : ""; !field.empty()) {
+  if (const std::string field = find_infinite_field(*model); !field.empty()) {
     return tl::unexpected(infinite.value_or(
         ModelError{file, 0, 0, "the model's " + field + " is not a finite number", ""}));
   }
@@ -124,11 +130,10 @@ Loaded load_in_peace(const std::string& file, const std::optional<ModelError>& i
         "the solver may take more than " + std::to_string(kMostIterations) + " " + option,
         "it converges in some ten, or never"});
   };
-  if (model && model->get()->opt.iterations > kMostIterations) return refuse("iterations");
-  if (model && model->get()->opt.noslip_iterations > kMostIterations) {
-    return refuse("noslip_iterations");
-  }
-  if (model && model->get()->opt.mpr_iterations > kMostIterations) return refuse("mpr_iterations");
+  const mjOption& option = model->get()->opt;
+  if (option.iterations > kMostIterations) return refuse("iterations");
+  if (option.noslip_iterations > kMostIterations) return refuse("noslip_iterations");
+  if (option.mpr_iterations > kMostIterations) return refuse("mpr_iterations");
   return model;
 }
 

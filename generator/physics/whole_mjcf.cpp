@@ -66,7 +66,7 @@ class Putter {
       put_file(path, read_(path), false);
       return;
     }
-    WholeMjcf::Element found{element.Name(), {}, file_, element.GetLineNum()};
+    WholeMjcf::Element found{element.Name(), {}, file_, element.GetLineNum(), parent_};
     if (!whole_.elements.empty()) whole_.text += '\n';
     whole_.text += "<" + found.name;
     for (const auto* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
@@ -75,7 +75,9 @@ class Putter {
     }
     whole_.text += ">";
     whole_.elements.push_back(std::move(found));
+    const std::string outer = std::exchange(parent_, element.Name());
     put_children(element);
+    parent_ = outer;
     whole_.text += std::string("</") + element.Name() + ">";
   }
 
@@ -91,6 +93,7 @@ class Putter {
   WholeMjcf whole_;
   std::set<std::string> files_;
   std::string file_;
+  std::string parent_;  // of the elements that are put
 };
 
 }  // namespace

@@ -17,6 +17,7 @@ struct WholeMjcf {
     std::map<std::string, std::string> attributes;
     std::string file;
     int line;
+    std::string parent = {};  // the name of the element around it
   };
   std::string text;               // line 1 is the first element
   std::vector<Element> elements;  // as they stand in `text`

@@ -99,6 +99,29 @@ TEST_F(VettedModelTest, SaysWhichKeyframeIsOfAWrongSize) {
   EXPECT_EQ(load(main).error().cure, "write 7 numbers there, not 3");
 }
 
+TEST_F(VettedModelTest, SaysWhichSensorIsWrong) {
+  folder_.write(
+      "models/more.xml",
+      "<mujoco><sensor>\n<framepos objtype='body' objname='b'/>\n"
+      "<framepos objtype='body' objname='b' reftype='body' refname='c'/></sensor></mujoco>");
+  const std::string main = model(
+      "<worldbody><body name='b'/></worldbody><sensor><framequat objtype='body' objname='b'/>"
+      "</sensor><include file='more.xml'/>");
+  EXPECT_EQ(refused(main),
+            "models/more.xml:3: unrecognized name of reference frame object in sensor '' (id = 2)");
+  EXPECT_EQ(load(main).error().cure, "look at `refname`: nothing of its `reftype` has that name");
+}
+
+TEST_F(VettedModelTest, SaysWhereActuatorsAreInTheWrongOrder) {
+  const std::string main = model(
+      "<worldbody><body><joint name='j'/><geom size='1'/></body></worldbody>\n"
+      "<actuator><intvelocity joint='j' actrange='0 1'/><motor joint='j'/></actuator>");
+  EXPECT_EQ(refused(main),
+            "models/main.xml:3: stateless actuators must come before stateful actuators");
+  EXPECT_EQ(load(main).error().cure,
+            "write those with an activation, as `<intvelocity>`, behind all others");
+}
+
 TEST_F(VettedModelTest, SaysWhereTooSmallAStackIsAskedFor) {
   const std::string main = model(
       "<size nstack='50'/><worldbody><body><freejoint/><geom size='1'/>"
