@@ -164,6 +164,32 @@ async function picturesAreRenewed(previewed, page) {
   await isClean(page);
 }
 
+// A robot with a folder of its own, and what it includes there.
+async function modelsLieInFolders(previewed, page) {
+  mkdirSync(previewed.path("models/robot"));
+  const joint = '<joint name="knuckle"/><geom size="0.1"/>';
+  previewed.write(
+    "models/robot/arm.xml",
+    `<mujoco><worldbody><body name="finger">${joint}</body></worldbody></mujoco>`,
+  );
+  previewed.write("models/robot/scene.xml", '<mujoco><include file="arm.xml"/></mujoco>');
+  previewed.edit(
+    lesson,
+    "The renamed paragraph.",
+    "[The robot](model:robot/scene) has nv = `{robot/scene} model.nv`.",
+  );
+  await says(page, "The robot has nv = 1.");
+  await isClean(page);
+  previewed.edit("models/robot/arm.xml", "<joint", '<joint type="ball"/><joint');
+  await panel(page).getByText("models/robot/arm.xml:1").first().waitFor();
+  previewed.edit("models/robot/arm.xml", joint, '<geom size="0.1"/>');
+  await says(page, "The robot has nv = 3.");
+  await isClean(page);
+  const model = await previewed.open("models/robot/scene.html");
+  await says(model, "finger");
+  await model.close();
+}
+
 // A page of the web that gives this machine a name of its own learns nothing, nor does anybody get
 // files that are not the site's.
 async function othersAreRefused(previewed) {
@@ -204,6 +230,7 @@ await preview(mjcourse, folder, async (previewed) => {
   await mistakesAreShown(previewed, page);
   await filesComeAndGo(previewed, page);
   await picturesAreRenewed(previewed, page);
+  await modelsLieInFolders(previewed, page);
   await othersAreRefused(previewed);
   await manyTabs(previewed);
   await saysNot(page, "no such text");

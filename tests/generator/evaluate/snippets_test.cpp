@@ -27,6 +27,15 @@ TEST(Snippets, SeeTheirModelAndFreshData) {
   EXPECT_EQ(found.tally().outputs, 2);
 }
 
+TEST(Snippets, SeeAModelInAFolder) {
+  const EvaluationOf found(
+      snippet("std::printf(\"%d\\n\", model->nbody);\n", "model=robot/scene"),
+      {{"models/robot/scene.xml", "<mujoco><include file=\"arm.xml\"/></mujoco>"},
+       {"models/robot/arm.xml", "<mujoco><worldbody><body/><body/></worldbody></mujoco>"}});
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_EQ(found.result<ExampleResult>().output, "3\n");
+}
+
 TEST(Snippets, HaveTheHelperHeader) {
   const EvaluationOf found(
       snippet("help(model);\n"),
