@@ -192,8 +192,14 @@ std::vector<DeadReference> dead_references(const Course& course, const FormerPag
                                            const Lesson& lesson) {
   std::vector<DeadReference> found;
   for (const Link& link : lesson.links) {
-    const auto target = resolve_link(course, lesson, link.target.text);
-    if (!target) found.push_back({target.error(), link.target.span()});
+    auto target = resolve_link(course, lesson, link.target.text);
+    if (target) continue;
+    if (link.in_angle_brackets) {  // of a type, mostly: `std::vector<std::string>`
+      const std::string written = "<" + link.target.text + ">";
+      target.error().cure = "what stands in `<…>` is a link; as text, write it as code, `` `" +
+                            written + "` ``, or `\\" + written + "`";
+    }
+    found.push_back({target.error(), link.target.span()});
   }
   for (const LocatedText& number : lesson.front.prerequisites) {
     const auto dead = dead_lesson(course, lesson, number.text);

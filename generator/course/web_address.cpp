@@ -78,6 +78,13 @@ std::optional<AddressFault> address_fault(std::string_view url) {
   return std::nullopt;
 }
 
+// Of one byte: "%20".
+std::string escape(char c) {
+  constexpr std::array<char, 17> kDigits{"0123456789ABCDEF"};
+  const auto byte = static_cast<unsigned char>(c);
+  return {'%', kDigits.at(byte >> 4), kDigits.at(byte & 15)};
+}
+
 }  // namespace
 
 bool has_scheme(std::string_view url, std::string_view scheme) {
@@ -117,15 +124,19 @@ std::string site_root(const std::string& url) {
 }
 
 std::string escaped_path(std::string_view path) {
-  constexpr std::array<char, 17> kDigits{"0123456789ABCDEF"};
   std::string escaped;
   for (const char c : path) {
-    if (is_plain(c) || is_one_of(c, "-._~/")) {
-      escaped += c;
-    } else {
-      const auto byte = static_cast<unsigned char>(c);
-      escaped += {'%', kDigits.at(byte >> 4), kDigits.at(byte & 15)};
-    }
+    escaped += is_plain(c) || is_one_of(c, "-._~/") ? std::string(1, c) : escape(c);
+  }
+  return escaped;
+}
+
+std::string escaped_address(std::string_view url) {
+  std::string escaped;
+  for (const char c : url) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool stays = byte > ' ' && byte != 0x7F && !is_one_of(c, "\"<>^`{|}");
+    escaped += stays ? std::string(1, c) : escape(c);
   }
   return escaped;
 }

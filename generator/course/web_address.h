@@ -29,6 +29,8 @@ bool has_scheme(std::string_view url, std::string_view scheme);
 std::string site_root(const std::string& url);
 // `path` as an address has it: "a b" is "a%20b".
 std::string escaped_path(std::string_view path);
+// A link's address, in which an author may have left blanks: what none can have is escaped.
+std::string escaped_address(std::string_view url);
 // Where the file `path` of the course is edited.
 std::string edit_address(const std::string& edit, const std::string& path);
 

@@ -47,8 +47,9 @@ struct Heading {
 };
 
 struct Link {
-  cmark_node* node;    // null at rest
-  LocatedText target;  // as written: "1.3#anchor", "https://…"
+  cmark_node* node;                // null at rest
+  LocatedText target;              // as written: "1.3#anchor", "https://…"
+  bool in_angle_brackets = false;  // `<https://…>`, and `<std::string>`, which was meant as text
 };
 
 struct Lesson {

@@ -237,7 +237,12 @@ std::size_t LessonReader::read_link(cmark_node* node, const Region& region) {
   const std::string& text = region.text.text;
   const std::size_t end = std::min(text.find("\n\n", region.cursor), text.size());
   const std::string_view here = std::string_view(text).substr(0, end);
-  const std::string words = "[" + plain_text(node) + "]";
+  const std::string shown = plain_text(node), words = "[" + shown + "]";
+  if (target == shown || target == "mailto:" + shown) {
+    const std::size_t opened = here.find("<" + shown + ">", region.cursor);
+    const std::size_t bracket = here.find(words, region.cursor);
+    if (opened < bracket) return read_autolink(node, {region.text, opened + 1});
+  }
   std::size_t at = here.find(words + "(" + target, region.cursor);
   if (at != here.npos) {
     at += words.size() - 1;
@@ -248,12 +253,26 @@ std::size_t LessonReader::read_link(cmark_node* node, const Region& region) {
   if (!is_behind) at = text.find("]: " + target);
   Region ahead{region.text, at == text.npos ? region.cursor : text.find(target, at)};
   lesson_.links.push_back({node, find(target, ahead)});
-  if (is_in(node, CMARK_NODE_HEADING)) {
-    reading_.error("E-link-place", lesson_.links.back().target.span(),
-                   "a link cannot stand in a heading, which is a link itself",
-                   "put it into the text below");
-  }
+  refuse_link_in_heading(node);
   return is_behind ? at + 2 + target.size() : region.cursor;
+}
+
+// `<https://…>`, whose words begin at the region's cursor.
+std::size_t LessonReader::read_autolink(cmark_node* node, Region words) {
+  LocatedText target = find(plain_text(node), words);
+  target.text = cmark_node_get_url(node);  // may begin with a `mailto:` that is not written
+  target.offsets.append_still(target.text.size() + 1 - target.offsets.size(),
+                              target.offsets.back());
+  lesson_.links.push_back({node, std::move(target), true});
+  refuse_link_in_heading(node);
+  return words.cursor;
+}
+
+void LessonReader::refuse_link_in_heading(cmark_node* node) {
+  if (!is_in(node, CMARK_NODE_HEADING)) return;
+  reading_.error("E-link-place", lesson_.links.back().target.span(),
+                 "a link cannot stand in a heading, which is a link itself",
+                 "put it into the text below");
 }
 
 void LessonReader::refuse_footnote_in_link(cmark_node* node, const Region& region) {

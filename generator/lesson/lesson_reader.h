@@ -61,6 +61,8 @@ class LessonReader {
   void read_code_span(cmark_node* node, Region& region);
   static void pass_code_span(const std::string& code, Region& region);
   std::size_t read_link(cmark_node* node, const Region& region);
+  std::size_t read_autolink(cmark_node* node, Region words);
+  void refuse_link_in_heading(cmark_node* node);
   void refuse_footnote_in_link(cmark_node* node, const Region& region);
   cmark_node* read_text(cmark_node* node, Region& region);
   void read_term(const struct CutTerm& term, Region& region);

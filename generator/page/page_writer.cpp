@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "course/link_target.h"
+#include "course/web_address.h"
 #include "evaluate/workshop.h"
 #include "page/formula_text.h"
 #include "page/kept_together.h"
@@ -189,8 +190,8 @@ std::string PageWriter::write_link(cmark_node* node, const std::string& inner) c
   if (!title.empty()) title = " title=\"" + escape_html(title) + "\"";
   const auto resolved = resolve_link(course_, lesson_, target);
   if (!resolved || !resolved->url.empty()) {
-    return "<a class=\"external\" href=\"" + escape_html(target) + "\"" + title + ">" + inner +
-           "</a>";
+    return "<a class=\"external\" href=\"" + escape_html(escaped_address(target)) + "\"" + title +
+           ">" + inner + "</a>";
   }
   const std::string anchor = resolved->anchor.empty() ? "" : "#" + resolved->anchor;
   const std::string path =

@@ -32,6 +32,25 @@ TEST(Links, MustLeadToALessonThatIsThere) {
 )");
 }
 
+TEST(Links, InAngleBracketsMayBeMeantAsText) {
+  EXPECT_EQ(course_of("A vector<std::string>, a map<std::string>, [no]().\n", "").mistakes(),
+            R"(content/1-a/1.1-x.md:4:10: error: `std::string` leads nowhere [E-link-dead]
+  4 | A vector<std::string>, a map<std::string>, [no]().
+    |          ^~~~~~~~~~~
+  cure: what stands in `<…>` is a link; as text, write it as code, `` `<std::string>` ``, or `\<std::string>`
+content/1-a/1.1-x.md:4:30: error: `std::string` leads nowhere [E-link-dead]
+  4 | A vector<std::string>, a map<std::string>, [no]().
+    |                              ^~~~~~~~~~~
+  cure: what stands in `<…>` is a link; as text, write it as code, `` `<std::string>` ``, or `\<std::string>`
+content/1-a/1.1-x.md:4:47: error: this link has no address [E-link-dead]
+  4 | A vector<std::string>, a map<std::string>, [no]().
+    |                                               ^
+  cure: a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of its own page (`#heading`), to a model (`model:NAME`), to a name of MuJoCo's (`api:mj_step`) or to the web (`https://…`)
+)");
+  EXPECT_EQ(course_of("<me@a.example> <https://a.example/>, https://a.example/\n", "").mistakes(),
+            "");
+}
+
 // An address that acts leads nowhere, however it is written.
 TEST(Links, DoNotAct) {
   for (const std::string link :

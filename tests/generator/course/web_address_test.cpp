@@ -75,5 +75,11 @@ TEST(WebAddress, EscapesPaths) {
   EXPECT_EQ(escaped_path("a b&c/\xC3\xBC"), "a%20b%26c/%C3%BC");
 }
 
+TEST(WebAddress, EscapesOfALinkWhatNoneCanHave) {
+  EXPECT_EQ(escaped_address("https://a.org/\xC3\xBC?b=%20&c#d"),
+            "https://a.org/\xC3\xBC?b=%20&c#d");
+  EXPECT_EQ(escaped_address("https://a.org/a b\t\"<c>\""), "https://a.org/a%20b%09%22%3Cc%3E%22");
+}
+
 }  // namespace
 }  // namespace mjcourse
