@@ -6,6 +6,7 @@
 #include <array>
 #include <cctype>
 
+#include "base/utf8.h"
 #include "lesson/html_tags.h"
 #include "lesson/inline_length.h"
 
@@ -18,12 +19,13 @@ std::optional<HiddenMarkdown> block_at(std::string_view line, std::size_t at) {
     RE2 form;
     const char* what;
   };
-  static const std::array<Form, 5> forms{{
+  static const std::array<Form, 6> forms{{
       {RE2(R"([ \t]*(`{3,}|~{3,}))"), "a fence"},
       {RE2(R"([ \t]*(\$\$))"), "a formula"},
-      {RE2(R"([ \t]*(#{2,6}) )"), "a heading"},
+      {RE2(R"([ \t]*(#{1,6}) )"), "a heading"},
       {RE2(R"([ \t]*(> ?\[!))"), "a callout"},
       {RE2(R"([ \t]*([-*+]|\d+[.)]) +\S)"), "a list"},
+      {RE2(R"([ \t]*(\|?[ \t]*:?-+:?[ \t]*(?:\|[ \t]*:?-+:?[ \t]*)+\|?)[ \t]*$)"), "a table"},
   }};
   for (const Form& form : forms) {
     re2::StringPiece rest(line.data(), line.size()), mark;
@@ -32,6 +34,46 @@ std::optional<HiddenMarkdown> block_at(std::string_view line, std::size_t at) {
     return HiddenMarkdown{begin, begin + mark.size(), form.what};
   }
   return std::nullopt;
+}
+
+struct InlineForm {
+  RE2 form;
+  const char* what;
+};
+
+template <std::size_t N>
+std::optional<HiddenMarkdown> one_of(const std::array<InlineForm, N>& forms, std::string_view rest,
+                                     std::size_t at) {
+  const re2::StringPiece piece(rest.data(), rest.size());
+  for (const InlineForm& form : forms) {
+    re2::StringPiece behind = piece, mark;
+    if (!RE2::Consume(&behind, form.form, &mark)) continue;
+    return HiddenMarkdown{at, at + mark.size(), form.what};
+  }
+  return std::nullopt;
+}
+
+// What begins with the bracket `rest` begins with, at byte `at`.
+std::optional<HiddenMarkdown> bracket_at(std::string_view rest, std::size_t at) {
+  static const std::array<InlineForm, 3> forms{{
+      {RE2(R"((\[\[[\pL`][^\[\]\n]*\]\]))"), "a term"},
+      {RE2(R"((\[[^\[\]\n]+\]\([^()\s]+\)))"), "a link"},
+      {RE2(R"((\[\^[^\[\]\s]+\]))"), "a footnote's mark"},
+  }};
+  return one_of(forms, rest, at);
+}
+
+// Of words within a line, where none goes on before and behind: `2*3*4` has none.
+std::optional<HiddenMarkdown> emphasis_at(std::string_view rest, std::size_t at) {
+  if (rest[0] != '*' && rest[0] != '_' && rest[0] != '~') return std::nullopt;
+  static const std::array<InlineForm, 5> forms{{
+      {RE2(R"((\*\*[^\s*](?:[^*\n]*[^\s*])?\*\*)(?:[^\w*]|$))"), "emphasis"},
+      {RE2(R"((\*[^\s*](?:[^*\n]*[^\s*])?\*)(?:[^\w*]|$))"), "emphasis"},
+      {RE2(R"((__[^\s_](?:[^\n]*?[^\s_])?__)(?:\W|$))"), "emphasis"},
+      {RE2(R"((_[^\s_](?:[^\n]*?[^\s_])?_)(?:\W|$))"), "emphasis"},
+      {RE2(R"((~~[^\s~](?:[^~\n]*[^\s~])?~~))"), "text struck out"},
+  }};
+  return one_of(forms, rest, at);
 }
 
 // What begins at byte `at` of a text.
@@ -47,15 +89,9 @@ std::optional<HiddenMarkdown> inline_at(std::string_view text, std::size_t at, C
       return HiddenMarkdown{at, at + length, "a piece of code"};
     }
   }
-  if (rest[0] != '[') return std::nullopt;
-  const re2::StringPiece piece(rest.data(), rest.size());
-  static const RE2 term(R"(\[\[[\pL`][^\[\]\n]*\]\])"), link(R"(\[[^\[\]\n]+\]\([^()\s]+\))");
-  for (const auto& [form, what] : {std::pair{&term, "a term"}, std::pair{&link, "a link"}}) {
-    re2::StringPiece behind = piece;
-    if (!RE2::Consume(&behind, *form)) continue;
-    return HiddenMarkdown{at, at + (piece.size() - behind.size()), what};
-  }
-  return std::nullopt;
+  if (rest[0] == '[') return bracket_at(rest, at);
+  if (at > 0 && is_word_character(text[at - 1])) return std::nullopt;
+  return emphasis_at(rest, at);
 }
 
 std::optional<HiddenMarkdown> in_text(std::string_view html, std::size_t begin, std::size_t end) {

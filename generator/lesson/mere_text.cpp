@@ -15,7 +15,16 @@ constexpr std::size_t kMostRead = 100'000'000;  // in bytes, of what is shown
 constexpr std::size_t kLongestLabel = 1000;     // in bytes, as CommonMark has it
 constexpr std::size_t kLongestAddress = 4000;
 constexpr std::size_t kLongestTex = 10'000;
+constexpr std::size_t kLongestComment = 10'000;
 constexpr char kBlank = '\x01';
+
+// Of the comment that begins a text, as Markdown has one within a line; 0 where it has none.
+std::size_t comment_length(std::string_view text) {
+  const std::size_t end = text.substr(0, kLongestComment).find("--", 4);
+  const bool is_one = end != text.npos && text.substr(end).starts_with("-->") && text[4] != '>' &&
+                      text.substr(4, 2) != "->";
+  return is_one ? end + 3 : 0;
+}
 
 // `source` with `\x01` for each byte of code, formulas, tags and, but for their backslash, escapes.
 std::string without_literals(std::string_view source) {
@@ -34,6 +43,9 @@ std::string without_literals(std::string_view source) {
       length = std::max(blanks, backticks(rest));
     } else if (rest[0] == '$') {
       blanks = math_length(rest);
+      length = std::max<std::size_t>(blanks, 1);
+    } else if (rest.starts_with("<!--")) {
+      blanks = comment_length(rest);
       length = std::max<std::size_t>(blanks, 1);
     } else if (rest[0] == '<' && has_tags && rest.size() > 1 && rest[1] != ' ') {
       const std::size_t end = rest.find('>');
@@ -65,6 +77,8 @@ class Finder {
       } else if (text_[at] == '[') {
         opened_.push_back(at);
         if (text_.compare(at, 2, "[^") == 0) look_at_footnote(at);
+      } else if (text_.compare(at, 4, "<!--") == 0) {
+        look_at_comment(at);
       } else if (text_[at] == ']') {
         look_at_end(at);
         if (!opened_.empty()) opened_.pop_back();
@@ -93,6 +107,7 @@ class Finder {
 
   // `\(x\)` and `\[y\]`, of which Markdown leaves the brackets.
   void look_at_escape(std::size_t at) {
+    if (text_.compare(at, 7, "\\begin{") == 0) return look_at_environment(at);
     const bool inline_math = text_.compare(at, 2, "\\(") == 0;
     if (at < told_ || (!inline_math && text_.compare(at, 2, "\\[") != 0)) return;
     std::size_t& end = inline_math ? round_end_ : square_end_;
@@ -110,9 +125,32 @@ class Finder {
     told_ = end + 2;
   }
 
+  // `\begin{align}` without dollars around it.
+  void look_at_environment(std::size_t at) {
+    const std::size_t end = next("}\n", at, kLongestLabel);
+    if (end == text_.npos || text_[end] != '}') return;
+    const std::string begin = text_.substr(at, end + 1 - at);
+    if (!is_shown(begin)) return;
+    tell(at, end + 1, "W-math-brackets", "`" + begin + "` begins no formula: it is text",
+         "put the formula between `$$` and `$$`, each on a line of its own");
+  }
+
   static std::string_view trimmed(std::string_view text) {
     const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
     return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
+  }
+
+  // One with `--` in it, or without an end. In the page, two hyphens are a dash.
+  void look_at_comment(std::size_t at) {
+    if (!is_shown("<!\u2013") && !is_shown("<!--")) return;
+    const std::size_t end = source_.substr(0, at + kLongestComment).find("-->", at + 4);
+    if (end == source_.npos) {
+      return tell(at, at + 4, "W-html-comment", "this comment is never closed, and shown as text",
+                  "write `-->` where it ends; for the characters as text, write `\\<!--`");
+    }
+    tell(at, end + 3, "W-html-comment",
+         "within a line, this is no comment, and shown as text: `--` stands in it",
+         "leave out the `--`, or put the comment on a line of its own");
   }
 
   void look_at_footnote(std::size_t at) {
@@ -206,7 +244,7 @@ class Finder {
 }  // namespace
 
 bool is_suspicious(std::string_view source) {
-  for (const char* sign : {"\\(", "\\[", "[^", "](", "][", "![", "##"}) {
+  for (const char* sign : {"\\(", "\\[", "[^", "](", "][", "![", "##", "<!--", "\\begin{"}) {
     if (source.find(sign) != source.npos) return true;
   }
   return false;

@@ -1,5 +1,7 @@
 #include "lesson/raw_html.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
 #include <array>
 #include <map>
@@ -75,8 +77,8 @@ constexpr std::array kOfAll{"class", "dir", "lang", "style", "title"};
 // Of `a<b and c>d`, which was no tag to its author.
 constexpr const char* kAsText = "leave it out; for `<` as text, write code, `` `a<b` ``, or `\\<`";
 
-// What Markdown has in the place of an element.
-std::string instead_of(const std::string& name) {
+// What Markdown has in the place of the element `name`, which stands there as `written`.
+std::string instead_of(const std::string& name, std::string_view written) {
   static const std::map<std::string, std::string, std::less<>> instead{
       {"a",
        "write a link: `[text](https://…)`; to link to a place, give it a heading, "
@@ -96,9 +98,24 @@ std::string instead_of(const std::string& name) {
   };
   const auto found = instead.find(name);
   if (found != instead.end()) return found->second;
-  return "leave it out; for the tag as text, write it as code, `` `<" + name + ">` ``, or `\\<" +
-         name + ">`";
+  const std::string tag = "<" + std::string(written) + ">";
+  return "leave it out; for the tag as text, write it as code, `` `" + tag + "` ``, or `\\" + tag +
+         "`";
 }
+
+struct Words {
+  const char *message, *cure;
+};
+
+constexpr Words kBroken{
+    "this is no whole tag and no whole comment",
+    "end it with `>`, its values in quotes; for the character as text, write `&lt;`"};
+constexpr Words kDeclaration{"a lesson cannot have a declaration of HTML or XML",
+                             "leave it out; to show it, write it as code"};
+constexpr Words kUnclosed{"this comment is never closed",
+                          "write `-->` where it ends; for the characters as text, `&lt;!--`"};
+constexpr Words kEndsEarly{"to a browser, this comment ends before its `-->`",
+                           "begin it with a blank, and write no `--!>` in it"};
 
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -106,6 +123,10 @@ bool is_letter(char c) {
 
 bool is_name_character(char c) {
   return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == ':' || c == '_';
+}
+
+bool is_in(char c, std::string_view characters) {
+  return characters.find(c) != characters.npos;
 }
 
 bool is_blank(char c) {
@@ -120,11 +141,14 @@ class HtmlReader {
   std::vector<HtmlFault> faults() {
     while ((at_ = html_.find('<', at_)) < html_.size()) {
       const std::size_t begin = at_;
-      if (const bool read = html_.substr(at_).starts_with("<!--") ? comment() : tag(); read)
-        continue;
+      const std::string_view rest = html_.substr(at_);
+      const Words* broken = rest.starts_with("<!--")                  ? comment()
+                            : rest.size() > 1 && is_in(rest[1], "!?") ? &kDeclaration
+                            : autolink() || tag()                     ? nullptr
+                                                                      : &kBroken;
+      if (broken == nullptr) continue;
       refuse(begin, std::min(html_.find('\n', begin), html_.size()), "E-html-broken",
-             "this is no whole tag and no whole comment",
-             "end it with `>`, its values in quotes; for the character as text, write `&lt;`");
+             broken->message, broken->cure);
       break;  // where the next begins, only a browser's rules for broken HTML could tell
     }
     return std::move(faults_);
@@ -137,21 +161,35 @@ class HtmlReader {
   }
 
   // Browsers end a comment also at `--!>`, and one that begins with `>` or `->` at once.
-  bool comment() {
+  const Words* comment() {
     const std::size_t text = at_ + 4, end = html_.find("-->", text);
-    if (end == html_.npos) return false;
-    const std::string_view inner = html_.substr(text, end - text);
-    if (inner.starts_with('>') || inner.starts_with("->") || inner.find("--") != inner.npos) {
-      return false;
+    const std::string_view inner = html_.substr(text, std::min(end, html_.size()) - text);
+    if (inner.starts_with('>') || inner.starts_with("->") || inner.find("--!>") != inner.npos) {
+      return &kEndsEarly;
     }
+    if (end == html_.npos) return &kUnclosed;
     at_ = end + 3;
+    return nullptr;
+  }
+
+  // `<https://…>`, which is a link in Markdown alone.
+  bool autolink() {
+    static const RE2 form(R"(<[A-Za-z][A-Za-z0-9+.-]+:[^\s<>"'=]*>)");
+    re2::StringPiece rest(html_.data() + at_, html_.size() - at_);
+    if (!RE2::Consume(&rest, form)) return false;
+    const std::size_t begin = at_;
+    at_ = html_.size() - rest.size();
+    refuse(begin, at_, "E-html-hidden",
+           "a link right beside a tag is no Markdown, and a browser would not show it",
+           "leave an empty line between the tag and it; for `<` as text, write `&lt;`");
     return true;
   }
 
   bool tag() {
     const std::size_t begin = at_++;
     const bool closes = skip("/");
-    const std::string name = lower(word());
+    const std::string_view written = word();
+    const std::string name = lower(written);
     if (name.empty()) return false;
     const std::size_t name_end = at_;
     std::vector<HtmlFault> found;
@@ -166,8 +204,9 @@ class HtmlReader {
       faults_.insert(faults_.end(), found.begin(), found.end());
     } else if (const bool is_first = refused_.insert(name).second; is_first || !closes) {
       // An end is refused with its beginning.
-      refuse(begin, name_end, "E-html-element", "a lesson cannot have the element `" + name + "`",
-             instead_of(name));
+      refuse(begin, name_end, "E-html-element",
+             "a lesson cannot have the element `" + std::string(written) + "`",
+             instead_of(name, written));
     }
     return true;
   }

@@ -51,10 +51,29 @@ TEST(MereText, IsAFormulaInBrackets) {
   EXPECT_EQ(found("\\[1\\], \\[a, b\\] and `\\(x\\)`, \\\\(x\\\\)\n"), "");
 }
 
+TEST(MereText, IsAFormulaWithoutDollars) {
+  EXPECT_EQ(found("\\begin{equation}\nx = 1\n\\end{equation}\n\na \\begin{align*} b\n"),
+            "W-math-brackets <\\begin{equation}>, W-math-brackets <\\begin{align*}>");
+  EXPECT_EQ(
+      found("$$\n\\begin{aligned}x\\end{aligned}\n$$\n\na\n$$\n\\begin{aligned}x\\end{aligned}\n"
+            "$$\n\n$\\begin{matrix}a\\end{matrix}$ `\\begin{a}`\n"),
+      "");
+}
+
 TEST(MereText, IsAHeadingWithoutABlank) {
   EXPECT_EQ(found("##Two\n\ntext\n###Three\n\n> ##Quoted\n"),
             "W-heading-blank <##>, W-heading-blank <###>, W-heading-blank <##>");
   EXPECT_EQ(found("#include\n\n\\##a\n\n## b\n\n##\n\n`##a`\n"), "");
+}
+
+TEST(MereText, IsACommentThatIsNone) {
+  EXPECT_EQ(found("a <!-- use --strict --> b\n"), "W-html-comment <<!-- use --strict -->>");
+  EXPECT_EQ(found("a <!-- see [t][no] -- --> b\n\n## c <!--> d\n"),
+            "W-html-comment <<!-- see [t][no] -- -->>, W-reference-unknown <[t][no]>, "
+            "W-html-comment <<!-->");
+  EXPECT_EQ(found("a <!-- is\nnever closed\n"), "W-html-comment <<!-->");
+  EXPECT_EQ(found("a <!-- b --> c <!----> `<!-- d` \\<!-- $<!--$\n"), "");
+  EXPECT_EQ(found("<!-- use --strict -->\n\ntext\n"), "");
 }
 
 }  // namespace

@@ -72,12 +72,39 @@ TEST(RawHtml, SaysWhereAndWhatToDo) {
     |             ^~~~~~
   cure: did you mean `color`?
 )");
-  EXPECT_EQ(
-      mistakes_in("<div>\n\n<!-- never closed\n"),
-      R"(content/1-a/1.1-x.md:6:1: error: this is no whole tag and no whole comment [E-html-broken]
+  EXPECT_EQ(mistakes_in("<div>\n\n<!-- never closed\n"),
+            R"(content/1-a/1.1-x.md:6:1: error: this comment is never closed [E-html-broken]
   6 | <!-- never closed
     | ^~~~~~~~~~~~~~~~~
-  cure: end it with `>`, its values in quotes; for the character as text, write `&lt;`
+  cure: write `-->` where it ends; for the characters as text, `&lt;!--`
+)");
+  EXPECT_EQ(
+      mistakes_in("<!--> b -->\n"),
+      R"(content/1-a/1.1-x.md:4:1: error: to a browser, this comment ends before its `-->` [E-html-broken]
+  4 | <!--> b -->
+    | ^~~~~~~~~~~
+  cure: begin it with a blank, and write no `--!>` in it
+)");
+  EXPECT_EQ(
+      mistakes_in("<?xml version=\"1.0\"?>\n"),
+      R"(content/1-a/1.1-x.md:4:1: error: a lesson cannot have a declaration of HTML or XML [E-html-broken]
+  4 | <?xml version="1.0"?>
+    | ^~~~~~~~~~~~~~~~~~~~~
+  cure: leave it out; to show it, write it as code
+)");
+  EXPECT_EQ(
+      mistakes_in("A List<T>.\n"),
+      R"(content/1-a/1.1-x.md:4:7: error: a lesson cannot have the element `T` [E-html-element]
+  4 | A List<T>.
+    |       ^~
+  cure: leave it out; for the tag as text, write it as code, `` `<T>` ``, or `\<T>`
+)");
+  EXPECT_EQ(
+      mistakes_in("<div>See <https://a.example/b>.</div>\n"),
+      R"(content/1-a/1.1-x.md:4:10: error: a link right beside a tag is no Markdown, and a browser would not show it [E-html-hidden]
+  4 | <div>See <https://a.example/b>.</div>
+    |          ^~~~~~~~~~~~~~~~~~~~~
+  cure: leave an empty line between the tag and it; for `<` as text, write `&lt;`
 )");
 }
 
@@ -208,12 +235,22 @@ TEST(RawHtml, HidesNoMarkdown) {
   EXPECT_EQ(refused("<div>\na [[term]]\n</div>\n"), hidden("[[term]]"));
   EXPECT_EQ(refused("<div><b>a</b> ![b](c.png)</div>\n"), hidden("[b](c.png)"));
   EXPECT_EQ(refused("> <summary>$x$</summary>\n"), hidden("$x$"));
+  EXPECT_EQ(refused("<div>\n# A title\n</div>\n"), hidden("#"));
+  EXPECT_EQ(refused("<div>\na | b\n---|:-:\n1 | 2\n</div>\n"), hidden("---|:-:"));
+  EXPECT_EQ(refused("<div>a **b c** d</div>\n"), hidden("**b c**"));
+  EXPECT_EQ(refused("<div>\n*b*\n</div>\n"), hidden("*b*"));
+  EXPECT_EQ(refused("<div>\na __b__ and _c_\n</div>\n"), hidden("__b__"));
+  EXPECT_EQ(refused("<div>\n_c d_, e\n</div>\n"), hidden("_c d_"));
+  EXPECT_EQ(refused("<div>\n~~b~~ c\n</div>\n"), hidden("~~b~~"));
+  EXPECT_EQ(refused("<div>\na[^1]\n</div>\n\nb[^1]\n\n[^1]: c\n"), hidden("[^1]"));
 }
 
 TEST(RawHtml, LeavesMarkdownWhereItIsReadOrIsCode) {
   EXPECT_EQ(refused("<details>\n\n```text unchecked\ncode\n```\n\n</details>\n"), "");
   EXPECT_EQ(refused("<pre>\n$x$\n\n## a `b`\n</pre>\n"), "");
   EXPECT_EQ(refused("<p>a <code>$HOME/`x`$</code>, $5 and $6, 2 - 1, [1](\n</p>\n"), "");
+  EXPECT_EQ(refused("<p>2*3*4, a_b_c, x * y * z, snake_case_, --- or - | -, 1 ~ 2, ** </p>\n"), "");
+  EXPECT_EQ(refused("<!-- use --strict, and `x` -->\n"), "");
   EXPECT_EQ(refused("<!-- $x$ `a` -->\n"), "");
   EXPECT_EQ(refused("a <kbd>Ctrl</kbd> $x$ `b`\n"), "");
 }
