@@ -2,16 +2,19 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "base/files.h"
 #include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
+
+namespace fs = std::filesystem;
 
 constexpr int kMostErrors = 5;  // of one program: later ones mostly follow from the first
 
@@ -22,18 +25,33 @@ std::size_t name_length(std::string_view text, std::size_t at) {
   return end > at ? end - at : 1;
 }
 
+// Of a message about `file`, whose first line the compiler counts as `first_line`.
+Span span_in(const SourceText& file, int first_line, const CompilerMessage& message) {
+  const std::size_t at =
+      file.line_start(message.line - first_line + 1) + static_cast<std::size_t>(message.column) - 1;
+  return {at, at + name_length(file.text(), at)};
+}
+
 Place place_of_message(const CompilerMessage& message, const CompiledText& text,
                        const Lesson& lesson) {
   if (text.code.offsets.empty()) {  // the program stands in its own file
     const SourceText file(text.name, text.code.text);
-    const std::size_t at =
-        file.line_start(message.line) + static_cast<std::size_t>(message.column) - 1;
-    return place_of(file, {at, at + name_length(file.text(), at)});
+    return place_of(file, span_in(file, 1, message));
   }
-  const SourceText code("", text.code.text);
-  const std::size_t at = code.line_start(message.line - text.first_line + 1) +
-                         static_cast<std::size_t>(message.column) - 1;
-  return place_of(*lesson.source, text.code.span(at, at + name_length(code.text(), at)));
+  const Span span = span_in(SourceText("", text.code.text), text.first_line, message);
+  return place_of(*lesson.source, text.code.span(span.begin, span.end));
+}
+
+// The place of a message about a header of the course at `root`; nothing of another header.
+std::optional<Place> place_in_header(const CompilerMessage& message, const fs::path& root) {
+  const fs::path path = fs::path(message.file)
+                            .lexically_normal()
+                            .lexically_relative(fs::absolute(root).lexically_normal());
+  if (path.empty() || path.begin()->string() == "..") return std::nullopt;
+  const auto bytes = DiskFiles(root).read(path.string());
+  if (!bytes) return std::nullopt;
+  const SourceText header(path.string(), *bytes);
+  return place_of(header, span_in(header, 1, message));
 }
 
 // The line of the program that led to messages[index], which speaks of a header: the first note
@@ -49,12 +67,21 @@ const CompilerMessage* cause_of(const Compiled& compiled, std::size_t index,
 
 // Where headers are looked for, where one was not found.
 std::string cure_of(const CompilerMessage& message) {
-  for (const char* missing : {" file not found", ": No such file or directory"}) {
+  for (const char* missing :
+       {" file not found", ": No such file or directory", ": Permission denied"}) {
     if (!message.text.ends_with(missing)) continue;
     return "a header of the course lies beside the program and is included as `\"name.h\"`, or in "
            "examples/include";
   }
   return "";
+}
+
+// What the compiler said, without the folder of the course.
+std::string without_root(std::string text, const fs::path& root) {
+  const std::string folder = fs::absolute(root).lexically_normal().string() + "/";
+  for (std::size_t at = 0; (at = text.find(folder, at)) != text.npos;)
+    text.erase(at, folder.size());
+  return text;
 }
 
 // What the linker said, each thing once and without the names of temporary files.
@@ -77,10 +104,24 @@ std::string link_problems(const std::string& raw) {
   return text;
 }
 
+// Show `found`, which stands where the program led to it, in the header that `message` is about.
+void show_header(const CompilerMessage& message, const fs::path& root, bool has_cause,
+                 Diagnostic& found) {
+  std::optional<Place> place = place_in_header(message, root);
+  if (!place) {
+    const std::string file = fs::path(message.file).lexically_normal().string();
+    found.detail = "in " + file + ":" + std::to_string(message.line) + "\n";
+  } else if (has_cause) {
+    found.notes.push_back({"the compiler finds it in this header", *std::move(place)});
+  } else {
+    found.notes.push_back({"this program includes it", std::exchange(found.place, *place)});
+  }
+}
+
 }  // namespace
 
 void report_compile_messages(const Compiled& compiled, const CompiledText& text,
-                             const Lesson& lesson, Diagnostics& diagnostics) {
+                             const Lesson& lesson, const fs::path& root, Diagnostics& diagnostics) {
   int errors = 0;
   for (std::size_t i = 0; i < compiled.messages.size(); ++i) {
     const CompilerMessage& message = compiled.messages[i];
@@ -93,12 +134,10 @@ void report_compile_messages(const Compiled& compiled, const CompiledText& text,
     Diagnostic found = error_at(
         at != nullptr ? place_of_message(*at, text, lesson) : place_of(*lesson.source, text.fence),
         warning ? "W-example-compile" : "E-example-compile",
-        is_blank ? "the compiler gives no reason" : message.text, cure_of(message));
+        is_blank ? "the compiler gives no reason" : without_root(message.text, root),
+        cure_of(message));
     found.severity = warning ? Severity::warning : Severity::error;
-    if (!own) {
-      const std::string file = std::filesystem::path(message.file).lexically_normal().string();
-      found.detail = "in " + file + ":" + std::to_string(message.line) + "\n";
-    }
+    if (!own) show_header(message, root, at != nullptr, found);
     if (text.code.offsets.empty()) {
       found.notes.push_back({"the lesson shows this file", place_of(*lesson.source, text.fence)});
     }

@@ -1,6 +1,7 @@
 // The compiler's words, at the lines of the lesson that they are about.
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "evaluate/compiler.h"
@@ -18,8 +19,10 @@ struct CompiledText {
   Span fence;
 };
 
-// Report the errors and warnings of `compiled`.
+// Report the errors and warnings of `compiled`. Those in a header of the course, which lies at
+// `root`, stand at the header's line.
 void report_compile_messages(const Compiled& compiled, const CompiledText& text,
-                             const Lesson& lesson, Diagnostics& diagnostics);
+                             const Lesson& lesson, const std::filesystem::path& root,
+                             Diagnostics& diagnostics);
 
 }  // namespace mjcourse

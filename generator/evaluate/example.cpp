@@ -149,7 +149,7 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
     return ExampleResult{shown,
                          without_folders(compiled.raw, {fs::absolute(root), root, folder.path()})};
   }
-  report_compile_messages(compiled, {code, first_line, shown_as, example.span}, lesson,
+  report_compile_messages(compiled, {code, first_line, shown_as, example.span}, lesson, root,
                           diagnostics);
   if (!compiled.succeeded) return std::nullopt;
   if (!example.compiles) {

@@ -5,8 +5,9 @@
 
 namespace mjcourse {
 
-// Adds `found` to `all`. A mistake in a model's file is found by each task that uses the model; it
-// becomes one diagnostic, with a note for each lesson.
+// Adds `found` to `all`. A mistake in a model's file is found by each task that uses the model, one
+// in a header by each program that includes it; it becomes one diagnostic, with a note for each
+// lesson.
 void gather_diagnostics(Diagnostics found, Diagnostics& all);
 
 }  // namespace mjcourse

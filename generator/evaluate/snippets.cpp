@@ -115,7 +115,7 @@ const Placed* find_open(const Compiled& compiled, const std::vector<Placed>& sni
 
 // Each message, with the notes behind it, is reported with the snippet that it is about.
 void report_messages(const Compiled& compiled, const std::vector<Placed>& snippets,
-                     const Lesson& lesson, Diagnostics& diagnostics) {
+                     const Lesson& lesson, const fs::path& root, Diagnostics& diagnostics) {
   if (const Placed* open = find_open(compiled, snippets, lesson.source->path())) {
     diagnostics.push_back(error_at(place_of(*lesson.source, open->snippet->span), "E-snippet-open",
                                    "this snippet leaves a brace or a parenthesis open",
@@ -140,7 +140,7 @@ void report_messages(const Compiled& compiled, const std::vector<Placed>& snippe
     report_compile_messages(parts[i],
                             {snippets[i].snippet->code, snippets[i].line + 1, lesson.source->path(),
                              snippets[i].snippet->span},
-                            lesson, diagnostics);
+                            lesson, root, diagnostics);
   }
 }
 
@@ -177,7 +177,7 @@ std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, Wor
   write_file(source, program_text(snippets, lesson, workshop.setting().include_folders()));
   const Compiled compiled = compiler->compile(source, binary, folder.path());
   trace_compilation(compiled, folder.path(), workshop);
-  report_messages(compiled, snippets, lesson, diagnostics);
+  report_messages(compiled, snippets, lesson, root, diagnostics);
   std::map<std::size_t, ExampleResult> results;
   if (!compiled.succeeded) return results;
   for (std::size_t i = 0; i < snippets.size(); ++i) {

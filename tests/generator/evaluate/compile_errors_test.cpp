@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/files.h"
+#include "base/temporary_folder.h"
 #include "reading_of.h"
 
 namespace mjcourse {
@@ -17,7 +19,7 @@ class CompileErrors : public testing::Test {
     const auto& example = reading_.only<Example>();
     Diagnostics diagnostics;
     report_compile_messages(compiled, {example.code, 5, kLessonPath, example.span},
-                            *reading_.lesson, diagnostics);
+                            *reading_.lesson, course_.path(), diagnostics);
     return diagnostics;
   }
   // What a terminal shows of `messages` about the example.
@@ -25,6 +27,7 @@ class CompileErrors : public testing::Test {
     return shown(diagnostics_of(std::move(messages), raw));
   }
 
+  const TemporaryFolder course_;
   const ReadingOf reading_ =
       reading_of("> ```cpp file=examples/a.cpp\n> int main() {\n>   é(undeclared);\n> }\n> ```\n");
   const CompilerMessage error_{kLessonPath, 6, 6, "error", "use of undeclared identifier"};
@@ -91,6 +94,41 @@ TEST_F(CompileErrors, OfAHeaderThatNothingCausedStandAtTheFence) {
             expected + report({error_}));
 }
 
+TEST_F(CompileErrors, OfAHeaderOfTheCourseStandInTheHeader) {
+  write_file(course_.path() / "examples/a n#1.h", "\nint é = undeclared;\n");
+  const CompilerMessage in_own{(course_.path() / "examples/x/../a n#1.h").string(), 2, 10, "error",
+                               "use of undeclared identifier"};
+  EXPECT_EQ(report({in_own}),
+            R"(examples/a n#1.h:2:9: error: use of undeclared identifier [E-example-compile]
+  2 | int é = undeclared;
+    |         ^~~~~~~~~~
+  note: content/1-a/1.1-x.md:4:3: this program includes it
+  4 | > ```cpp file=examples/a.cpp
+    |   ^~~~~~~~~~~~~~~~~~~~~~~~~~
+)");
+  EXPECT_EQ(report({in_own, {kLessonPath, 5, 5, "note", "in instantiation requested here"}}),
+            R"(content/1-a/1.1-x.md:5:7: error: use of undeclared identifier [E-example-compile]
+  5 | > int main() {
+    |       ^~~~
+  note: examples/a n#1.h:2:9: the compiler finds it in this header
+  2 | int é = undeclared;
+    |         ^~~~~~~~~~
+)");
+}
+
+TEST_F(CompileErrors, NameFilesAsTheCourseDoes) {
+  CompilerMessage error = error_;
+  error.text = "cannot open file '" + (course_.path() / "examples/../lib/n.h").string() +
+               "': Permission denied";
+  EXPECT_EQ(
+      report({error}),
+      R"(content/1-a/1.1-x.md:6:7: error: cannot open file 'examples/../lib/n.h': Permission denied [E-example-compile]
+  6 | >   é(undeclared);
+    |       ^~~~~~~~~~
+  cure: a header of the course lies beside the program and is included as `"name.h"`, or in examples/include
+)");
+}
+
 TEST_F(CompileErrors, AreCutAfterTheFirstFive) {
   const std::vector<CompilerMessage> seven(7, error_);
   const std::vector<CompilerMessage> five(5, error_);
@@ -123,7 +161,7 @@ TEST_F(CompileErrors, OfAFileStandInTheFile) {
   compiled.messages = {{"examples/a.cpp", 2, 6, "error", "use of undeclared identifier"}};
   Diagnostics diagnostics;
   report_compile_messages(compiled, {code, 1, "examples/a.cpp", fence}, *reading_.lesson,
-                          diagnostics);
+                          course_.path(), diagnostics);
   EXPECT_EQ(shown(diagnostics),
             R"(examples/a.cpp:2:5: error: use of undeclared identifier [E-example-compile]
   2 |   é(undeclared);

@@ -1,0 +1,3 @@
+#include "wheel.h"
+
+int main() { return turns(0); }

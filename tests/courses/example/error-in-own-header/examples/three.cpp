@@ -1,0 +1,3 @@
+#include "../elsewhere/wheel.h"
+
+int main() {}
