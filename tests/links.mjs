@@ -190,12 +190,31 @@ const courses = {
     (c) => c.link("/etc/passwd", "examples/include/a.hpp"),
     ofFile("examples/include/a.hpp", outside),
   ],
+  "a header that is a pipe in a folder": [
+    (c) => c.pipe("examples/include/deep/a.hpp"),
+    ofFile("examples/include/deep/a.hpp", "is not a file"),
+  ],
   "a program that is /etc/passwd": [
     (c) => {
       c.lesson("```cpp file=examples/a.cpp\nint main() {}\n```");
       c.link("/etc/passwd", "examples/a.cpp");
     },
     ofNamed("```cpp file=examples/a.cpp", "examples/a.cpp", "examples/a.cpp", outside),
+  ],
+  "a pipe among the headers beside a program": [
+    (c) => {
+      const code = '#include "deep/fine.h"\nint main() {}';
+      c.lesson(`\`\`\`cpp file=examples/a.cpp\n${code}\n\`\`\``);
+      c.write("examples/a.cpp", `${code}\n`);
+      c.write("examples/deep/fine.h", '#include "other.h"\n');
+      c.pipe("examples/deep/other.h");
+    },
+    ofNamed(
+      "```cpp file=examples/a.cpp",
+      "```cpp file=examples/a.cpp",
+      "examples/deep/other.h",
+      "is not a file",
+    ),
   ],
   "a theme's style that is /etc/passwd": [
     (c) => c.link("/etc/passwd", "theme/style.css"),

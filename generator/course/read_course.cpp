@@ -38,10 +38,8 @@ void report_refused_folders(const Files& files, Diagnostics& diagnostics) {
   report_refused("examples", files, diagnostics);
   if (!files.refusal("examples").empty()) return;
   report_refused("examples/include", files, diagnostics);
-  for (const std::string folder : {"examples/include", "examples/include/mjcourse"}) {
-    for (const std::string& name : files.list(folder)) {
-      report_refused(folder + "/" + name, files, diagnostics);
-    }
+  for (const std::string& name : files.list_below("examples/include")) {
+    report_refused("examples/include/" + name, files, diagnostics);
   }
 }
 

@@ -1,5 +1,7 @@
 #include "evaluate/include_folders.h"
 
+#include <algorithm>
+
 #include "base/files.h"
 
 namespace mjcourse {
@@ -11,12 +13,10 @@ namespace {
 // Is all that its programs include to be read? A compiler waits for ever at a pipe.
 bool is_sound(const DiskFiles& course) {
   if (!course.refusal("examples/include").empty()) return false;
-  for (const std::string folder : {"examples/include", "examples/include/mjcourse"}) {
-    for (const std::string& name : course.list(folder)) {
-      if (!course.refusal(folder + "/" + name).empty()) return false;
-    }
-  }
-  return true;
+  const std::vector<std::string> headers = course.list_below("examples/include");
+  return std::all_of(headers.begin(), headers.end(), [&](const std::string& name) {
+    return course.refusal("examples/include/" + name).empty();
+  });
 }
 
 }  // namespace

@@ -48,5 +48,11 @@ TEST_F(IncludeFoldersTest, WithAPipeAreTheTools) {
   EXPECT_EQ(folders(), IncludeFolders{helper_});
 }
 
+TEST_F(IncludeFoldersTest, WithAPipeInAFolderAreTheTools) {
+  std::filesystem::create_directories(own_ / "deep/er");
+  ASSERT_EQ(mkfifo((own_ / "deep/er/a.hpp").c_str(), 0600), 0);
+  EXPECT_EQ(folders(), IncludeFolders{helper_});
+}
+
 }  // namespace
 }  // namespace mjcourse
