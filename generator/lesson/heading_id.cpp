@@ -2,7 +2,7 @@
 
 #include <re2/re2.h>
 
-#include <cctype>
+#include "base/utf8.h"
 
 namespace mjcourse {
 
@@ -12,10 +12,9 @@ std::string id_of_heading(std::string text) {
   RE2::GlobalReplace(&text, between, "-");
   RE2::GlobalReplace(&text, punctuation, "");
   std::string id;
-  for (const char c : text) {
+  for (const char c : lower_case_utf8(text)) {
     if (c == '-' && (id.empty() || id.back() == '-')) continue;
-    const auto byte = static_cast<unsigned char>(c);
-    id += static_cast<char>(byte < 0x80 ? std::tolower(byte) : byte);
+    id += c;
   }
   while (id.ends_with('-')) id.pop_back();
   return id.empty() ? "section" : id;

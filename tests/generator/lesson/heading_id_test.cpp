@@ -10,7 +10,8 @@ namespace {
 TEST(HeadingId, IsMadeOfWords) {
   EXPECT_EQ(id_of_heading("Why four numbers?"), "why-four-numbers");
   EXPECT_EQ(id_of_heading("  C++ & `a_b`: 1.2 "), "c-ab-12");
-  EXPECT_EQ(id_of_heading("Équations à résoudre, 运动学"), "Équations-à-résoudre-运动学");
+  EXPECT_EQ(id_of_heading("Équations à résoudre, 运动学"), "équations-à-résoudre-运动学");
+  EXPECT_EQ(id_of_heading("ΩΜΕΓΑ, Сила"), "ωμεγα-сила");
   EXPECT_EQ(id_of_heading("?!"), "section");
 }
 

@@ -84,7 +84,7 @@ std::string ids(const std::string& body) {
 
 TEST(Heading, HasAnIdOfItsOwn) {
   EXPECT_EQ(ids("## Why four numbers?\n### `qpos` & $q_w$ – É\n## ?!\n"),
-            "2 why-four-numbers\n3 qpos-qw-É\n2 section\n");
+            "2 why-four-numbers\n3 qpos-qw-é\n2 section\n");
   EXPECT_EQ(ids("## A\n## A\n## A 2\n## A\n> ## A\n"), "2 a\n2 a-2\n2 a-2-2\n2 a-3\n2 a-4\n");
 }
 
