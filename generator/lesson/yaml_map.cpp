@@ -87,24 +87,35 @@ LocatedText YamlMap::scalar(const YAML::Node& node) const {
 }
 
 void YamlMap::error(const YAML::Node& node, const std::string& message, const std::string& cure) {
+  // A value that is not there stands, to the library, at whatever comes next.
+  if (node.IsNull() && map_.IsMap()) {
+    for (const auto& entry : map_) {
+      if (entry.second.is(node)) return error(entry.first, message, "write it behind the colon");
+    }
+  }
   const std::size_t length = node.IsScalar() ? node.Scalar().size() : 1;
   reading_.error(id_, span_of(node.Mark(), length, text_), message, cure);
 }
 
-LocatedText YamlMap::string(const std::string& key) {
-  const YAML::Node value = find(key);
+LocatedText YamlMap::text_of(const YAML::Node& value, const std::string& key) {
   if (!value.IsDefined()) return {};
   if (value.IsScalar()) return scalar(value);
   error(value, "`" + key + "` must be a text");
   return {};
 }
 
+LocatedText YamlMap::string(const std::string& key) {
+  return text_of(find(key), key);
+}
+
 LocatedText YamlMap::required_string(const std::string& key) {
-  LocatedText value = string(key);
-  if (value.text.empty() && is_map_) {
+  const YAML::Node value = find(key);
+  LocatedText text = text_of(value, key);
+  const bool is_told = value.IsDefined() && !value.IsScalar();
+  if (text.text.empty() && is_map_ && !is_told) {
     error(map_, "the " + what_ + " has no `" + key + "`", "add a line `" + key + ": …`");
   }
-  return value;
+  return text;
 }
 
 std::optional<int> YamlMap::count(const std::string& key) {

@@ -38,6 +38,7 @@ class YamlMap {
 
  private:
   YAML::Node find(const std::string& key);
+  LocatedText text_of(const YAML::Node& value, const std::string& key);
   LocatedText scalar(const YAML::Node& node) const;
   void error(const YAML::Node& node, const std::string& message, const std::string& cure = "");
 
