@@ -2,6 +2,7 @@
 
 #include <re2/re2.h>
 
+#include <algorithm>
 #include <cctype>
 
 namespace mjcourse {
@@ -20,6 +21,11 @@ bool is_doubtful_math(char before, std::string_view tex, std::string_view behind
       tex.starts_with('^') || tex.starts_with('_') || RE2::PartialMatch(formula, command);
   if (is_tex) return false;
   if (RE2::FullMatch(formula, money)) return true;
+  // `US$5–$7; (5$ each)`. Half an interval, `$[0, 1)$`, begins with its bracket.
+  const bool begins_with_digit =
+      !tex.empty() && std::isdigit(static_cast<unsigned char>(tex[0])) != 0;
+  if (begins_with_digit && std::ranges::count(tex, '(') != std::ranges::count(tex, ')'))
+    return true;
   if (std::isalnum(static_cast<unsigned char>(before)) != 0) return true;
   const bool ends_in_word = RE2::Consume(&rest, word);
   rest.set(behind.data(), behind.size());
