@@ -1,5 +1,6 @@
 #include "page/formula_text.h"
 
+#include <re2/re2.h>
 #include <tinyxml2.h>
 
 #include <algorithm>
@@ -178,12 +179,21 @@ std::string without_invisible(std::string text) {
   return text;
 }
 
+// What `\hspace` and `\quad` leave, in characters of half an em.
+int room_in(const std::string& markup) {
+  static const RE2 form(R"re(<mspace width="([\d.]+)em")re");
+  re2::StringPiece rest(markup);
+  double width = 0, room = 0;
+  while (RE2::FindAndConsume(&rest, form, &width)) room += 2 * width;
+  return static_cast<int>(std::min(room, 1000.0));
+}
+
 constexpr int kMostOnAPhone = 24;  // characters; mostly a line ends within a longer formula, too
 
 }  // namespace
 
 bool is_wide_formula(const std::string& markup) {
-  return count_characters(formula_text(markup)) > kMostOnAPhone;
+  return count_characters(formula_text(markup)) + room_in(markup) > kMostOnAPhone;
 }
 
 std::string formula_text(const std::string& markup) {

@@ -39,9 +39,11 @@ function cutOff() {
 function overflowing() {
   const { scrollWidth, clientWidth } = document.documentElement;
   if (scrollWidth <= clientWidth) return [];
-  const wide = [...document.body.querySelectorAll("*")].filter(
-    (element) => element.getBoundingClientRect().right > clientWidth + 0.5,
-  );
+  // To the left, where the page is written from right to left.
+  const wide = [...document.body.querySelectorAll("*")].filter((element) => {
+    const { left, right } = element.getBoundingClientRect();
+    return right > clientWidth + 0.5 || left < -0.5;
+  });
   return wide.slice(0, 5).map((element) => element.outerHTML.slice(0, 80));
 }
 

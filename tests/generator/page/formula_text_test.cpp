@@ -47,6 +47,8 @@ TEST_F(FormulaText, TellsWhatMayBeWiderThanAPhone) {
   EXPECT_FALSE(is_wide_formula(typesetter_.typeset("\\mathbf{\\ddot{q}}", false).value()));
   EXPECT_TRUE(is_wide_formula(
       typesetter_.typeset("\\frac{a + b + c + d + e + f + g + h}{2}", false).value()));
+  EXPECT_FALSE(is_wide_formula(typesetter_.typeset("a\\quad b\\hspace{8em} c", false).value()));
+  EXPECT_TRUE(is_wide_formula(typesetter_.typeset("a\\hspace{12em} b", false).value()));
 }
 
 TEST_F(FormulaText, IsEmptyWithoutMathml) {
