@@ -1,10 +1,11 @@
-// Lesson 1.3: the same brake, with a reading of the last step and of this one.
+// Lesson 1.3: the same brake, by what a step leaves behind: qvel is of now, a
+// sensor of the step before.
 //
 // INPUT    flywheel.xml, 0.01 kg m^2, a step of 10 ms
-// PROCESS  brake against the speed that the sensor says, once with the reading
-//          that the last mj_step left, once with that of mj_step1. A step is
-//          linear, so it is a matrix; its largest eigenvalue is what the error
-//          grows by
+// PROCESS  brake against a speed: by the reading of the sensor that the last
+//          mj_step left, by the qvel that it left, and by the reading of
+//          mj_step1. A step is linear, so it is a matrix; its largest
+//          eigenvalue is what the error grows by
 // OUTPUT   the largest gain at which the wheel stays calm; for the lesson, the
 //          table "growth"
 //
@@ -21,10 +22,18 @@ using namespace mjcourse;
 using Eigen::Matrix2d, Eigen::Vector2d;
 
 // #region brakes
-// Both take (speed, last reading) one step on.
+// Each takes (speed, last reading) one step on.
 Vector2d late(const Model& model, const Data& data, double gain, Vector2d was) {
   data->qvel[0] = was[0];
-  data->ctrl[0] = -gain * was[1];  // what the sensor said in the last step
+  data->ctrl[0] = -gain * was[1];  // what mj_step left in sensordata
+  mj_step(model, data);
+  return {data->qvel[0], data->sensordata[0]};
+}
+
+Vector2d state(const Model& model, const Data& data, double gain,
+               Vector2d was) {
+  data->qvel[0] = was[0];
+  data->ctrl[0] = -gain * data->qvel[0];  // what mj_step left in qvel
   mj_step(model, data);
   return {data->qvel[0], data->sensordata[0]};
 }
@@ -66,10 +75,12 @@ double largest_calm_gain(const Model& model, Brake brake) {
 int main() {
   const Model model = load_model("flywheel");
   const double late_limit = largest_calm_gain(model, late);
+  const double state_limit = largest_calm_gain(model, state);
   const double middle_limit = largest_calm_gain(model, middle);
   std::printf("largest calm gain (N m s/rad)\n");
-  std::printf("  read after the last step: %.3f\n", late_limit);
-  std::printf("  read in the middle:       %.3f\n", middle_limit);
+  std::printf("  sensordata, after mj_step:  %.3f\n", late_limit);
+  std::printf("  qvel, after mj_step:        %.3f\n", state_limit);
+  std::printf("  sensordata, after mj_step1: %.3f\n", middle_limit);
 
   std::vector<double> gains, after, between;
   for (int i = 0; i <= 50; ++i) {

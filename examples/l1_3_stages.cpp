@@ -1,10 +1,14 @@
 // Lesson 1.3: what each stage of a step finds out.
 //
-// INPUT    arm_and_crate.xml, while the arm pushes the crate
+// INPUT    arm_and_crate.xml, while the arm pushes the crate; three arms that
+//          touch nothing; nine boxes on a floor
 // PROCESS  forget every result in mjData; let MuJoCo's own timers run on a clock
-//          that counts the numbers which are known; take one step
-// OUTPUT   how many numbers each stage has found; for the lesson, the table
-//          "stages". With the word "seconds": a real clock, and 10000 steps
+//          that counts the numbers which are known; take one step. Then give
+//          them a clock in seconds, and take a thousand
+// OUTPUT   how many numbers each stage has found; for each model, the share of
+//          the numbers and of the time that comes before the control. With the
+//          word "seconds": that share of the time in per cent, which differs
+//          from machine to machine; for the lesson, the table "stages"
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l1_3_stages
@@ -12,6 +16,7 @@
 
 #include <mujoco/mjxmacro.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -19,6 +24,7 @@
 #include <mjcourse/mjcourse.hpp>
 #include <set>
 #include <span>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -61,36 +67,98 @@ double seconds() {
 }
 // #endregion
 
-int main(int argc, char** argv) {
-  const bool real = argc > 1 && std::string_view(argv[1]) == "seconds";
-  const Model model = load_model("arm_and_crate");
-  const Data data = make_data(model);
-  ctrl(model, data) << 1.4, 1.8;
-  for (int step = 0; step < 300; ++step) mj_step(model, data);
+// What the timers of MuJoCo's stages have added up so far, in their order.
+std::vector<double> spent(const mjData* data) {
+  std::vector<double> durations;
+  for (int timer = mjTIMER_POSITION; timer <= mjTIMER_CONSTRAINT; ++timer)
+    durations.push_back(data->timer[timer].duration);
+  return durations;
+}
 
-  // #region timers
+// #region timers
+// How many numbers each stage of one step finds.
+std::vector<double> count(const mjModel* model, mjData* data) {
   results = find_results(model, data);
   for (const std::span<double> array : results)
     std::ranges::fill(array, std::numeric_limits<double>::quiet_NaN());
-
-  mjcb_time = real ? seconds : numbers_known;
-  for (int step = 0; step < (real ? 10000 : 1); ++step) mj_step(model, data);
+  for (mjTimerStat& timer : data->timer) timer = {};
+  mjcb_time = numbers_known;
+  mj_step(model, data);
   mjcb_time = nullptr;
+  return spent(data);
+}
+// #endregion
 
-  const auto spent = [&](auto timer) { return data->timer[timer].duration; };
-  // #endregion
-  const double all = spent(mjTIMER_FORWARD);
-  std::vector<double> number, found;
+// The share of the first two stages.
+double before(const std::vector<double>& stages) {
+  double all = 0;
+  for (const double stage : stages) all += stage;
+  return (stages[0] + stages[1]) / all;
+}
+
+// #region time
+// The share of a step's time, the median of a thousand steps: so it does not
+// matter if the machine does something else meanwhile.
+double before_in_time(const mjModel* model, mjData* data) {
+  std::vector<double> shares;
+  mjcb_time = seconds;
+  for (int step = 0; step < 1000; ++step) {
+    for (mjTimerStat& timer : data->timer) timer = {};
+    mj_step(model, data);
+    shares.push_back(before(spent(data)));
+  }
+  mjcb_time = nullptr;
+  std::ranges::nth_element(shares, shares.begin() + 500);
+  return shares[500];
+}
+// #endregion
+
+// Side by side, each on its four corners.
+Model nine_boxes() {
+  std::string boxes;
+  for (const char* y : {"0", "0.3", "0.6"})
+    for (const char* x : {"0", "0.3", "0.6"})
+      boxes += "<body pos='" + std::string(x) + " " + y +
+               " 0.1'><freejoint/><geom type='box' size='0.1 0.1 0.1'/></body>";
+  return load_model_xml(
+      "<mujoco><worldbody><geom type='plane' size='2 2 0.1'/>" + boxes +
+      "</worldbody></mujoco>");
+}
+
+int main(int argc, char** argv) {
+  const bool exact = argc > 1 && std::string_view(argv[1]) == "seconds";
+  const Model arm = load_model("arm_and_crate");
+  const Data data = make_data(arm);
+  ctrl(arm, data) << 1.4, 1.8;
+  for (int step = 0; step < 300; ++step) mj_step(arm, data);
+
+  const std::vector<double> found = count(arm, data);
+  double all = 0;
+  for (const double stage : found) all += stage;
+  std::vector<double> number;
   for (const char* name :
        {"position", "velocity", "actuation", "acceleration", "constraint"}) {
-    // MuJoCo's timers of the stages follow one another in the same order.
-    found.push_back(spent(mjTIMER_POSITION + number.size()));
+    const double numbers = found[number.size()];
     number.push_back(number.size() + 1.0);
-    std::printf("%-13s %5.3g  %3.0f %%\n", name, found.back(),
-                100 * found.back() / all);
-    result(name, found.back());
+    std::printf("%-13s %5.3g  %3.0f %%\n", name, numbers, 100 * numbers / all);
+    result(name, numbers);
   }
-  result("all", all);
-  result("before", 100 * (found[0] + found[1]) / all);  // %
+  result("before", 100 * before(found));  // %
   table("stages", {{"stage", number}, {"found", found}});
+
+  std::printf("\nbefore your control  numbers  time\n");
+  const auto compare = [&](const char* name, const Model& model, mjData* state) {
+    for (int step = 0; step < 300; ++step) mj_step(model, state);
+    const double time = before_in_time(model, state);
+    std::printf("%-19s  %4.0f %%   ", name,
+                100 * before(count(model, state)));
+    if (exact)
+      std::printf("%.0f %%\n", 100 * time);
+    else
+      std::printf("%s than half\n", time > 0.5 ? "more" : "less");
+  };
+  const Model arms = load_model("three_arms"), boxes = nine_boxes();
+  compare("three arms", arms, make_data(arms));
+  compare("the arm, its crate", arm, data);
+  compare("nine boxes", boxes, make_data(boxes));
 }

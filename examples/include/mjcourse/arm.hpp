@@ -150,13 +150,14 @@ class Arm {
     const long steps = std::lround(seconds / model_->opt.timestep);
     for (long step = 1; step <= steps; ++step) {
       lead(static_cast<double>(step) / steps);
+      mj_step1(model_, data_);  // what the weight asks for now
       // A servo pulls with kp (ctrl - angle), so it must lead the angle by what
       // the weight of the links asks for.
       for (int j = 0; j < kJoints; ++j) {
         const double kp = model_->actuator_gainprm[j * mjNGAIN];
         data_->ctrl[j] = plan_->qpos[j] + data_->qfrc_bias[j] / kp;
       }
-      mj_step(model_, data_);
+      mj_step2(model_, data_);
       watch();
     }
   }
