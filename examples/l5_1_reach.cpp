@@ -4,7 +4,8 @@
 // PROCESS  step the arm's joints towards it, plainly and damped; nothing is
 //          simulated, only the kinematics computed
 // OUTPUT   the way to the cube; then to a place out of reach: how far off the
-//          hand ends, and the largest step that a joint was told to make
+//          hand ends, and the largest step that a joint was told to make; and
+//          what is left there if a radian counts as much as so many metres
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l5_1_reach
@@ -37,9 +38,11 @@ Vector6d error_of(const mjData* data, int site, const Pose& target) {
 
 // The step of the seven joints that takes the hand there, nearly.
 Vector7d step_to(const mjModel* model, const mjData* data, int site,
-                 const Vector6d& error, double damping) {
+                 Vector6d error, double damping, double metres = 1) {
   Jacobian all(6, model->nv);
   mj_jacSite(model, data, all.data(), all.data() + 3 * model->nv, site);
+  all.bottomRows<3>() *= metres;  // so many for a radian
+  error.tail<3>() *= metres;
   const auto J = all.leftCols<7>();  // of all joints, the arm's
   const Matrix6d damped =
       J * J.transpose() + damping * damping * Matrix6d::Identity();
@@ -53,7 +56,7 @@ struct Way {
 };
 
 Way reach(const Model& model, const Pose& target, double damping, int steps,
-          bool show) {
+          bool show, double metres = 1) {
   const Data data = make_data(model);
   mj_resetDataKeyframe(model, data, id_of(model, mjOBJ_KEY, "home"));
   const int site = id_of(model, mjOBJ_SITE, "grasp");
@@ -68,7 +71,7 @@ Way reach(const Model& model, const Pose& target, double damping, int steps,
       std::printf("%4d  %14.6f  %13.6f\n", step, 1000 * way.distance,
                   way.angle);
     if (step == steps) return way;
-    const Vector7d dq = step_to(model, data, site, error, damping);
+    const Vector7d dq = step_to(model, data, site, error, damping, metres);
     way.largest = std::max(way.largest, dq.cwiseAbs().maxCoeff());
     qpos(model, data).head<7>() += dq;
   }
@@ -87,5 +90,11 @@ int main() {
     std::printf("damping %.1f: largest %.1f rad, %.2f m off\n", damping,
                 way.largest, way.distance);
     result(damping == 0 ? "plain" : "damped", way.largest);
+  }
+  std::printf("out of reach, 300 damped steps\n");
+  for (const double metres : {1.0, 0.1}) {
+    const Way way = reach(model, away, 0.2, 300, false, metres);
+    std::printf("a radian is %.1f m: %.3f m and %.3f rad off\n", metres,
+                way.distance, way.angle);
   }
 }
