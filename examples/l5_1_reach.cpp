@@ -96,5 +96,6 @@ int main() {
     const Way way = reach(model, away, 0.2, 300, false, metres);
     std::printf("a radian is %.1f m: %.3f m and %.3f rad off\n", metres,
                 way.distance, way.angle);
+    if (metres < 1) result("turned", way.angle * 180 / M_PI);
   }
 }

@@ -60,7 +60,7 @@ inline Data set_up(const Start& start, mjModel* model) {
   // MuJoCo takes the larger coefficient of two geoms, so all three get it.
   for (const char* geom : {name, "finger_left_pad", "finger_right_pad"})
     model->geom_friction[3 * id_of(model, mjOBJ_GEOM, geom)] = start.friction;
-  mj_setConst(model, data);  // what follows from the mass
+  mj_setConst(model, data);  // what follows from the mass; puts qpos0 into data
 
   mj_resetDataKeyframe(model, data, id_of(model, mjOBJ_KEY, "home"));
   for (int i = 0; i < 3; ++i) {
