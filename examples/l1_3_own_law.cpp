@@ -58,7 +58,8 @@ Model three_carts() {
 }
 
 template <typename Brake>
-void follow(const char* name, const char* key, const Model& model, Brake brake) {
+void follow(const char* name, const char* key, const Model& model,
+            Brake brake) {
   model->opt.integrator = mjINT_IMPLICIT;
   const Data data = make_data(model);
   qvel(model, data).setConstant(0.001);
@@ -68,8 +69,7 @@ void follow(const char* name, const char* key, const Model& model, Brake brake) 
     mj_step1(model, data);
     brake(model, data);
     mj_step2(model, data);
-    if (step <= 3 || step == 10)
-      std::printf(" %9.2g", data->qvel[0] / 0.001);
+    if (step <= 3 || step == 10) std::printf(" %9.2g", data->qvel[0] / 0.001);
   }
   std::printf("\n");
   result(key, std::abs(data->qvel[0] / 0.001));

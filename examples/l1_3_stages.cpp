@@ -147,11 +147,11 @@ int main(int argc, char** argv) {
   table("stages", {{"stage", number}, {"found", found}});
 
   std::printf("\nbefore your control  numbers  time\n");
-  const auto compare = [&](const char* name, const Model& model, mjData* state) {
+  const auto compare = [&](const char* name, const Model& model,
+                           mjData* state) {
     for (int step = 0; step < 300; ++step) mj_step(model, state);
     const double time = before_in_time(model, state);
-    std::printf("%-19s  %4.0f %%   ", name,
-                100 * before(count(model, state)));
+    std::printf("%-19s  %4.0f %%   ", name, 100 * before(count(model, state)));
     if (exact)
       std::printf("%.0f %%\n", 100 * time);
     else
