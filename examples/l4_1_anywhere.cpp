@@ -68,6 +68,8 @@ int main() {
   std::printf("after one turn the quaternion is its own negative: %s\n",
               negative ? "yes" : "no");
 
+  std::vector<Waves> fits;  // with up to 16 waves
+  for (int waves = 1; waves <= 16; ++waves) fits.push_back(nearest(waves));
   std::mt19937 random(1);
   std::normal_distribution<double> normal;
   int upside_down = 0;
@@ -76,7 +78,7 @@ int main() {
     const int waves = 1 + n % 16;
     Waves weights =
         Waves::NullaryExpr(4, 1 + 2 * waves, [&] { return normal(random); });
-    if (n < 500) weights = 0.1 * weights + nearest(waves);
+    if (n < 500) weights = 0.1 * weights + fits[waves - 1];
     // #region seek
     const auto model = [&](double s) -> Vector4d {
       return weights * features(s, waves);
@@ -86,7 +88,7 @@ int main() {
     double low = 0, high = kTurn;
     const double sign = product(low);
     if (sign * product(high) >= 0) continue;
-    while (high - low > 1e-13) {
+    while (high - low > 1e-10) {
       const double s = (low + high) / 2;
       (sign * product(s) > 0 ? low : high) = s;
     }
