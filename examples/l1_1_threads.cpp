@@ -4,8 +4,10 @@
 // PROCESS  (1) simulate a second eight times with eight different targets, one
 //              after the other, then in eight threads on the same model, each
 //              with data of its own; compare all numbers, bit by bit;
-//          (2) let two threads take turns on one mjData, behind a lock
-// OUTPUT   whether all bits agree, and what time it is in the shared data
+//          (2) let two threads take turns on one mjData, behind a lock;
+//          (3) the same, but each stops when the shared clock says a second
+// OUTPUT   whether all bits agree, and what time it is in the shared data; for
+//          the lesson, how many steps (3) took
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l1_1_threads
@@ -65,6 +67,22 @@ double time_in_shared_data(const mjModel* model) {
 }
 // #endregion
 
+int steps_by_the_clock(const mjModel* model) {
+  const Data data = make_data(model);
+  std::mutex mutex;
+  int steps = 0;
+  const auto a_second = [&] {
+    while (true) {
+      const std::lock_guard lock(mutex);
+      if (data->time >= 1) return;
+      mj_step(model, data);
+      ++steps;
+    }
+  };
+  { const std::jthread one(a_second), other(a_second); }
+  return steps;
+}
+
 int main() {
   const Model model = load_model("arm_and_crate");
   const std::vector<double> targets{0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6};
@@ -74,5 +92,6 @@ int main() {
   const double time = time_in_shared_data(model);
   std::printf("one data, two threads:     time %.3f s instead of 1\n", time);
   result("shared_time", time);
+  result("steps_by_the_clock", steps_by_the_clock(model));
   result("threads", static_cast<double>(targets.size()));
 }
