@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <iostream>
+
 namespace mjcourse {
 namespace {
 
@@ -35,6 +38,22 @@ TEST(Nearest, LooksForNoLongName) {
   const std::string name(80, 'a');
   EXPECT_EQ(nearest(name, {"b" + name}), "b" + name);
   EXPECT_EQ(nearest(name + "a", {"b" + name}), "");
+}
+
+// In a process of its own, which has nothing left for the other tests.
+TEST(NearestDeathTest, TakesABillionStepsInARun) {
+  const auto all_of_them = [] {
+    // 6.4 million steps, of which 156 times are just less.
+    const std::vector<std::string> long_names(1000, std::string(80, 'b'));
+    const std::string name(80, 'a');
+    for (int i = 0; i < 156; ++i) nearest(name, long_names);
+    const std::string before = suggest("qpso", kFields);
+    nearest(name, long_names);
+    std::cerr << before << " " << suggest("qpso", kFields);
+    std::exit(0);
+  };
+  EXPECT_EXIT(all_of_them(), testing::ExitedWithCode(0),
+              "^did you mean `qpos`\\? known: qpos, qvel, xfrc_applied, time$");
 }
 
 TEST(Suggest, ListsNoLongName) {

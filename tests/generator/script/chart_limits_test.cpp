@@ -105,6 +105,14 @@ TEST_F(ChartLimitsTest, OfHeight) {
             "parts lower, or fewer\n");
 }
 
+// Three thousand circles, none of which is large by itself.
+TEST_F(ChartLimitsTest, OfADrawing) {
+  EXPECT_EQ(
+      faults(R"({"mark": "point", "encoding": {"x": {"field": "x", "type": "quantitative"}}})"),
+      "E-plot-size [] this plot would weigh 451 KB, more than a page should | let the example "
+      "report fewer rows, say every tenth\n");
+}
+
 TEST_F(ChartLimitsTest, OfRows) {
   const std::string impute = R"({"impute": "g", "key": "x", "value": 0, )";
   EXPECT_EQ(faults(transformed(impute + R"("keyvals": {"start": 0, "stop": 1e9, "step": 1}})")),
