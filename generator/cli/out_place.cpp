@@ -1,6 +1,10 @@
 #include "cli/out_place.h"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <filesystem>
+#include <string>
 
 #include "base/beneath.h"
 #include "cli/run.h"
@@ -22,11 +26,28 @@ std::optional<Refusal> refused_place(const fs::path& course, const fs::path& pla
                  "name another place: `" + option + "`"};
 }
 
+// Before a course is worked on for minutes: may this user write what comes to lie at `place`? What
+// is there already is replaced, so what counts is the folder that it lies in, or will.
+std::optional<Refusal> refused_by_system(const fs::path& place, const std::string& option) {
+  std::error_code none;
+  fs::path above = fs::weakly_canonical(fs::absolute(place), none).parent_path();
+  while (!fs::exists(above, none) && above.has_relative_path()) above = above.parent_path();
+  const bool is_folder = fs::is_directory(above, none);
+  if (is_folder && eaccess(above.c_str(), W_OK | X_OK) == 0) return std::nullopt;
+  const std::error_code why(is_folder ? errno : ENOTDIR, std::generic_category());
+  return Refusal{kWrongUsage,
+                 place.string() + " cannot be written: " + above.string() + ": " + why.message(),
+                 (is_folder ? "let this user write in there, or name another place: `"
+                            : "name another place: `") +
+                     option + "`"};
+}
+
 // A site or a report takes its whole folder.
 std::optional<Refusal> refused_folder(const fs::path& course, const fs::path& place,
                                       const std::string& option) {
   auto refused = refused_place(course, place, option);
   if (!refused) SiteDirectory::refuse_others(place);
+  if (!refused) refused = refused_by_system(place, option);
   return refused;
 }
 
@@ -46,11 +67,33 @@ std::optional<Refusal> refused_out(const Options& options, std::string_view comm
       refused = Refusal{kWrongUsage, options.trace.string() + " is not a file",
                         "name a file: `--trace FILE`"};
     }
+    if (!refused) refused = refused_by_system(options.trace, "--trace FILE");
   }
   if (!refused && !options.store.empty()) {
     refused = refused_place(options.course, options.store, "--store DIR");
+    // One that is there may be there to be read.
+    if (!refused && !fs::exists(options.store)) {
+      refused = refused_by_system(options.store, "--store DIR");
+    }
   }
   return refused;
+}
+
+Refusal failed_call(const std::system_error& error) {
+  const auto* of_file = dynamic_cast<const fs::filesystem_error*>(&error);
+  const std::string message =
+      of_file == nullptr ? error.what() : of_file->path1().string() + ": " + error.code().message();
+  switch (error.code().value()) {
+    case ENOSPC:
+    case EDQUOT:
+      return {kOurFault, message, "make room on that disk; what was there before is as it was"};
+    case EACCES:
+    case EPERM:
+    case EROFS:
+      return {kOurFault, message, "let this user read and write it"};
+    default:
+      return {kOurFault, message, ""};
+  }
 }
 
 }  // namespace mjcourse

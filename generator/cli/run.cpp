@@ -6,6 +6,7 @@
 #include <exception>
 #include <iostream>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "base/cache_folder.h"
@@ -262,6 +263,10 @@ int run_named(const NamedCommand& named, const std::vector<std::string>& argumen
     const std::string value = joined        ? arguments[i].substr(equals + 1)
                               : needs_value ? arguments[++i]
                                             : "";
+    // An unset variable in somebody's script, and not a wish for what is usual.
+    if (needs_value && value.empty()) {
+      return wrong_usage(argument + " needs " + std::string(option->value) + ", and has \"\"");
+    }
     if (!option->take(options, value)) {
       return wrong_usage(argument + " takes " + std::string(option->value) + ", and not " + value);
     }
@@ -303,6 +308,8 @@ int run_command(const std::vector<std::string>& arguments) {
   } catch (const LostFile& lost) {
     return tell(Refusal{kCourseErrors, lost.what(),
                         "it was there a moment ago: let it be read, and start again"});
+  } catch (const std::system_error& error) {
+    return tell(failed_call(error));
   } catch (const std::exception& error) {
     std::cerr << "mjcourse: " << error.what() << '\n';
     return kOurFault;

@@ -81,7 +81,7 @@ void SiteDirectory::write(const std::string& path,
   std::ofstream file(staging_ / path, std::ios::binary | std::ios::trunc);
   writer(file);
   file.close();
-  if (!file) throw std::system_error(errno ? errno : EIO, std::generic_category(), path);
+  if (!file) throw std::system_error(errno ? errno : EIO, std::generic_category(), staging_ / path);
 }
 
 bool SiteDirectory::is_new(const std::string& path) {
@@ -98,8 +98,17 @@ void SiteDirectory::copy(const fs::path& from, const std::string& path) {
 
 void SiteDirectory::copy_own(const fs::path& from, const std::string& path) {
   if (!is_new(path)) return;
-  fs::create_directories((staging_ / path).parent_path());
-  fs::copy(from, staging_ / path, fs::copy_options::recursive);
+  if (fs::is_directory(from)) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(from)) {
+      copy_own(entry.path(), path + "/" + entry.path().filename().string());
+    }
+    return;
+  }
+  // By reading and writing, which tell of a full disk: fs::copy() calls that an "Input/output
+  // error".
+  const auto bytes = read_file(from);
+  if (!bytes) throw std::runtime_error(bytes.error());
+  write_file(staging_ / path, *bytes);
 }
 
 // A build was killed behind its exchange: what is foreign in the old site belongs to the new one.
