@@ -1,7 +1,9 @@
 #include "course/git.h"
 
 #include <algorithm>
+#include <climits>
 #include <cstdlib>
+#include <fstream>
 #include <sstream>
 #include <string_view>
 #include <utility>
@@ -17,12 +19,39 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostOutput = 64 << 20;  // bytes; the log of some hundred thousand changes
-constexpr double kSeconds = 60;
+// Of one question. What it is asked for are dates, and nobody waits a minute for these.
+constexpr int kSeconds = 10;
 
-// The first line of a file; "" where there is none.
+// The first line of a file, a path or a little more; "" where there is none.
 std::string line_of(const fs::path& file) {
-  const auto text = read_file(file);
-  return text ? text->substr(0, text->find('\n')) : "";
+  std::error_code none;
+  if (!fs::is_regular_file(file, none)) return "";
+  std::string line(2 * PATH_MAX, '\0');
+  std::ifstream text(file, std::ios::binary);
+  text.read(line.data(), std::ssize(line));
+  line.resize(static_cast<std::size_t>(text.gcount()));
+  return line.substr(0, line.find('\n'));
+}
+
+// Would git wait for somebody at its other end, or read it for ever?
+bool is_pipe_or_device(const fs::path& file) {
+  std::error_code none;
+  const fs::file_type type = fs::status(file, none).type();
+  return type == fs::file_type::fifo || type == fs::file_type::character ||
+         type == fs::file_type::block;
+}
+
+// The first such in a repository's folder; of its objects, of which there may be hundreds of
+// thousands, only a time limit knows.
+std::optional<fs::path> find_pipe(const fs::path& folder) {
+  std::error_code none;
+  constexpr auto skip = fs::directory_options::skip_permission_denied;
+  for (fs::recursive_directory_iterator file(folder, skip, none), end; !none && file != end;
+       file.increment(none)) {
+    if (is_pipe_or_device(file->path())) return file->path();
+    if (file.depth() == 0 && file->path().filename() == "objects") file.disable_recursion_pending();
+  }
+  return std::nullopt;
 }
 
 // Of a folder's `.git`, which names the repository where it lies elsewhere, as of a work tree or a
@@ -59,7 +88,9 @@ std::vector<fs::path> ceilings() {
 
 std::string why_failed(const Outcome& outcome) {
   if (outcome.end == Outcome::End::not_started) return "git is not installed";
-  if (outcome.end == Outcome::End::timed_out) return "git does not answer";
+  if (outcome.end == Outcome::End::timed_out) {
+    return "git does not answer within " + std::to_string(kSeconds) + " s";
+  }
   const std::string line = outcome.err.substr(0, outcome.err.find('\n'));
   return line.empty() ? "git fails" : readable(line);
 }
@@ -81,6 +112,8 @@ std::optional<Git> Git::find(const fs::path& folder) {
       git.own_ = own;
       git.read_ = {above.string(), own.string(), common.string()};
       add_alternates(common / "objects", git.read_);
+      git.pipe_ = find_pipe(own);
+      if (!git.pipe_ && common != own) git.pipe_ = find_pipe(common);
       return git;
     }
     if (above == above.root_path() || std::ranges::count(stops, above.parent_path()) > 0) break;
@@ -89,6 +122,10 @@ std::optional<Git> Git::find(const fs::path& folder) {
 }
 
 tl::expected<std::string, std::string> Git::ask(const std::vector<std::string>& arguments) const {
+  if (pipe_) {
+    return tl::unexpected(readable(pipe_->string()) +
+                          " is a pipe or a device, where git has a file; remove it");
+  }
   Command command;
   // The repository may have any owner: see the header. Where we are root, git is not.
   command.arguments = {"git"};

@@ -31,6 +31,8 @@ class Git {
   // Its own folder, and all that it keeps elsewhere.
   std::filesystem::path own_;
   std::vector<std::string> read_;
+  // What is no file in there, and would hold git up.
+  std::optional<std::filesystem::path> pipe_;
 };
 
 }  // namespace mjcourse

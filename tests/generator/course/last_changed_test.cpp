@@ -1,11 +1,13 @@
 #include "course/last_changed.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cstdlib>
 
 #include "base/files.h"
+#include "base/stopwatch.h"
 #include "base/subprocess.h"
 #include "base/temporary_folder.h"
 
@@ -138,6 +140,68 @@ TEST_F(LastChanged, SaysWhyItIsUnknown) {
   EXPECT_TRUE(broken.changes.empty());
   EXPECT_EQ(broken.unknown,
             "fatal: not a git repository: '" + (folder_.path() / ".git").string() + "'");
+}
+
+// Where an archive, or who made the repository, put something else.
+TEST_F(LastChanged, IsNotWaitedFor) {
+  write("course/content/1/a.md", "a");
+  commit("2026-03-03T12:00:00Z");
+  const fs::path own = folder_.path() / ".git";
+  for (const char* name : {"HEAD", "index", "config", "packed-refs", "refs/heads/a/b"}) {
+    const fs::path place = own / name;
+    const fs::path kept = folder_.path() / "kept";
+    const bool was_there = fs::exists(place);
+    if (was_there) fs::rename(place, kept);
+    fs::create_directories(place.parent_path());
+    ASSERT_EQ(mkfifo(place.c_str(), 0666), 0);
+    EXPECT_EQ(history().unknown,
+              place.string() + " is a pipe or a device, where git has a file; remove it");
+    fs::remove(place);
+    fs::create_symlink("/dev/zero", place);
+    EXPECT_EQ(history().unknown,
+              place.string() + " is a pipe or a device, where git has a file; remove it");
+    fs::remove(place);
+    if (was_there) fs::rename(kept, place);
+  }
+  EXPECT_EQ(changes().at("content/1/a.md").day, "2026-03-03");
+}
+
+// What is not looked for beforehand, as git's objects, costs its time limit.
+TEST_F(LastChanged, HasALimitOfTime) {
+  write("course/content/1/a.md", "a");
+  commit("2026-03-03T12:00:00Z");
+  for (const auto& object : fs::recursive_directory_iterator(folder_.path() / ".git/objects")) {
+    if (!object.is_regular_file()) continue;
+    fs::remove(object.path());
+    ASSERT_EQ(mkfifo(object.path().c_str(), 0666), 0);
+  }
+  const Stopwatch stopwatch;
+  EXPECT_EQ(history().unknown, "git does not answer within 10 s");
+  EXPECT_LT(stopwatch.seconds(), 20);
+}
+
+TEST_F(LastChanged, IsUnknownWhereAFileIsAFolderOrTooLarge) {
+  write("course/content/1/a.md", "a");
+  commit("2026-03-03T12:00:00Z");
+  const fs::path own = folder_.path() / ".git";
+  for (const char* name : {"HEAD", "index", "config"}) {
+    fs::rename(own / name, own / "kept");
+    fs::create_directory(own / name);
+    const Stopwatch stopwatch;
+    EXPECT_NE(history().unknown, "") << name;
+    fs::remove(own / name);
+    write(std::string(".git/") + name, "");
+    fs::resize_file(own / name, std::uintmax_t{1} << 40);
+    EXPECT_NE(history().unknown, "") << name;
+    EXPECT_LT(stopwatch.seconds(), 30);
+    fs::remove(own / name);
+    fs::rename(own / "kept", own / name);
+  }
+  // One that says where the repository lies.
+  fs::rename(own, folder_.path() / "repository");
+  write(".git", "gitdir: repository\n");
+  fs::resize_file(own, std::uintmax_t{1} << 40);
+  EXPECT_EQ(changes().at("content/1/a.md").day, "2026-03-03");
 }
 
 // Whatever a repository says that git starts, it starts nothing.
