@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "base/cancellation.h"
+#include "base/machine_memory.h"
 #include "base/parallel.h"
+#include "evaluate/crew_size.h"
 #include "evaluate/known_scripts.h"
 #include "evaluate/shared_headers.h"
 
@@ -113,13 +115,13 @@ TaskRecords Crew::run(const Tasks& tasks, const Blocks& first,
   progress_.plan(tasks.size());
   const Stopwatch stopwatch;
   const std::stop_token stop = cancellation();
-  const std::size_t threads = std::min(threads_, tasks.size());
-  for_each_index(threads, threads, [&](std::size_t thread, std::size_t) {
+  const auto [threads, limits] = crew_size(std::min(threads_, tasks.size()), machine_memory());
+  for_each_index(threads, threads, [&, limits = limits](std::size_t thread, std::size_t) {
     const Cancellable cancellable(stop);
     try {
       Tools tools;
       tools.workshop.emplace(setting_);
-      if (worker_) tools.worker.emplace(setting_, *worker_);
+      if (worker_) tools.worker.emplace(setting_, *worker_, limits);
       if (thread == 0) prepare_programs(tasks, *tools.workshop, records, queue, stopwatch);
       while (const std::optional<std::size_t> next = queue.next(thread)) {
         TaskRecord& record = records[*next];

@@ -87,7 +87,10 @@ Diagnostic end_of(const Task& task, const Outcome& outcome, const WorkLimits& li
       return wrong(
           "E-work-memory",
           "this takes more than " + std::to_string(limits.memory >> 20) + " MiB" + " of memory",
-          "look for a list that grows in a script, or a large number in a model");
+          std::string("look for a list that grows in a script, or a large number in a model") +
+              (limits.memory < WorkLimits{}.memory
+                   ? "; of this machine's memory a worker has more where fewer work: `--jobs 1`"
+                   : ""));
     case End::killed_by_signal:
       return wrong(
           "E-work-crash", "the process that works on this ended with " + signal_name(outcome.code),
