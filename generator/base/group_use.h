@@ -6,14 +6,17 @@
 
 #include <cstdint>
 
+#include "base/sandbox.h"
+
 namespace mjcourse {
 
 struct GroupUse {
-  std::uint64_t memory = 0;   // bytes that are resident; what two processes share counts twice
-  std::uint64_t removed = 0;  // bytes on the disk of files that were removed and are still open
+  std::uint64_t memory = 0;  // bytes that are resident; what two processes share counts twice
+  // Bytes on the disk of files that were removed and are still open, or only mapped.
+  std::uint64_t removed = 0;
 };
 
-// Of all processes in the group of `leader`; of `alone`, which starts no others, of itself.
-GroupUse use_of_group(pid_t leader, bool alone);
+// Of all processes in the group of `leader`; of one that may start no others, of itself.
+GroupUse use_of_group(pid_t leader, const Sandbox& sandbox);
 
 }  // namespace mjcourse

@@ -184,7 +184,7 @@ void Keeper::collect(Descriptor& stream, std::string& text) {
 
 void Keeper::count_use() {
   const Sandbox& sandbox = *command_.sandbox;
-  const GroupUse use = use_of_group(child_.id(), !sandbox.processes);
+  const GroupUse use = use_of_group(child_.id(), sandbox);
   removed_ = use.removed;
   if (sandbox.processes && use.memory > sandbox.memory_bytes) stop(End::exhausted);
   next_use_ = Clock::now() + kCountUse;

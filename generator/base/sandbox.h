@@ -29,7 +29,8 @@ struct Sandbox {
   // counts, and it must be one that may start others.
   bool reserves = false;
   std::uint64_t file_bytes = 32 << 20;  // of one file
-  // Of all that lies in `write`, and of what was removed from there and is still open.
+  // Of all that lies in `write`, and of what was removed from there and is still open
+  // or mapped.
   std::uint64_t folder_bytes = 128 << 20;
   std::uint64_t folder_entries = 10'000;  // files and folders in there
   std::uint64_t open_files = 64;

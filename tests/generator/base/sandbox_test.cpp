@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -255,6 +256,21 @@ TEST_F(SandboxTest, BoundsFilesThatWereRemovedAndAreOpen) {
     command.sandbox->processes = processes;
     command.sandbox->folder_bytes = 4 << 20;
     EXPECT_EQ(run(command).end, End::overfilled);
+  }
+}
+
+TEST_F(SandboxTest, BoundsFilesThatWereRemovedAndAreMapped) {
+  const std::string fill =
+      "for (1 .. 9) { open($f, q(+>), q(f)); unlink(q(f)); print {$f} q(x) x (1 << 20); "
+      "$f->flush(); syscall(" +
+      std::to_string(SYS_mmap) + ", 0, 4096, 1, 1, fileno($f), 0) > 0 or die; close($f) } sleep 60";
+  for (const bool processes : {false, true}) {
+    Command command = shell("exec perl -MIO::Handle -e '" + fill + "'", 60);
+    command.sandbox->processes = processes;
+    command.sandbox->file_bytes = 2 << 20;
+    command.sandbox->folder_bytes = 4 << 20;
+    const Outcome outcome = run(command);
+    EXPECT_EQ(outcome.end, End::overfilled) << outcome.err << outcome.refused;
   }
 }
 
