@@ -194,7 +194,7 @@ bool BlockTask::work(Workshop& workshop, Finding& finding) {
       throw std::runtime_error("the lab was rehearsed with a script that no page runs");
     }
   } else if (auto* chart = std::get_if<ChartResult>(&found->second)) {
-    if (!are_plain(chart->drawings)) {
+    if (!are_plain(chart->drawings, block_name(lesson(), block()))) {
       finding.diagnostics.push_back(error_at(
           place(), "E-plot-spec", "the plot's drawing would have what no page shows",
           "look for an address or markup in a colour or a font, and for control characters in "

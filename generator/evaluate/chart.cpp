@@ -45,11 +45,11 @@ Span place_of_fault(const Chart& chart, const ChartFault& fault) {
 
 // In a page HTML's rules hold: the text of some elements is HTML's again, and `<!` and `<?` begin
 // comments. So the list is shorter than that of a file.
-bool is_plain(const ChartDrawing& drawing) {
+bool is_plain(const ChartDrawing& drawing, const std::string& name) {
   for (const char* barred : {"<!", "<?", "<title", "<desc", "<style", "<svg", "</svg"}) {
     if (drawing.svg.find(barred) != std::string::npos) return false;
   }
-  return faults_of_svg("<svg>" + drawing.svg + "</svg>").empty();
+  return is_part_of_page("<svg>" + drawing.svg + "</svg>", name);
 }
 
 json columns_of(const Table& table) {
@@ -96,8 +96,8 @@ std::optional<ChartResult> evaluate_chart(const Chart& chart, std::size_t index,
   return ChartResult{*std::move(drawn), *table, ""};
 }
 
-bool are_plain(const ChartDrawings& drawings) {
-  return is_plain(drawings.wide) && (!drawings.narrow || is_plain(*drawings.narrow));
+bool are_plain(const ChartDrawings& drawings, const std::string& name) {
+  return is_plain(drawings.wide, name) && (!drawings.narrow || is_plain(*drawings.narrow, name));
 }
 
 std::string file_of_example(const std::string& name, const Course& course) {

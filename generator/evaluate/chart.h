@@ -19,8 +19,9 @@ std::optional<ChartResult> evaluate_chart(const Chart& chart, std::size_t index,
                                           const Lesson& lesson, Workshop& workshop,
                                           Diagnostics& diagnostics);
 
-// Do they hold what draws alone, also where a browser reads them as a part of a page?
-bool are_plain(const ChartDrawings& drawings);
+// Do they hold what draws alone, also where a browser reads them as a part of a page? `name` is the
+// block's, with which their ids begin.
+bool are_plain(const ChartDrawings& drawings, const std::string& name);
 
 // "examples/x.cpp" of the example `name`, wherever the course shows it.
 std::string file_of_example(const std::string& name, const Course& course);

@@ -212,7 +212,44 @@ class SvgReader {
   std::vector<SvgFault> faults_;
 };
 
+// HTML has a thousand names for characters that XML has not, `&lpar;` for a bracket, and reads a
+// number without its semicolon.
+bool has_other_references(std::string_view text) {
+  for (std::size_t at = text.find('&'); at != text.npos; at = text.find('&', at + 1)) {
+    const std::string_view name = text.substr(at + 1, text.find(';', at) - at - 1);
+    constexpr std::array known{"amp", "lt", "gt", "quot", "#x9", "#xA", "#xD"};
+    if (std::ranges::count(known, name) == 0 || at + 1 + name.size() == text.size()) return true;
+  }
+  return false;
+}
+
+// As site/script/plot/svg.ts writes 10 to a power.
+constexpr std::string_view kClassOfPowers = "power";
+
+bool has_own_names(const XMLElement& element, const std::string& name) {
+  for (const XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
+    const std::string_view attribute = a->Name();
+    const std::string_view value = a->Value();
+    const bool known = attribute == "id"      ? value.starts_with(name + "-")
+                       : attribute == "class" ? value == kClassOfPowers
+                                              : attribute != "role" && !is_text(attribute);
+    if (!known) return false;
+  }
+  for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
+       child = child->NextSiblingElement()) {
+    if (!has_own_names(*child, name)) return false;
+  }
+  return true;
+}
+
 }  // namespace
+
+bool is_part_of_page(const std::string& bytes, const std::string& name) {
+  tinyxml2::XMLDocument document;
+  return !has_other_references(bytes) && faults_of_svg(bytes).empty() &&
+         document.Parse(bytes.data(), bytes.size()) == tinyxml2::XML_SUCCESS &&
+         has_own_names(*document.RootElement(), name);
+}
 
 std::vector<SvgFault> faults_of_svg(const std::string& bytes) {
   return SvgReader(bytes).faults();

@@ -22,4 +22,9 @@ struct SvgFault {
 // are none.
 std::vector<SvgFault> faults_of_svg(const std::string& bytes);
 
+// Whether a drawing can stand in a page, where a browser reads it as HTML and the page's scripts
+// and styles find it: no characters that HTML alone knows, no ids but those that begin with `name`,
+// and no class but ours.
+bool is_part_of_page(const std::string& bytes, const std::string& name);
+
 }  // namespace mjcourse
