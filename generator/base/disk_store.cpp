@@ -138,7 +138,7 @@ DiskStore::DiskStore(fs::path folder) : folder_(std::move(folder)) {
 // What it writes, and forgets, lies in itself: a link may lead anywhere.
 void DiskStore::prepare() {
   refuse_other_folder(folder_);
-  for (const char* kind : {"ac", "cas", "tmp"}) {
+  for (const char* kind : {"ac", "cas", "tmp", "prepared"}) {
     if (!fs::is_symlink(folder_ / kind)) continue;
     throw std::system_error(ENOTDIR, std::generic_category(), (folder_ / kind).string());
   }
@@ -156,6 +156,7 @@ fs::path DiskStore::path_of(const std::string& name) const {
 std::optional<std::string> DiskStore::get(const std::string& name) {
   if (!is_name(name)) return std::nullopt;
   const fs::path path = path_of(name);
+  if (fs::is_symlink(path.parent_path())) return std::nullopt;
   std::optional<std::string> bytes = read_entry(path);
   if (!bytes || is_of_another_version(*bytes)) return std::nullopt;
   std::optional<std::string> content = verified(name, *std::move(bytes));
@@ -187,6 +188,8 @@ bool DiskStore::put(const std::string& name, std::string_view bytes) {
 }
 
 void DiskStore::write(const fs::path& path, std::string_view bytes) const {
+  // Two letters of a hash, which only somebody else can have made a link.
+  if (fs::is_symlink(path.parent_path())) fs::remove(path.parent_path());
   fs::create_directories(path.parent_path());
   std::string aside = (folder_ / "tmp" / "XXXXXX").string();
   const Descriptor file(mkostemp(aside.data(), O_CLOEXEC));

@@ -107,7 +107,7 @@ void prune(const fs::path& all, const fs::path& kept, std::uintmax_t most_bytes)
   std::vector<std::pair<fs::file_time_type, fs::path>> requests;
   std::uintmax_t bytes = 0;
   for (const fs::directory_entry& request : fs::directory_iterator(all)) {
-    if (!request.is_directory()) continue;
+    if (!fs::is_directory(request.symlink_status())) continue;
     bytes += size_of(request.path());
     std::error_code none;
     const fs::file_time_type used = fs::last_write_time(request.path() / kManifest, none);
@@ -220,6 +220,8 @@ std::shared_ptr<const Entry> PreparedFiles::get(const std::string& request, cons
 
 std::shared_ptr<const Entry> PreparedFiles::find_or_make(const fs::path& folder, const Make& make) {
   if (const Found found = look(folder); found.current) return found.entry;
+  // What is made anew removes what was there, and a link leads to what is somebody's.
+  if (fs::is_symlink(folder)) fs::remove(folder);
   fs::create_directories(folder);
   const FileLock lock(folder / kLock);
   // Somebody else may have made it while we waited.

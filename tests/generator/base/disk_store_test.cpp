@@ -274,13 +274,25 @@ TEST_F(DiskStoreTest, GoesThroughNoLink) {
     fs::remove_all(folder());
     fs::create_directories(folder());
     fs::create_symlink(elsewhere.path(), folder() / kind);
-    if (kind != std::string("prepared")) {
-      EXPECT_THROW(DiskStore{folder()}, std::system_error) << kind;
-    }
+    EXPECT_THROW(DiskStore{folder()}, std::system_error) << kind;
     EXPECT_EQ(prune_store(folder(), 0, true)->removed.results, 0U);
     EXPECT_FALSE(fs::is_symlink(folder() / kind)) << kind;
     EXPECT_EQ(read_file(elsewhere.path() / "letters" / "one").value(), "precious") << kind;
   }
+}
+
+TEST_F(DiskStoreTest, GoesThroughNoLinkAmongItsEntries) {
+  const TemporaryFolder elsewhere;
+  DiskStore store(folder());
+  store.put(kAction, "an answer");
+  const fs::path letters = path_of(kAction).parent_path();
+  fs::rename(letters, elsewhere.path() / "letters");
+  fs::create_symlink(elsewhere.path() / "letters", letters);
+  EXPECT_EQ(store.get(kAction), std::nullopt);
+  fs::remove(elsewhere.path() / "letters" / path_of(kAction).filename());
+  EXPECT_TRUE(store.put(kAction, "another answer"));
+  EXPECT_EQ(store.get(kAction), "another answer");
+  EXPECT_TRUE(fs::is_empty(elsewhere.path() / "letters"));
 }
 
 TEST_F(DiskStoreTest, IsNotPrunedWhileItIsUsed) {

@@ -55,6 +55,19 @@ TEST_F(PreparedFilesTest, AreMadeOnceForOneInput) {
   EXPECT_EQ(made_, 2);
 }
 
+TEST_F(PreparedFilesTest, GoThroughNoLink) {
+  EXPECT_EQ(get("x"), "1");
+  const fs::path request = fs::directory_iterator(cache_)->path();
+  const fs::path elsewhere = folder_.path() / "elsewhere";
+  fs::remove_all(request);
+  write_file(elsewhere / "folder" / "file", "precious");
+  fs::create_symlink(elsewhere, request);
+  fs::create_symlink(elsewhere, cache_ / "another");
+  EXPECT_EQ(get("x", "", 0), "1");
+  EXPECT_EQ(bytes(elsewhere / "folder" / "file"), "precious");
+  EXPECT_EQ(std::distance(fs::directory_iterator(elsewhere), {}), 1);
+}
+
 TEST_F(PreparedFilesTest, AreFoundByWhoDoesNotMakeThem) {
   EXPECT_FALSE(PreparedFiles(cache_).find("x"));
   EXPECT_EQ(get("x"), "1");
