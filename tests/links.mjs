@@ -384,6 +384,21 @@ function isNotWrittenThrough(user) {
   expect(existsSync(join(mine, "site/index.html")), "a link that the user named: no site");
 }
 
+// What somebody put into the site's folder, or beside it as a killed build leaves it, is named.
+function isNamed(user) {
+  const { course } = fresh(user);
+  course.write("build/site/.mjcourse-site", "index.html\n");
+  course.write("build/site/CNAME", "example.org\n");
+  course.write("build/.site.building/.mjcourse-site", "index.html\n");
+  course.write("build/.site.building/page.html", "<script></script>\n");
+  own(course.folder, user);
+  const came = run(["build"], course, user);
+  expect(
+    came.stdout.includes("\nin the site stays what no build wrote: CNAME, page.html\nsite: "),
+    `what stays in a site: it said\n${came.stderr}${came.stdout}`,
+  );
+}
+
 // A program's text is not accepted into a file elsewhere.
 function isNotAccepted(user) {
   const { course } = fresh(user);
@@ -428,6 +443,7 @@ function all(user) {
   for (const [name, [make, said]] of Object.entries(courses)) isRefused(name, make, said, user);
   isFollowed(user);
   isNotWrittenThrough(user);
+  isNamed(user);
   isNotAccepted(user);
   isNotOpenToPrograms(user);
 }

@@ -1,10 +1,13 @@
 #include <iostream>
+#include <string>
 #include <utility>
 
+#include "base/utf8.h"
 #include "cli/commands.h"
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "course/last_changed.h"
+#include "page/foreign_files.h"
 #include "page/site.h"
 #include "page/theme.h"
 
@@ -33,6 +36,11 @@ int build(const Options& options) {
     std::cout << "no site was written: mend the error first\n";
     return kCourseErrors;
   }
+  std::string kept;
+  for (const std::string& file : foreign_files(options.out)) {
+    kept += (kept.empty() ? "" : ", ") + readable(file);
+  }
+  if (!kept.empty()) std::cout << "in the site stays what no build wrote: " << kept << '\n';
   std::cout << "site: " << options.out.lexically_normal().string() << "/index.html\n";
   return kClean;
 }

@@ -17,6 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::set<std::string>;
 
+// Of a list. A site of twenty thousand lessons has one of some megabytes.
+constexpr std::uintmax_t kMostList = 64 << 20;  // bytes
+
 bool is_own_folder(const fs::path& path) {
   return fs::is_directory(fs::symlink_status(path));  // and no link to one
 }
@@ -100,12 +103,19 @@ void write_site_list(const fs::path& site) {
 
 bool has_site_list(const fs::path& site) {
   std::error_code none;
-  return is_own_folder(site) && fs::is_regular_file(fs::symlink_status(site / kSiteList)) &&
-         fs::file_size(site / kSiteList, none) > 0;
+  if (!is_own_folder(site) || !fs::is_regular_file(fs::symlink_status(site / kSiteList))) {
+    return false;
+  }
+  const std::uintmax_t size = fs::file_size(site / kSiteList, none);
+  return size > 0 && size <= kMostList;
 }
 
 std::vector<std::string> foreign_files(const fs::path& site, const fs::path& other) {
   return ForeignSearch(site, other).found();
+}
+
+std::vector<std::string> foreign_files(const fs::path& site) {
+  return foreign_files(site, site / kSiteList);  // a file, so nothing is in there, and in the way
 }
 
 void move_foreign_files(const fs::path& site, const fs::path& other) {

@@ -33,6 +33,9 @@ bool has_site_list(const std::filesystem::path& site);
 std::vector<std::string> foreign_files(const std::filesystem::path& site,
                                        const std::filesystem::path& other);
 
+// The paths of what `site` does not list.
+std::vector<std::string> foreign_files(const std::filesystem::path& site);
+
 // Moves these by renaming them. All are where they were when this throws FolderRefused or
 // std::system_error.
 void move_foreign_files(const std::filesystem::path& site, const std::filesystem::path& other);

@@ -126,6 +126,15 @@ TEST_F(SiteDirectoryTest, RefusesAFile) {
   EXPECT_TRUE(fs::is_regular_file(site_));
 }
 
+TEST_F(SiteDirectoryTest, ReadsNoListWithoutAnEnd) {
+  build("old");
+  fs::resize_file(site_ / kSiteList, std::uintmax_t{1} << 40);
+  EXPECT_EQ(refusal(), site_.string() +
+                           " was written by an earlier mjcourse, which kept no list of its files; "
+                           "take what is yours out of it and remove it, or name an empty or a new "
+                           "folder");
+}
+
 TEST_F(SiteDirectoryTest, TakesAnEmptyFolder) {
   fs::create_directories(site_);
   build("new");
@@ -310,6 +319,12 @@ TEST_F(ForeignFiles, AreWhereTheyWereIfOneCannotBeMoved) {
   fs::remove_all(site_ / "other");  // empty folders
   build("new");
   expect_all("new");
+}
+
+TEST_F(ForeignFiles, AreNamed) {
+  EXPECT_EQ(foreign_files(site_),
+            (std::vector<std::string>{".git", ".nojekyll", "1-a/notes.txt", "2-b/empty", "CNAME",
+                                      "link", "media"}));
 }
 
 TEST_F(ForeignFiles, AreNotKnownOfASiteWithoutAList) {
