@@ -6,6 +6,7 @@
 #include "base/beneath.h"
 #include "base/utf8.h"
 #include "evaluate/lesson_of_lab.h"
+#include "physics/model_files.h"
 
 namespace mjcourse {
 namespace {
@@ -102,7 +103,8 @@ struct Fits {
 bool lie_in(const fs::path& root, const LabResult& lab) {
   return std::ranges::all_of(lab.model.assets, [&](const auto& asset) {
     const fs::path& path = asset.second;
-    return path == path.lexically_normal() && name_beneath(root, path).has_value();
+    return is_name_of_asset(asset.first) && path == path.lexically_normal() &&
+           name_beneath(root, path).has_value();
   });
 }
 
@@ -113,9 +115,10 @@ bool lies_in(const fs::path& root, const Result& result) {
 
 // A lab that can be shown, and files that the site may have.
 bool is_page_of(const Task& task, const ModelPage& page, const fs::path& root) {
-  const bool has_own_files = std::ranges::all_of(page.files, [](const ModelPage::File& file) {
+  const bool has_own_files = std::ranges::all_of(page.files, [&](const ModelPage::File& file) {
     const fs::path path = file.path;
-    return path == path.lexically_normal() && path.is_relative() && *path.begin() == "models";
+    return path == path.lexically_normal() && path.is_relative() && *path.begin() == "models" &&
+           is_inert(root, file.path);
   });
   if (page.name != task.model() || !has_own_files) return false;
   if (!page.lab) return true;

@@ -75,6 +75,24 @@ bool may_propose(const Diagnostic& diagnostic) {
                    is_of_course(edit->file) && !edit->span);
 }
 
+// Can it be drawn below its line? Who draws it takes its numbers as they are.
+bool can_be_drawn(const Place& place) {
+  constexpr int most = 1 << 28;    // no file that is read has longer lines
+  constexpr int behind = 1 << 20;  // columns; a line of kilobytes is cut
+  const auto is_number = [](int number) { return number >= 0 && number <= most; };
+  if (!is_number(place.line) || !is_number(place.column) || !is_number(place.width)) return false;
+  const int index = place.column - place.excerpt_column;
+  return is_number(place.excerpt_column) && (place.column == 0 || (index >= 0 && index <= behind));
+}
+
+bool can_be_shown(const Diagnostic& diagnostic) {
+  const bool is_known =
+      diagnostic.severity == Severity::error || diagnostic.severity == Severity::warning;
+  return is_known && can_be_drawn(diagnostic.place) &&
+         std::ranges::all_of(diagnostic.notes,
+                             [](const Note& note) { return can_be_drawn(note.place); });
+}
+
 // Bytes go beside the results, which only have their hashes.
 json bytes_of(Finding finding) {
   json bytes = json::object();
@@ -123,6 +141,7 @@ std::optional<WorkAnswer> decode_answer(std::string_view bytes, const Task& task
   Finding& finding = answer->finding;
   if (!take_bytes(finding, value->at("bytes")) || !fits(task, finding, root) ||
       !std::ranges::all_of(answer->looked_at, may_look_at) ||
+      !std::ranges::all_of(finding.diagnostics, can_be_shown) ||
       !std::ranges::all_of(finding.diagnostics, may_propose)) {
     return std::nullopt;
   }

@@ -323,6 +323,19 @@ std::optional<SourceWalk::Name> first_name_in(const SourceWalk& walk) {
 
 }  // namespace
 
+bool is_name_of_asset(const std::string& name) {
+  return ends_as(kAssetEndings, name);
+}
+
+bool is_inert(const fs::path& course, const std::string& path) {
+  if (is_name_of_asset(path)) return true;
+  XMLDocument document;
+  const std::string text = small_text(course, course / path);
+  return ends_as(kMjcfEndings, path) &&
+         document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS &&
+         line_of_instruction(document) == 0;
+}
+
 tl::expected<ModelSources, std::string> find_model_sources(const fs::path& root,
                                                            const std::string& name) {
   const std::string path = (root / name).string();

@@ -46,6 +46,13 @@ NamedFiles look_at_model_files(const std::filesystem::path& course, const std::s
 // The same of MJCF without a file of its own, which may name none.
 NamedFiles look_at_model_text(const std::string& mjcf);
 
+// Whether look_at_model_files() would let a file of this name be an asset.
+bool is_name_of_asset(const std::string& name);
+
+// Whether a browser that opens the file `path` beneath `course` would run nothing of it, by what
+// look_at_model_files() asks of files that a model names.
+bool is_inert(const std::filesystem::path& course, const std::string& path);
+
 // The first file that `mjcf` names, in any of these ways; "" when it names none.
 std::string file_named_in(const std::string& mjcf);
 

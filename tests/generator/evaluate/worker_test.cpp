@@ -154,5 +154,31 @@ TEST_F(WorkerTest, IsHeldAgainstItsQuestion) {
   }
 }
 
+// A place that no drawing of it bears ends the one answer, and not the generator.
+TEST_F(WorkerTest, NamesPlacesThatCanBeDrawn) {
+  const auto told = [&](const std::string& place, const std::string& severity = "0") {
+    const std::string whole = "{\"file\": \"a.md\", \"excerpt\": \"abc\", " + place + "}";
+    return found(
+        "say {\"finding\": {\"diagnostics\": [{\"id\": \"E-x\", \"severity\": " + severity +
+        ", \"message\": \"m\", \"detail\": \"\", \"cure\": \"\", \"edit\": [], \"notes\": "
+        "[{\"message\": \"n\", \"place\": " +
+        whole + "}], \"place\": " + whole + "}]}}");
+  };
+  const std::string no_answer = "the process that works on this gave no answer to it";
+  const std::string good = R"("line": 1, "column": 2, "width": 9, "excerpt_column": 1)";
+  EXPECT_EQ(told(good),
+            "a.md:1:2: error: m [E-x]\n  1 | abc\n    |  ^~\n"
+            "  note: a.md:1:2: n\n  1 | abc\n    |  ^~\n");
+  EXPECT_EQ(told(good, "7"), no_answer);
+  for (const char* place : {R"("line": 1, "column": 2, "width": 1, "excerpt_column": 100)",
+                            R"("line": 1, "column": 2147483647, "width": 1, "excerpt_column": 1)",
+                            R"("line": 1, "column": 2, "width": 2147483647, "excerpt_column": 1)",
+                            R"("line": 1, "column": -2, "width": 1, "excerpt_column": -9)",
+                            R"("line": -1, "column": 2, "width": -1, "excerpt_column": 1)",
+                            R"("line": 1, "column": 9999999, "width": 1, "excerpt_column": 1)"}) {
+    EXPECT_EQ(told(place), no_answer) << place;
+  }
+}
+
 }  // namespace
 }  // namespace mjcourse
