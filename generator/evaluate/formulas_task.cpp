@@ -8,6 +8,13 @@
 #include "evaluate/recipe.h"
 
 namespace mjcourse {
+namespace {
+
+// Of a lesson's formulas: a few letters make ten thousand, by macros, and a lesson has room for
+// thousands of such.
+constexpr std::size_t kMostMarkup = 32 << 20;  // bytes
+
+}  // namespace
 
 std::vector<std::size_t> FormulasTask::blocks() const {
   return blocks_of<Math>(lesson());
@@ -29,6 +36,7 @@ Dependencies FormulasTask::recipe(const Setting& setting) const {
 
 bool FormulasTask::work(Workshop& workshop, Finding& finding) {
   bool whole = true;
+  std::size_t markup = 0;
   for (std::size_t i = block(); i < lesson().blocks.size(); ++i) {
     const auto* math = std::get_if<Math>(&lesson().blocks[i]);
     if (math == nullptr) continue;
@@ -36,6 +44,14 @@ bool FormulasTask::work(Workshop& workshop, Finding& finding) {
     auto result = evaluate_formula(*math, lesson(), workshop, finding.diagnostics);
     whole = whole && result;
     if (!result) continue;
+    markup += result->markup.size();
+    if (markup > kMostMarkup) {
+      finding.diagnostics.push_back(
+          error_at(place_of(*lesson().source, math->tex.span(0, 1)), "E-math",
+                   "the formulas of this lesson are more than 32 MiB of HTML up to here",
+                   "make several lessons of it, or shorten what its macros are written out to"));
+      return false;
+    }
     finding.results[i] = *std::move(result);
     finding.seconds[i] = stopwatch.seconds();
   }

@@ -49,5 +49,22 @@ TEST(Formula, HasTenThousandBytesAtMost) {
       << mistakes;
 }
 
+// A letter of the lesson is ten thousand of the page.
+TEST(Formula, HasItsPartOfALesson) {
+  const std::string many(4'900, 'x');
+  const std::string yaml = "title: C\nmacros: {\\a: '\\b\\b', \\b: '" + many +
+                           "'}\nlevels: [{folder: 1-a, title: A, lessons: [1.1-x]}]\n";
+  std::string text;
+  for (int i = 0; i < 1000; ++i) text += "$\\a$\n";
+  const std::string mistakes = evaluated_mistakes(text, {{"content/course.yaml", yaml}});
+  const std::size_t place = mistakes.find(": error: ");
+  EXPECT_EQ(
+      mistakes.substr(place, mistakes.find('\n') - place),
+      ": error: the formulas of this lesson are more than 32 MiB of HTML up to here [E-math]");
+  EXPECT_TRUE(mistakes.ends_with(
+      "  cure: make several lessons of it, or shorten what its macros are written out to\n"))
+      << mistakes;
+}
+
 }  // namespace
 }  // namespace mjcourse
