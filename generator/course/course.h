@@ -31,6 +31,7 @@ struct Level {
 
 struct Course {
   std::string title, description, language = "en";
+  Typography typography;  // of all its pages
   std::string url;   // where the site is published: "https://example.org/course/"; "" unless told
   std::string edit;  // where a lesson is edited, with {path} for its file; "" unless told
   std::map<std::string, std::string> macros;  // TeX, shared by all lessons: "\\R" → "\\mathbb{R}"

@@ -22,17 +22,6 @@ bool has_form(const std::string& tag) {
   return RE2::FullMatch(tag, form);
 }
 
-struct Parts {
-  std::string language, script;  // in small letters; the script may be ""
-};
-
-Parts parts_of(const std::string& tag) {
-  static const RE2 form("([a-z]{2,3})(?:-[a-z]{3}){0,3}(?:-([a-z]{4}))?(?:-.*)?");
-  Parts parts;
-  RE2::FullMatch(lower_case_utf8(tag), form, &parts.language, &parts.script);
-  return parts;
-}
-
 bool is_listed(const std::string& name, const auto& names) {
   return std::ranges::find(names, name) != names.end();
 }
@@ -45,6 +34,14 @@ constexpr std::array<std::string_view, 9> kScriptsFromRight{"adlm", "arab", "heb
 
 }  // namespace
 
+LanguageParts parts_of_language(const std::string& tag) {
+  static const RE2 form(
+      "([a-z]{2,3})(?:-[a-z]{3}){0,3}(?:-([a-z]{4}))?(?:-([a-z]{2}|[0-9]{3}))?(?:-.*)?");
+  LanguageParts parts;
+  RE2::FullMatch(lower_case_utf8(tag), form, &parts.language, &parts.script, &parts.region);
+  return parts;
+}
+
 std::optional<std::string> cure_of_language(const std::string& tag) {
   if (has_form(tag)) return std::nullopt;
   std::string mended = tag;
@@ -55,7 +52,7 @@ std::optional<std::string> cure_of_language(const std::string& tag) {
 }
 
 bool is_right_to_left(const std::string& tag) {
-  const Parts parts = parts_of(tag);
+  const LanguageParts parts = parts_of_language(tag);
   return parts.script.empty() ? is_listed(parts.language, kFromRight)
                               : is_listed(parts.script, kScriptsFromRight);
 }

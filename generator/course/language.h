@@ -6,6 +6,13 @@
 
 namespace mjcourse {
 
+// In small letters; script and region may be "".
+struct LanguageParts {
+  std::string language, script, region;
+};
+
+LanguageParts parts_of_language(const std::string& tag);
+
 // What to write instead of `tag`, which does not have a tag's form; nothing where it does.
 std::optional<std::string> cure_of_language(const std::string& tag);
 

@@ -6,10 +6,14 @@
 
 namespace mjcourse {
 
-std::optional<Lesson> LessonShelf::take(const std::string& path, std::string_view bytes) {
+std::optional<Lesson> LessonShelf::take(const std::string& path, std::string_view bytes,
+                                        const Typography& typography) {
   const std::lock_guard lock(mutex_);
   const auto found = lessons_.find(path);
-  if (found == lessons_.end() || found->second.source->text() != bytes) return std::nullopt;
+  if (found == lessons_.end() || found->second.source->text() != bytes ||
+      found->second.typography != typography) {
+    return std::nullopt;
+  }
   return std::move(lessons_.extract(found).mapped());
 }
 

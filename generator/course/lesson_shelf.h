@@ -19,7 +19,8 @@ struct Course;
 class LessonShelf {
  public:
   // The lesson that is read out of `bytes`, where it is here. From any thread, as give_back().
-  std::optional<Lesson> take(const std::string& path, std::string_view bytes);
+  std::optional<Lesson> take(const std::string& path, std::string_view bytes,
+                             const Typography& typography = {});
   // Of a course that nobody looks at any more; what it has of lessons is left without its content.
   void give_back(Course& course);
 

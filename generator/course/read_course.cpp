@@ -9,6 +9,7 @@
 #include "course/link_target.h"
 #include "course/missing_lesson.h"
 #include "course/prerequisites.h"
+#include "course/quotation_marks.h"
 #include "course/reference_picture.h"
 #include "course/web_address.h"
 #include "lesson/is_text.h"
@@ -97,16 +98,17 @@ std::vector<Listed> read_levels(const std::vector<YAML::Node>& nodes, const Loca
 }
 
 // On one of several threads.
-void read_listed(const Files& files, LessonShelf* shelf, Listed& listed, bool stays_awake) {
+void read_listed(const Files& files, const Typography& typography, LessonShelf* shelf,
+                 Listed& listed, bool stays_awake) {
   if (!files.exists(listed.path)) return;
   tl::expected<std::string, std::string> bytes = files.read(listed.path);
   if (!bytes) {
     listed.refusal = files.refusal(listed.path);
     return;
   }
-  if (shelf != nullptr) listed.lesson = shelf->take(listed.path, *bytes);
+  if (shelf != nullptr) listed.lesson = shelf->take(listed.path, *bytes, typography);
   if (listed.lesson) return;
-  listed.lesson = read_lesson(listed.path, *std::move(bytes), listed.diagnostics);
+  listed.lesson = read_lesson(listed.path, *std::move(bytes), listed.diagnostics, typography);
   if (!listed.lesson || stays_awake) return;
   // A mistake needs the text around it.
   const bool is_card = listed.diagnostics.empty() && is_prose(*listed.lesson);
@@ -159,7 +161,7 @@ void warn_of_unlisted(const Files& files, const Course& course, Diagnostics& dia
 // Where there is a file and it cannot be read, that is said; which terms it has is then unknown.
 void read_glossary_file(const Files& files, Course& course, Diagnostics& diagnostics) {
   const tl::expected<std::string, std::string> bytes = files.read(kGlossaryPath);
-  if (bytes) course.glossary = read_glossary(*bytes, diagnostics);
+  if (bytes) course.glossary = read_glossary(*bytes, diagnostics, course.typography);
   report_refused(kGlossaryPath, files, diagnostics);
   if (!bytes && files.exists(kGlossaryPath) && files.refusal(kGlossaryPath).empty()) {
     diagnostics.push_back(error_at({kGlossaryPath, 0, 0, 1, ""}, "E-file-refused",
@@ -278,6 +280,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
       course.language = language.text;
     }
   }
+  course.typography = {map.boolean("smart-punctuation", true), quotation_marks(course.language)};
   course.macros = map.texts("macros");
   course.url = read_address(map, "url", "E-course-url", site_address_fault, reading);
   if (!course.url.empty()) course.url = site_root(course.url);
@@ -285,7 +288,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
   std::vector<Listed> listed = read_levels(map.required_items("levels"), text, reading, course);
   map.finish();
   for_each_index(listed.size(), threads, [&](std::size_t index, std::size_t) {
-    read_listed(files, shelf, listed[index], index < awake);
+    read_listed(files, course.typography, shelf, listed[index], index < awake);
   });
   course.lessons.reserve(listed.size());
   for (Listed& one : listed) add_listed(files, one, reading, course, diagnostics);

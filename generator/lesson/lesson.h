@@ -16,6 +16,7 @@
 #include "base/source_text.h"
 #include "lesson/block.h"
 #include "lesson/markdown.h"
+#include "lesson/typography.h"
 
 namespace mjcourse {
 
@@ -57,6 +58,7 @@ struct Lesson {
   std::string folder;  // of its level: "1-state"
   std::string slug;    // "1.2-generalized-coordinates"
   std::string number;  // "1.2"; "" for the glossary, which is read like a lesson
+  Typography typography;
   FrontMatter front;
   Document document;
   std::vector<Block> blocks;                                    // in document order

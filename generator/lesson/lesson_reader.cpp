@@ -86,7 +86,7 @@ Document LessonReader::parse(const std::string& text, int first_line) {
     refuse_excess(excess, {start, start + 1});
   };
   Losses losses;
-  Document document = parse_markdown(text, refuse, first_line, &losses);
+  Document document = parse_markdown(text, refuse, first_line, &losses, lesson_.typography);
   if (!losses.empty()) tell_losses(losses, located(source(), {0, source().text().size()}));
   return document;
 }
@@ -95,7 +95,7 @@ Document LessonReader::fragment(const LocatedText& text) {
   if (text.text.empty()) return nullptr;
   Losses losses;
   const auto refuse = [&](Excess excess, int) { refuse_excess(excess, text.span()); };
-  Document document = parse_markdown(text.text, refuse, 1, &losses);
+  Document document = parse_markdown(text.text, refuse, 1, &losses, lesson_.typography);
   tell_losses(losses, text);
   const bool outer = std::exchange(in_document_, false);
   Region region{text, 0};

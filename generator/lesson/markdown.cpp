@@ -12,6 +12,7 @@
 #include "base/utf8.h"
 #include "lesson/bounded_tables.h"
 #include "lesson/math_syntax.h"
+#include "lesson/quote_syntax.h"
 
 namespace mjcourse {
 namespace {
@@ -26,27 +27,6 @@ Document finish(cmark_parser* parser) {
   static std::mutex mutex;
   const std::lock_guard guard(mutex);
   return Document(cmark_parser_finish(parser));
-}
-
-// cmark takes the ' of `qvel`'s for one that opens a quote, as code, a formula or emphasis before
-// it ends with punctuation. Where words go on right behind such a thing, it is an apostrophe.
-void mend_apostrophes(cmark_node* root) {
-  constexpr std::string_view kOpening = "\u2018", kApostrophe = "\u2019";
-  const std::unique_ptr<cmark_iter, decltype(&cmark_iter_free)> walk(cmark_iter_new(root),
-                                                                     cmark_iter_free);
-  while (cmark_iter_next(walk.get()) != CMARK_EVENT_DONE) {
-    cmark_node* node = cmark_iter_get_node(walk.get());
-    if (cmark_node_get_type(node) != CMARK_NODE_TEXT) continue;
-    const std::string text = cmark_node_get_literal(node);
-    cmark_node* before = cmark_node_previous(node);
-    if (before == nullptr || !text.starts_with(kOpening)) continue;
-    const cmark_node_type type = cmark_node_get_type(before);
-    const bool opens = type == CMARK_NODE_SOFTBREAK || type == CMARK_NODE_LINEBREAK ||
-                       type == CMARK_NODE_HTML_INLINE;
-    if (opens) continue;
-    const std::string mended = std::string(kApostrophe) + text.substr(kOpening.size());
-    cmark_node_set_literal(node, mended.c_str());
-  }
 }
 
 // The nodes at the depth where the tree is to end that have children.
@@ -139,20 +119,23 @@ void cut(cmark_node* root, const Refuse& refuse) {
 }  // namespace
 
 Document parse_markdown(const std::string& text, const Refuse& refuse, int first_line,
-                        Losses* losses) {
+                        Losses* losses, const Typography& typography) {
   static const bool registered = [] {
     cmark_gfm_core_extensions_ensure_registered();
     BoundedTables::teach();
     return true;
   }();
   static_cast<void>(registered);
+  const SyntaxPointer quotes = quote_syntax(typography.marks);
   // Raw HTML stays in the tree: what of it may stand there, raw_html.h says.
+  const int options = CMARK_OPT_UNSAFE | CMARK_OPT_FOOTNOTES;
   const std::unique_ptr<cmark_parser, FreeParser> parser(
-      cmark_parser_new(CMARK_OPT_UNSAFE | CMARK_OPT_FOOTNOTES | CMARK_OPT_SMART));
+      cmark_parser_new(typography.smart ? options | CMARK_OPT_SMART : options));
   for (const char* name : {"table", "strikethrough", "autolink", "tasklist"}) {
     cmark_parser_attach_syntax_extension(parser.get(), cmark_find_syntax_extension(name));
   }
   cmark_parser_attach_syntax_extension(parser.get(), math_syntax());
+  if (typography.smart) cmark_parser_attach_syntax_extension(parser.get(), quotes.get());
   Losses lost;
   const BoundedTables tables(lost);
   parser->line_number = first_line - 1;  // read so far
@@ -170,7 +153,6 @@ Document parse_markdown(const std::string& text, const Refuse& refuse, int first
   if (tables.refused_line() > 0 && refuse) refuse(Excess::cells, tables.refused_line());
   cut(document.get(), refuse);
   cmark_consolidate_text_nodes(document.get());
-  mend_apostrophes(document.get());
   if (losses != nullptr) *losses = std::move(lost);
   return document;
 }

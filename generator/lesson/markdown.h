@@ -11,6 +11,7 @@
 #include <string>
 
 #include "lesson/loss.h"
+#include "lesson/typography.h"
 
 namespace mjcourse {
 
@@ -55,7 +56,7 @@ inline constexpr std::size_t kMostReferred = 64 << 20;
 // and what is lost is added to `losses`.
 using Refuse = std::function<void(Excess excess, int line)>;
 Document parse_markdown(const std::string& text, const Refuse& refuse = {}, int first_line = 1,
-                        Losses* losses = nullptr);
+                        Losses* losses = nullptr, const Typography& typography = {});
 
 // What a reader sees of `node` with all markup gone: text, code, and formulas as TeX.
 std::string plain_text(cmark_node* node);

@@ -119,10 +119,12 @@ std::vector<std::string> Glossary::names() const {
   return names;
 }
 
-std::optional<Glossary> read_glossary(std::string bytes, Diagnostics& diagnostics) {
+std::optional<Glossary> read_glossary(std::string bytes, Diagnostics& diagnostics,
+                                      const Typography& typography) {
   Glossary glossary;
   Lesson& page = glossary.page;
   page.slug = "glossary";
+  page.typography = typography;
   page.source = read_source(kGlossaryPath, std::move(bytes), diagnostics);
   if (!page.source) return {};
   Reading reading(*page.source, diagnostics);

@@ -10,6 +10,7 @@
 namespace mjcourse {
 
 // Mistakes go to `diagnostics`; nothing is returned only when the file cannot be read at all.
-std::optional<Glossary> read_glossary(std::string bytes, Diagnostics& diagnostics);
+std::optional<Glossary> read_glossary(std::string bytes, Diagnostics& diagnostics,
+                                      const Typography& typography = {});
 
 }  // namespace mjcourse

@@ -24,9 +24,10 @@ std::string without_front_matter(const SourceText& source, Span front) {
 }
 
 std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
-                                  Diagnostics& diagnostics) {
+                                  Diagnostics& diagnostics, const Typography& typography) {
   const std::size_t said = diagnostics.size();
   Lesson lesson;
+  lesson.typography = typography;
   lesson.source = read_source(path, std::move(bytes), diagnostics);
   if (!lesson.source) return std::nullopt;
   Reading reading(*lesson.source, diagnostics);

@@ -17,7 +17,7 @@ namespace mjcourse {
 // `bytes`. Mistakes go to `diagnostics`; nothing is returned only when the file cannot be read at
 // all (not UTF-8, no front matter, a file name without a number).
 std::optional<Lesson> read_lesson(const std::string& path, std::string bytes,
-                                  Diagnostics& diagnostics);
+                                  Diagnostics& diagnostics, const Typography& typography = {});
 
 // The file's text; null (reported) when it is not UTF-8.
 std::shared_ptr<const SourceText> read_source(const std::string& path, std::string bytes,

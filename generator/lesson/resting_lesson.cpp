@@ -70,7 +70,7 @@ void forget_links(Lesson& lesson) {
 Lesson wake(const Lesson& resting, const Files& files) {
   Diagnostics known;  // they were told when it was first read
   std::optional<Lesson> awake =
-      read_lesson(resting.source->path(), bytes_of(resting, files), known);
+      read_lesson(resting.source->path(), bytes_of(resting, files), known, resting.typography);
   return *std::move(awake);
 }
 

@@ -9,10 +9,10 @@ std::optional<Lesson> Asked::lesson() const {
   Diagnostics published_elsewhere;
   const std::string bytes(text->text());
   if (text->path() == kGlossaryPath) {
-    auto glossary = read_glossary(bytes, published_elsewhere);
+    auto glossary = read_glossary(bytes, published_elsewhere, course().typography);
     return glossary ? std::optional(std::move(glossary->page)) : std::nullopt;
   }
-  return read_lesson(text->path(), bytes, published_elsewhere);
+  return read_lesson(text->path(), bytes, published_elsewhere, course().typography);
 }
 
 std::string_view Asked::line_before() const {

@@ -65,6 +65,14 @@ TEST(LessonShelf, HasNoLessonWithAMistake) {
   EXPECT_FALSE(reader.shelf.take(kX, reader.files.at(kX)));
 }
 
+TEST(LessonShelf, HasNoLessonWithTheQuotesOfAnotherLanguage) {
+  Reader reader;
+  reader.files[kX] = lesson("## \"One\"\n");
+  reader.read_and_give_back();
+  reader.files["content/course.yaml"] += "language: de\n";
+  EXPECT_EQ(plain_text(reader.read().lessons[0].document.get()), "„One“");
+}
+
 TEST(LessonShelf, HasNoLessonAtRest) {
   Reader reader;
   Course course =

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "course/course_of.h"
+#include "lesson/resting_lesson.h"
 
 namespace mjcourse {
 namespace {
@@ -32,6 +33,43 @@ levels:
   EXPECT_EQ(course.find_lesson("1.1"), &course.lessons[2]);
   EXPECT_EQ(course.find_lesson("1.3"), nullptr);
   EXPECT_EQ(course.models, (std::vector<std::string>{"arm/arm", "zoo"}));
+}
+
+// What all texts of a lesson and of the glossary become, in a course with `keys`.
+std::string texts_of(const std::string& keys) {
+  const std::string front = "---\ntitle: T\nsummary: '\"a\"--b'\n---\n\n";
+  const std::string quiz =
+      "```quiz\n{\"id\": \"q\", \"questions\": [{\"kind\": \"numeric\", \"q\": \"'c'...\", "
+      "\"answer\": "
+      "1,\n\"verify\": [{\"because\": \"it is\"}]}]}\n```\n";
+  const std::map<std::string, std::string> files{
+      {"content/course.yaml",
+       "title: C\n" + keys + "levels:\n  - {folder: 1-a, title: A, lessons: [1.1-x]}\n"},
+      {"content/1-a/1.1-x.md", front + "\"d\" ![\"e\"](f.png)\n\n" + quiz},
+      {"content/glossary.md", front + "## g\n\n\"h\"\n"}};
+  Diagnostics mistakes;
+  const MemoryFiles memory(files);
+  const Course course = read_course(memory, mistakes, 1, 0).value();
+  EXPECT_EQ(shown(mistakes), "");
+  const Lesson lesson = wake(course.lessons[0], memory);
+  std::string texts = plain_text(lesson.front.summary.get()) + " " +
+                      plain_text(cmark_node_first_child(lesson.document.get()));
+  for (const std::size_t i : blocks_of<Quiz>(lesson)) {
+    texts += " " + plain_text(std::get<Quiz>(lesson.blocks[i]).questions[0].text.get());
+  }
+  return texts + " " + plain_text(course.glossary->terms[0].definition.get());
+}
+
+TEST(Course, SetsQuotesInItsLanguage) {
+  EXPECT_EQ(texts_of(""), "“a”–b “d” “e” ‘c’… “h”");
+  EXPECT_EQ(texts_of("language: de-AT\n"), "„a“–b „d“ „e“ ‚c‘… „h“");
+  EXPECT_EQ(texts_of("language: ja\n"), "「a」–b 「d」 「e」 『c』… 「h」");
+}
+
+TEST(Course, LeavesQuotesDashesAndDotsWhereItIsToldTo) {
+  EXPECT_EQ(texts_of("language: de\nsmart-punctuation: false\n"),
+            "\"a\"--b \"d\" \"e\" 'c'... \"h\"");
+  EXPECT_EQ(texts_of("smart-punctuation: true\n"), texts_of(""));
 }
 
 TEST(Course, HasAtMostTwentyThousandLessons) {
