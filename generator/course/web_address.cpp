@@ -40,6 +40,21 @@ bool is_port(std::string_view text) {
          port <= kLastPort;
 }
 
+// With its bytes where they are neither plain nor one of `more`.
+std::string escaped(std::string_view text, std::string_view more) {
+  constexpr std::array<char, 17> kDigits{"0123456789ABCDEF"};
+  std::string address;
+  for (const char c : text) {
+    if (is_plain(c) || is_one_of(c, "-._~") || is_one_of(c, more)) {
+      address += c;
+    } else {
+      const auto byte = static_cast<unsigned char>(c);
+      address += {'%', kDigits.at(byte >> 4), kDigits.at(byte & 15)};
+    }
+  }
+  return address;
+}
+
 // A name or a number, with a port behind it or without.
 bool is_host(std::string_view text) {
   const std::size_t colon = std::min(text.find(':'), text.size());
@@ -50,12 +65,15 @@ bool is_host(std::string_view text) {
   return named && (colon == text.size() || is_port(text.substr(colon + 1)));
 }
 
-// RFC 3986 names the characters; what is escaped has two digits behind its `%`.
+// RFC 3986 names them; `[` and `]` may stand in a host alone.
+constexpr std::string_view kReserved = "/:@!$&'()*+,;=?#%";
+
+// What is escaped has two digits behind its `%`.
 bool stands_in_address(std::string_view url, std::size_t at) {
   if (url[at] == '%') {
     return at + 2 < url.size() && is_hex(url[at + 1]) && is_hex(url[at + 2]);
   }
-  return is_plain(url[at]) || is_one_of(url[at], "-._~/:@!$&'()*+,;=?#");
+  return is_plain(url[at]) || is_one_of(url[at], "-._~") || is_one_of(url[at], kReserved);
 }
 
 std::optional<AddressFault> address_fault(std::string_view url) {
@@ -123,22 +141,16 @@ std::string site_root(const std::string& url) {
   return url.ends_with('/') ? url : url + "/";
 }
 
-std::string escaped_path(std::string_view path) {
-  std::string escaped;
-  for (const char c : path) {
-    escaped += is_plain(c) || is_one_of(c, "-._~/") ? std::string(1, c) : escape(c);
-  }
-  return escaped;
+std::string escaped_address(std::string_view address) {
+  const std::size_t host = host_of(address);
+  const std::size_t path =
+      host == 0 ? 0 : std::min(address.find_first_of("/?#\\", host), address.size());
+  return escaped(address.substr(0, path), std::string(kReserved) + "[]") +
+         escaped(address.substr(path), kReserved);
 }
 
-std::string escaped_address(std::string_view url) {
-  std::string escaped;
-  for (const char c : url) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool stays = byte > ' ' && byte != 0x7F && !is_one_of(c, "\"<>^`{|}");
-    escaped += stays ? std::string(1, c) : escape(c);
-  }
-  return escaped;
+std::string escaped_path(std::string_view path) {
+  return escaped(path, "/");
 }
 
 std::string edit_address(const std::string& edit, const std::string& path) {

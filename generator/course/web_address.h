@@ -1,7 +1,8 @@
-// The addresses in course.yaml: where the site is published, and where a lesson is edited.
+// The addresses in course.yaml, where the site is published and where a lesson is edited, and those
+// of links.
 //
-// An address goes into pages, the sitemap and the feed as it stands, so it must be one to the
-// letter: absolute, of the web, and with whatever is no plain character escaped.
+// An address of course.yaml goes into pages, the sitemap and the feed as it stands, so it must be
+// one to the letter: absolute, of the web, and with whatever is no plain character escaped.
 #pragma once
 
 #include <cstddef>
@@ -27,10 +28,11 @@ bool has_scheme(std::string_view url, std::string_view scheme);
 
 // The site's root, which ends with a slash.
 std::string site_root(const std::string& url);
+// What a link leads to, `address`, as a page has it: all that is no character of an address is
+// escaped, since browsers take `\` for `/`.
+std::string escaped_address(std::string_view address);
 // `path` as an address has it: "a b" is "a%20b".
 std::string escaped_path(std::string_view path);
-// A link's address, in which an author may have left blanks: what none can have is escaped.
-std::string escaped_address(std::string_view url);
 // Where the file `path` of the course is edited.
 std::string edit_address(const std::string& edit, const std::string& path);
 

@@ -75,10 +75,13 @@ TEST(WebAddress, EscapesPaths) {
   EXPECT_EQ(escaped_path("a b&c/\xC3\xBC"), "a%20b%26c/%C3%BC");
 }
 
-TEST(WebAddress, EscapesOfALinkWhatNoneCanHave) {
-  EXPECT_EQ(escaped_address("https://a.org/\xC3\xBC?b=%20&c#d"),
-            "https://a.org/\xC3\xBC?b=%20&c#d");
-  EXPECT_EQ(escaped_address("https://a.org/a b\t\"<c>\""), "https://a.org/a%20b%09%22%3Cc%3E%22");
+TEST(WebAddress, EscapesWhatALinkLeadsTo) {
+  EXPECT_EQ(escaped_address("https://a.org/b\\c d[0]?e=\"f\"&g=\xC3\xBC#h`"),
+            "https://a.org/b%5Cc%20d%5B0%5D?e=%22f%22&g=%C3%BC#h%60");
+  EXPECT_EQ(escaped_address("https://a.org/100%25~(x)'s;y"), "https://a.org/100%25~(x)'s;y");
+  EXPECT_EQ(escaped_address("HTTP://[::1]:8000/a|b"), "HTTP://[::1]:8000/a%7Cb");
+  EXPECT_EQ(escaped_address("http://a.`b`"), "http://a.%60b%60");
+  EXPECT_EQ(escaped_address("mailto:a@b.org?subject=c d"), "mailto:a@b.org?subject=c%20d");
 }
 
 }  // namespace

@@ -25,8 +25,8 @@ TEST_F(PageWriterTest, LeadsLinksToTheirPages) {
   EXPECT_TRUE(body("[c](#d)\n## D\n").starts_with("<p><a href=\"#d\">c</a></p>\n"));
   EXPECT_EQ(body("[e](https://f.example/?g&h)\n"),
             "<p><a class=\"external\" href=\"https://f.example/?g&amp;h\">e</a></p>\n");
-  EXPECT_EQ(body("[e](<https://f.example/a b>)\n"),
-            "<p><a class=\"external\" href=\"https://f.example/a%20b\">e</a></p>\n");
+  EXPECT_EQ(body("[e](<https://f.example/g\\h \"i\">)\n"),
+            "<p><a class=\"external\" href=\"https://f.example/g%5Ch%20%22i%22\">e</a></p>\n");
 }
 
 TEST_F(PageWriterTest, GivesLinksTheirTitles) {
