@@ -96,13 +96,6 @@ std::optional<AddressFault> address_fault(std::string_view url) {
   return std::nullopt;
 }
 
-// Of one byte: "%20".
-std::string escape(char c) {
-  constexpr std::array<char, 17> kDigits{"0123456789ABCDEF"};
-  const auto byte = static_cast<unsigned char>(c);
-  return {'%', kDigits.at(byte >> 4), kDigits.at(byte & 15)};
-}
-
 }  // namespace
 
 bool has_scheme(std::string_view url, std::string_view scheme) {

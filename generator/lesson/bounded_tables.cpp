@@ -76,12 +76,25 @@ void note_head(const std::string& head, const std::string& dashes, int line, boo
   lost->push_back({Loss::Kind::no_table, line, dashes, 0, dashes.size(), "", wide, columns});
 }
 
-// `parent` is a paragraph whose line may become a table's first row, or a table.
+// A row of dashes, with no text above it.
+void note_headless(cmark_parser* parser, std::string_view line) {
+  const std::string row = columns_in(line) > 0 ? row_at(parser, line) : "";
+  if (row.find('|') == row.npos) return;
+  const auto columns = static_cast<int>(cells_of_row(row).size());
+  lost->push_back({Loss::Kind::headless, parser->line_number, row, 0, row.size(), "", 0, columns});
+}
+
+// `parent` is a paragraph whose line may become a table's first row, or a table; in any other no
+// table begins.
 cmark_node* open_bounded_table(cmark_syntax_extension* self, int indented, cmark_parser* parser,
                                cmark_node* parent, unsigned char* input, int length) {
   const std::string_view line(reinterpret_cast<char*>(input), static_cast<std::size_t>(length));
   const bool is_row = cmark_node_get_type(parent) != CMARK_NODE_PARAGRAPH;
   const int columns = is_row ? cmark_gfm_extensions_get_table_columns(parent) : columns_in(line);
+  if (is_row && columns == 0) {
+    if (indented == 0) note_headless(parser, line);
+    return open_table(self, indented, parser, parent, input, length);
+  }
   if (columns > kMostColumns || (columns > 0 && cells + columns > kMostCells)) {
     if (refused == 0) refused = parser->line_number;
     return nullptr;

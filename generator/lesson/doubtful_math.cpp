@@ -15,11 +15,16 @@ bool is_doubtful_math(char before, std::string_view tex, std::string_view behind
   static const RE2 word(R"([A-Za-z])", RE2::Latin1);
   // `$5 and more than 3$`
   static const RE2 money(R"(\d[\d.,]*[kKM]? [a-z]{2,} .*)", RE2::Latin1);
+  // `$PATH; US$`
+  static const RE2 words(R"([A-Za-z]{3,}[;,:.]? [A-Za-z]{2,}\b.*)", RE2::Latin1);
   const re2::StringPiece formula(tex.data(), tex.size());
   re2::StringPiece rest(behind.data(), behind.size());
   const bool is_tex =
       tex.starts_with('^') || tex.starts_with('_') || RE2::PartialMatch(formula, command);
+  // $`x^2`$, which is a formula elsewhere; to KaTeX these are quotes.
+  if (tex.size() > 1 && tex.starts_with('`') && tex.ends_with('`')) return true;
   if (is_tex) return false;
+  if (RE2::FullMatch(formula, words)) return true;
   if (RE2::FullMatch(formula, money)) return true;
   // `US$5–$7; (5$ each)`. Half an interval, `$[0, 1)$`, begins with its bracket.
   const bool begins_with_digit =

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <optional>
+#include <utility>
 
 #include "base/utf8.h"
 #include "lesson/html_tags.h"
@@ -94,26 +96,53 @@ std::optional<HiddenMarkdown> inline_at(std::string_view text, std::size_t at, C
   return emphasis_at(rest, at);
 }
 
-std::optional<HiddenMarkdown> in_text(std::string_view html, std::size_t begin, std::size_t end) {
-  const std::string_view text = html.substr(0, end);
-  CodeLengths codes;
-  bool at_line_start = begin == 0 || html[begin - 1] == '\n';
-  for (std::size_t at = begin; at < end; ++at) {
-    if (at_line_start) {
-      const std::size_t line_end = std::min(text.find('\n', at), end);
-      if (auto found = block_at(text.substr(at, line_end - at), at)) return found;
-    }
-    at_line_start = html[at] == '\n';
-    if (html[at] == '\\') {
-      ++at;
-    } else if (auto found = inline_at(text, at, codes)) {
-      return found;
-    } else if (html[at] == '`') {
-      at += backticks(text.substr(at)) - 1;
+class HiddenFinder {
+ public:
+  explicit HiddenFinder(std::string_view html) : html_(html) {}
+
+  // Look from `begin` to `end`.
+  void look(std::size_t begin, std::size_t end) {
+    text_ = html_.substr(0, end);
+    codes_ = {};
+    bool at_line_start = begin == 0 || html_[begin - 1] == '\n';
+    for (std::size_t at = begin; at < end;) {
+      const std::size_t before = at;
+      if (at_line_start) at = behind_block(at);
+      if (at == before) at = behind_inline(at);
+      at_line_start = text_[std::min(at, end) - 1] == '\n';
     }
   }
-  return std::nullopt;
-}
+
+  std::vector<HiddenMarkdown> found() && { return std::move(found_); }
+
+ private:
+  // Where what begins a block at `at` ends; `at` where nothing does.
+  std::size_t behind_block(std::size_t at) {
+    const std::size_t line_end = std::min(text_.find('\n', at), text_.size());
+    const auto block = block_at(text_.substr(at, line_end - at), at);
+    if (!block) return at;
+    const std::string_view mark = text_.substr(block->begin, block->end - block->begin);
+    const bool is_list = std::string_view(block->what) == "a list";
+    if (!is_list || !std::exchange(has_list_, true)) found_.push_back(*block);
+    if (mark[0] != '`' && mark[0] != '~' && mark[0] != '$') return block->end;
+    const std::size_t close = text_.find(mark, block->end);  // nothing within is read
+    return close == text_.npos ? text_.size() : close + mark.size();
+  }
+
+  std::size_t behind_inline(std::size_t at) {
+    if (text_[at] == '\\') return std::min(at + 2, text_.size());
+    if (const auto one = inline_at(text_, at, codes_)) {
+      found_.push_back(*one);
+      return one->end;
+    }
+    return at + (text_[at] == '`' ? backticks(text_.substr(at)) : 1);
+  }
+
+  std::string_view html_, text_;
+  CodeLengths codes_;  // of `text_`
+  bool has_list_ = false;
+  std::vector<HiddenMarkdown> found_;
+};
 
 bool holds_code(std::string_view name) {
   return name == "code" || name == "pre" || name == "kbd" || name == "samp";
@@ -121,17 +150,17 @@ bool holds_code(std::string_view name) {
 
 }  // namespace
 
-std::optional<HiddenMarkdown> hidden_markdown(std::string_view html) {
+std::vector<HiddenMarkdown> hidden_markdown(std::string_view html) {
+  HiddenFinder finder(html);
   std::size_t at = 0;
   int in_code = 0;
   for (const HtmlTag& tag : tags_of_html(html)) {
-    if (in_code == 0) {
-      if (auto found = in_text(html, at, tag.begin)) return found;
-    }
+    if (in_code == 0) finder.look(at, tag.begin);
     if (holds_code(tag.name)) in_code = std::max(0, in_code + (tag.closes ? -1 : 1));
     at = tag.end;
   }
-  return in_code == 0 ? in_text(html, at, html.size()) : std::nullopt;
+  if (in_code == 0) finder.look(at, html.size());
+  return std::move(finder).found();
 }
 
 }  // namespace mjcourse

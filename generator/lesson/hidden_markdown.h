@@ -5,8 +5,8 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <string_view>
+#include <vector>
 
 namespace mjcourse {
 
@@ -15,7 +15,8 @@ struct HiddenMarkdown {
   const char* what;  // "a fence"
 };
 
-// The first in `html`. What stands in `<code>` or `<pre>` is meant as it stands.
-std::optional<HiddenMarkdown> hidden_markdown(std::string_view html);
+// All in `html`; of a list only its first item. What stands in `<code>` or `<pre>` is meant as it
+// stands.
+std::vector<HiddenMarkdown> hidden_markdown(std::string_view html);
 
 }  // namespace mjcourse

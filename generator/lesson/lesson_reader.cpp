@@ -253,6 +253,7 @@ std::size_t LessonReader::read_link(cmark_node* node, const Region& region) {
   if (!is_behind) at = text.find("]: " + target);
   Region ahead{region.text, at == text.npos ? region.cursor : text.find(target, at)};
   lesson_.links.push_back({node, find(target, ahead)});
+  refuse_empty_link(node, lesson_.links.back().target.span());
   refuse_link_in_heading(node);
   return is_behind ? at + 2 + target.size() : region.cursor;
 }
@@ -273,6 +274,19 @@ void LessonReader::refuse_link_in_heading(cmark_node* node) {
   reading_.error("E-link-place", lesson_.links.back().target.span(),
                  "a link cannot stand in a heading, which is a link itself",
                  "put it into the text below");
+}
+
+// Nobody sees it.
+void LessonReader::refuse_empty_link(cmark_node* node, Span target) {
+  const std::string words = plain_text(node);
+  if (words.find_first_not_of(" \t") != words.npos) return;
+  cmark_node* child = cmark_node_first_child(node);
+  while (child != nullptr && cmark_node_get_type(child) != CMARK_NODE_IMAGE) {
+    child = cmark_node_next(child);
+  }
+  if (child != nullptr) return;
+  reading_.error("E-link-text", target, "this link has no words, so nobody sees it",
+                 "write them between its brackets: `[words](…)`");
 }
 
 void LessonReader::refuse_footnote_in_link(cmark_node* node, const Region& region) {

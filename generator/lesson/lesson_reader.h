@@ -71,6 +71,8 @@ class LessonReader {
   void refuse_blank_in_name(cmark_node* text, const Region& region);
   Span lines_of(cmark_node* node, const Region& region) const;
   void refuse_mere_text(cmark_node* node, const Region& region);
+  void warn_of_lone_row(cmark_node* node, Span lines);
+  void refuse_empty_link(cmark_node* node, Span target);
   void read_html(cmark_node* node, Region& region);
   void read_tags(cmark_node* node, const LocatedText& html,
                  const std::vector<struct HtmlFault>& faults);

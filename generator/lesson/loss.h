@@ -13,12 +13,17 @@ struct Loss {
     no_table,         // a row of dashes has another width than the head above it
     footnote,         // nothing refers to it
     second_footnote,  // another one of the text has its name
+    headless,         // a row of dashes has no head above it
+    reference,        // the definition of one that nothing names
+    second_reference  // another one of the text has its name, and another address
   };
   Kind kind;
-  int line;         // counted as those of the tree
-  std::string row;  // of a table, as it stands in the line behind the marks of quotes and lists
+  int line;  // counted as those of the tree
+  // Of a table, as it stands in the line behind the marks of quotes and lists; the reference's name
+  // in its brackets.
+  std::string row;
   std::size_t begin = 0, end = 0;  // what of the row is meant
-  std::string what{};              // is cut: "a formula"; the footnote's name
+  std::string what{};              // is cut: "a formula"; the footnote's or the reference's name
   int cells = 0, columns = 0;      // of the row, and of the table
 };
 

@@ -13,6 +13,7 @@
 #include "lesson/bounded_tables.h"
 #include "lesson/math_syntax.h"
 #include "lesson/quote_syntax.h"
+#include "lesson/reference_losses.h"
 
 namespace mjcourse {
 namespace {
@@ -136,6 +137,7 @@ Document parse_markdown(const std::string& text, const Refuse& refuse, int first
   }
   cmark_parser_attach_syntax_extension(parser.get(), math_syntax());
   if (typography.smart) cmark_parser_attach_syntax_extension(parser.get(), quotes.get());
+  const ReferenceLosses references(parser.get());
   Losses lost;
   const BoundedTables tables(lost);
   parser->line_number = first_line - 1;  // read so far
@@ -150,6 +152,7 @@ Document parse_markdown(const std::string& text, const Refuse& refuse, int first
   if (text.find("[^") != text.npos) footnotes = footnotes_below(parser->root);
   Document document = finish(parser.get());
   if (!footnotes.empty()) note_dropped(footnotes, document.get(), lost);
+  references.note(text, first_line, lost);
   if (tables.refused_line() > 0 && refuse) refuse(Excess::cells, tables.refused_line());
   cut(document.get(), refuse);
   cmark_consolidate_text_nodes(document.get());

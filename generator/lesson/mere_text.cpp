@@ -64,10 +64,18 @@ bool has_letter(std::string_view text) {
   });
 }
 
+// Quotes, dashes and dots, of which typed ones are others in the page, are left out.
+std::string without_marks(std::string_view text) {
+  static const RE2 marks("[-\"'.\u2013\u2014\u2026\u202f“”„‘’‚«»‹›「」『』]+");
+  std::string rest(text);
+  RE2::GlobalReplace(&rest, marks, "");
+  return rest;
+}
+
 class Finder {
  public:
   Finder(std::string_view source, std::string_view shown)
-      : source_(source), shown_(shown), text_(without_literals(source)) {}
+      : source_(source), shown_(without_marks(shown)), text_(without_literals(source)) {}
 
   std::vector<MereText> all() {
     for (std::size_t at = 0; at < text_.size(); ++at) {
@@ -77,6 +85,7 @@ class Finder {
       } else if (text_[at] == '[') {
         opened_.push_back(at);
         if (text_.compare(at, 2, "[^") == 0) look_at_footnote(at);
+        if (at > 0 && text_[at - 1] == '^') look_at_inline_note(at);
       } else if (text_.compare(at, 4, "<!--") == 0) {
         look_at_comment(at);
       } else if (text_[at] == ']') {
@@ -97,7 +106,7 @@ class Finder {
   // Each looks through all of the text. The limit is beyond what a person writes in a paragraph.
   bool is_shown(std::string_view text) {
     read_ += shown_.size();
-    return read_ < kMostRead && shown_.find(text) != shown_.npos;
+    return read_ < kMostRead && shown_.find(without_marks(text)) != shown_.npos;
   }
 
   // The next of `signs` behind `at`, if it is not far.
@@ -154,14 +163,30 @@ class Finder {
   }
 
   void look_at_footnote(std::size_t at) {
-    const std::size_t end = next("] \t\n", at, kLongestLabel);
+    const std::size_t end = next("]\n", at, kLongestLabel);
     if (end == text_.npos || text_[end] != ']' || end == at + 2) return;
     const std::string mark = text_.substr(at, end + 1 - at);
-    if (!is_shown(mark)) return;
-    tell(at, end + 1, "W-footnote-unknown",
-         "there is no footnote `" + mark.substr(2, mark.size() - 3) + "`",
+    std::string name = mark.substr(2, mark.size() - 3);
+    const bool has_blank = name.find_first_of(" \t") != name.npos;
+    if ((has_blank && !has_letter(name.substr(0, 1))) || !is_shown(mark)) return;
+    if (has_blank) {
+      std::ranges::replace(name, ' ', '-');
+      return tell(at, end + 1, "W-footnote-unknown", "the name of a footnote has no blanks",
+                  "write `[^" + name + "]`; for brackets as text, `\\" + mark + "`");
+    }
+    tell(at, end + 1, "W-footnote-unknown", "there is no footnote `" + name + "`",
          "define it on a line of its own, `" + mark + ": …`; for brackets as text, write `\\" +
              mark + "`");
+  }
+
+  // `^[a note]`, as Pandoc has them.
+  void look_at_inline_note(std::size_t at) {
+    const std::size_t end = next("]\n", at, kLongestLabel);
+    if (end == text_.npos || text_.find(' ', at) > end) return;
+    const std::string note = text_.substr(at - 1, end + 1 - (at - 1));
+    if (!is_shown(note.substr(0, note.find_first_of("*_`\\$<&\x01", 2)))) return;
+    tell(at - 1, end + 1, "W-footnote-unknown", "a footnote does not stand in the line",
+         "write `[^name]` here, and `[^name]: …` on a line of its own");
   }
 
   // The bracket at `at` ends what may be the text of a link or a picture.
@@ -175,7 +200,10 @@ class Finder {
         begin > 0 && (is_word_character(text_[begin - 1]) || text_[begin - 1] == ')' ||
                       text_[begin - 1] == ']' || text_[begin - 1] == kBlank);
     if (index || at == opened_.back() + 1) return;
-    if (text_.compare(at, 2, "](") == 0) return look_at_address(begin, at);
+    if (text_.compare(at, 2, "](") == 0) {
+      pass_address(at + 2);
+      return look_at_address(begin, at);
+    }
     if (text_.compare(at, 2, "][") == 0) return look_at_reference(begin, at);
     const std::string name = text_.substr(opened_.back() + 1, at - opened_.back() - 1);
     if (picture && name.size() <= kLongestLabel && has_letter(name) &&
@@ -201,26 +229,49 @@ class Finder {
              "`, or write the address here, `" + (picture ? "!" : "") + "[…](" + address + ")`");
   }
 
+  // Of a link, no bracket in it begins a formula.
+  void pass_address(std::size_t at) {
+    static const RE2 address(R"((?:[^\s()\\]|\\.|\([^\s()]*\))*[)\s])");
+    re2::StringPiece rest(text_.data() + at, text_.size() - at);
+    if (RE2::Consume(&rest, address)) told_ = text_.size() - rest.size();
+  }
+
   void look_at_address(std::size_t begin, std::size_t at) {
     const std::size_t end = next(")\n", at, kLongestAddress);
     if (end == text_.npos || text_[end] != ')' || end == at + 2) return;
     const std::string address = text_.substr(at + 2, end - at - 2);
     if (!names_with_blanks({"](" + address + ")", {}}, 0).empty()) return;  // E-image-blank
-    // Quotes are others in the page.
-    const std::string_view start =
-        std::string_view(address).substr(0, address.find_first_of("\"'-."));
-    const std::size_t blank = address.find(' ');
-    if (blank == address.npos || !is_shown("](" + std::string(start))) return;
+    if (address.find(' ') == address.npos || !is_shown("](" + address)) return;
     tell(begin, end + 1, "W-link-blank", "this is no link, since its address has a blank",
          "put the address in `<…>`: `" + std::string(text_[begin] == '!' ? "!" : "") + "[…](<" +
              address + ">)`");
   }
 
-  // `##Heading`
   void look_at_lines() {
+    look_at_headings();
+    look_at_rows();
+  }
+
+  // `+---+---+`, `|===|===|` and, with the dashes of a word processor, `|––|––|`
+  void look_at_rows() {
+    static const RE2 form(
+        "(?m)^[ >\\t]*(\\+(?:[-=]{2,}\\+)+|\\|(?:[ \\t]*:?(?:={2,}|[–—]+):?[ \\t]*\\|)+)[ "
+        "\\t\\r]*$");
+    re2::StringPiece rest(text_), row;
+    if (!RE2::FindAndConsume(&rest, form, &row)) return;
+    const std::string signs = row.as_string();
+    if (!is_shown(signs.substr(0, signs.find_first_of("-=\xE2")))) return;
+    const auto begin = static_cast<std::size_t>(row.data() - text_.data());
+    tell(begin, begin + row.size(), "W-table-head",
+         "this is no table: its row of dashes has other signs",
+         "write the rows as `| a | b |`, and `|---|---|` below the first");
+  }
+
+  // `##Heading`
+  void look_at_headings() {
     for (std::size_t at = 0; at < text_.size();
          at = std::min(text_.find('\n', at), text_.size() - 1) + 1) {
-      static const RE2 form(R"(([ >\t]*)(#{2,6})([^#\s\x01]))");
+      static const RE2 form(R"(((?:[ >\t]|[-*+][ \t]|\d{1,9}[.)][ \t])*)(#{2,6})([^#\s\x01]))");
       re2::StringPiece rest(text_.data() + at, text_.size() - at), before, marks, letter;
       if (!RE2::Consume(&rest, form, &before, &marks, &letter)) continue;
       const std::size_t begin = at + before.size();
@@ -232,19 +283,20 @@ class Finder {
     }
   }
 
-  std::string_view source_, shown_;
-  std::string text_;
+  std::string_view source_;
+  std::string shown_, text_;
   std::vector<std::size_t> opened_;  // the brackets that no other has closed
   std::size_t read_ = 0;
   std::size_t round_end_ = 0, square_end_ = 0;  // the next `\)` and `\]`
-  std::size_t told_ = 0;                        // how far a formula in brackets reaches
+  std::size_t told_ = 0;  // how far a formula in brackets, or an address, reaches
   std::vector<MereText> found_;
 };
 
 }  // namespace
 
 bool is_suspicious(std::string_view source) {
-  for (const char* sign : {"\\(", "\\[", "[^", "](", "][", "![", "##", "<!--", "\\begin{"}) {
+  for (const char* sign : {"\\(", "\\[", "[^", "^[", "](", "][", "![", "##", "<!--", "\\begin{",
+                           "+--", "+==", "==", "–", "—"}) {
     if (source.find(sign) != source.npos) return true;
   }
   return false;

@@ -31,12 +31,12 @@ void LessonReader::read_tags(cmark_node* node, const LocatedText& html,
 }
 
 void LessonReader::refuse_hidden_markdown(const LocatedText& html) {
-  const std::optional<HiddenMarkdown> hidden = hidden_markdown(html.text);
-  if (!hidden) return;
-  reading_.error(
-      "E-html-hidden", html.span(hidden->begin, hidden->end),
-      std::string(hidden->what) + " right beside a tag is no Markdown, and shown as it is written",
-      "leave an empty line between the tag and it");
+  for (const HiddenMarkdown& hidden : hidden_markdown(html.text)) {
+    reading_.error(
+        "E-html-hidden", html.span(hidden.begin, hidden.end),
+        std::string(hidden.what) + " right beside a tag is no Markdown, and shown as it is written",
+        "leave an empty line between the tag and it");
+  }
 }
 
 }  // namespace mjcourse

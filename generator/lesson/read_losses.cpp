@@ -30,6 +30,13 @@ class LineStarts {
   std::size_t at_ = 0;
 };
 
+// "| | |"
+std::string empty_head(int columns) {
+  std::string head = "|";
+  for (int i = 0; i < columns; ++i) head += " |";
+  return head;
+}
+
 }  // namespace
 
 void LessonReader::tell_losses(const Losses& losses, const LocatedText& text) {
@@ -64,6 +71,23 @@ void LessonReader::tell_loss(const Loss& loss, Span span) {
                                   ", and the row of dashes below it " +
                                   std::to_string(loss.columns),
                               "give both as many; for a bar within a cell, write `\\|`");
+    case Loss::Kind::headless:
+      return reading_.warning(
+          "W-table-head", span, "this is no table: no head stands above the row of dashes",
+          "put a row above it; for a head without words, `" + empty_head(loss.columns) + "`");
+    case Loss::Kind::reference:
+      return reading_.warning(
+          "W-reference-unused", span,
+          "nothing uses the reference `" + loss.what + "`, so its line is not in the page",
+          "write `[…][" + loss.what +
+              "]` where it belongs, or remove it; for "
+              "the line as text, write `\\" +
+              loss.row + "`");
+    case Loss::Kind::second_reference:
+      return reading_.error("E-reference-name", span,
+                            "another reference is called `" + loss.what +
+                                "`, and each link by that name leads to its address",
+                            "give it a name of its own; capital and small letters are the same");
     case Loss::Kind::footnote:
       return reading_.warning("W-footnote-unused", span,
                               "nothing refers to the footnote `" + loss.what +

@@ -37,9 +37,26 @@ Span LessonReader::lines_of(cmark_node* node, const Region& region) const {
   return {begin, end};
 }
 
+// A row that an empty line cut off from the table above it.
+void LessonReader::warn_of_lone_row(cmark_node* node, Span lines) {
+  cmark_node* above = cmark_node_previous(node);
+  if (above == nullptr || std::string_view(cmark_node_get_type_string(above)) != "table") return;
+  std::string_view row = source().text().substr(lines.begin, lines.end - lines.begin);
+  row = row.substr(0, row.find('\n'));
+  const std::size_t bar = row.find_first_not_of(" \t>");
+  if (bar == row.npos || row[bar] != '|' || row.find('|', bar + 1) == row.npos) return;
+  const int line = source().position(lines.begin).line;
+  if (line == 1 || source().line(line - 1).find_first_not_of(" \t>") != std::string_view::npos)
+    return;
+  reading_.warning("W-table-head", {lines.begin + bar, lines.begin + row.size()},
+                   "this row is in no table: an empty line ended the one above",
+                   "remove the empty line; for a bar as text, write `\\|`");
+}
+
 void LessonReader::refuse_mere_text(cmark_node* node, const Region& region) {
   if (!holds_text(node) || cmark_node_get_start_line(node) < 1) return;
   const Span lines = lines_of(node, region);
+  warn_of_lone_row(node, region.text.span(lines.begin, lines.end));
   const auto source =
       std::string_view(region.text.text).substr(lines.begin, lines.end - lines.begin);
   if (!is_suspicious(source)) return;

@@ -64,6 +64,8 @@ TEST(Links, DoNotAct) {
     const std::string mistakes = course_of(link + "\n", "").mistakes();
     EXPECT_NE(mistakes.find("leads nowhere [E-link-dead]"), mistakes.npos) << link << mistakes;
   }
+  const std::string without = course_of("[a]()\n", "").mistakes();
+  EXPECT_NE(without.find("this link has no address [E-link-dead]"), without.npos) << without;
   for (const std::string picture : {"![a](javascript:x)", "![a](data:image/svg+xml,x)"}) {
     const std::string mistakes = course_of(picture + "\n", "").mistakes();
     EXPECT_NE(mistakes.find("is no address in the web [E-image-place]"), mistakes.npos) << mistakes;

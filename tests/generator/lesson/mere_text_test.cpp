@@ -28,6 +28,9 @@ TEST(MereText, IsAReferenceThatNothingDefines) {
   EXPECT_EQ(found("| a |\n|---|\n| [t][no] |\n"), "W-reference-unknown <[t][no]>");
   EXPECT_EQ(found("## [t][no]\n"), "W-reference-unknown <[t][no]>");
   EXPECT_EQ(found("> [!note] [t][no]\n> text\n"), "W-reference-unknown <[t][no]>");
+  EXPECT_EQ(found("[\"t\"][it's] [t][\"no\"] ![a--b...] a[^it's]\n"),
+            "W-reference-unknown <[\"t\"][it's]>, W-reference-unknown <[t][\"no\"]>, "
+            "W-reference-unknown <![a--b...]>, W-footnote-unknown <[^it's]>");
 }
 
 TEST(MereText, IsNotWhatIsDefinedCodeOrEscaped) {
@@ -38,9 +41,27 @@ TEST(MereText, IsNotWhatIsDefinedCodeOrEscaped) {
   EXPECT_EQ(found("- [x] done\n- [ ] not\n"), "");
 }
 
+TEST(MereText, IsANoteAsOthersWriteThem) {
+  EXPECT_EQ(found("a[^long name] b^[a *note*] c^[a note]\n\n[^long name]: d e\n"),
+            "W-footnote-unknown <[^long name]>, W-footnote-unknown <^[a *note*]>, "
+            "W-footnote-unknown <^[a note]>, "
+            "W-footnote-unknown <[^long name]>");
+  EXPECT_EQ(found("x^[2] \\[^a b] `^[a b]` [^ \\t]\n"), "");
+}
+
+TEST(MereText, IsATableAsOthersWriteThem) {
+  EXPECT_EQ(found("+---+---+\n| a | b |\n+===+===+\n| 1 | 2 |\n+---+---+\n"),
+            "W-table-head <+---+---+>");
+  EXPECT_EQ(found("> | a |\n> | === |\n"), "W-table-head <| === |>");
+  EXPECT_EQ(found("| a |\n|---|\n\n| 1 |\n| 2 |\n"), "W-table-head <| 1 |>");
+  EXPECT_EQ(found("| a |\n|---|\n| == |\n| — |\n\nIt is |x|, a + b – |c|.\n"), "");
+}
+
 TEST(MereText, IsALinkWithABlank) {
   EXPECT_EQ(found("[t](a b.html) ![p](my d.svg)\n"),
             "W-link-blank <[t](a b.html)>, E-image-blank <my d.svg>");
+  EXPECT_EQ(found("[t](https://a.org \"b\") [t](https://a.org \"c) d\"\n"),
+            "W-link-blank <[t](https://a.org \"c)>");
   EXPECT_EQ(
       found("[t](https://example.org \"a title\") [t](<https://example.org/a b>) [t] (a b)\n"), "");
 }
@@ -48,6 +69,8 @@ TEST(MereText, IsALinkWithABlank) {
 TEST(MereText, IsAFormulaInBrackets) {
   EXPECT_EQ(found("a \\(x\\) b \\[ y \\] c\n\n\\[\nz\n\\]\n"),
             "W-math-brackets <\\(>, W-math-brackets <\\[>, W-math-brackets <\\[>");
+  EXPECT_EQ(found("[t](https://a.org/\\(x_1\\)) [t](https://a.org/\\(b\\) \"c\") \\(x\\)\n"),
+            "W-math-brackets <\\(>");
   EXPECT_EQ(found("\\[1\\], \\[a, b\\] and `\\(x\\)`, \\\\(x\\\\)\n"), "");
 }
 
@@ -63,6 +86,9 @@ TEST(MereText, IsAFormulaWithoutDollars) {
 TEST(MereText, IsAHeadingWithoutABlank) {
   EXPECT_EQ(found("##Two\n\ntext\n###Three\n\n> ##Quoted\n"),
             "W-heading-blank <##>, W-heading-blank <###>, W-heading-blank <##>");
+  EXPECT_EQ(found("- ##One\n  - ##Two\n\n1. ###Three\n\n> * ##Four\n"),
+            "W-heading-blank <##>, W-heading-blank <##>, W-heading-blank <###>, "
+            "W-heading-blank <##>");
   EXPECT_EQ(found("#include\n\n\\##a\n\n## b\n\n##\n\n`##a`\n"), "");
 }
 

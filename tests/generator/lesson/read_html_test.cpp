@@ -226,7 +226,7 @@ std::string hidden(const std::string& underlined) {
 
 TEST(RawHtml, HidesNoMarkdown) {
   EXPECT_EQ(refused("<details>\n```text unchecked\ncode\n```\n</details>\n"), hidden("```"));
-  EXPECT_EQ(refused("<div>\ntext $x$ `a`\n</div>\n"), hidden("$x$"));
+  EXPECT_EQ(refused("<div>\ntext $x$\n</div>\n"), hidden("$x$"));
   EXPECT_EQ(refused("<div>\nIt has `{p} model.nq`.\n</div>\n"), hidden("`{p} model.nq`"));
   EXPECT_EQ(refused("<div>\n$$\nx\n$$\n</div>\n"), hidden("$$"));
   EXPECT_EQ(refused("<div>\n## A heading\n</div>\n"), hidden("##"));
@@ -243,6 +243,14 @@ TEST(RawHtml, HidesNoMarkdown) {
   EXPECT_EQ(refused("<div>\n_c d_, e\n</div>\n"), hidden("_c d_"));
   EXPECT_EQ(refused("<div>\n~~b~~ c\n</div>\n"), hidden("~~b~~"));
   EXPECT_EQ(refused("<div>\na[^1]\n</div>\n\nb[^1]\n\n[^1]: c\n"), hidden("[^1]"));
+}
+
+TEST(RawHtml, IsToldOfAllThatItHides) {
+  EXPECT_EQ(refused("<div>\ntext $x$ `a` <b>[t](1.1)</b>\n## b\n- [[c]]\n- d\n</div>\n"),
+            hidden("$x$") + ", " + hidden("`a`") + ", " + hidden("[t](1.1)") + ", " + hidden("##") +
+                ", " + hidden("-") + ", " + hidden("[[c]]"));
+  EXPECT_EQ(refused("<div>\n```\n$x$\n```\n$$\n`a`\n$$\n$y$\n</div>\n"),
+            hidden("```") + ", " + hidden("$$") + ", " + hidden("$y$"));
 }
 
 TEST(RawHtml, LeavesMarkdownWhereItIsReadOrIsCode) {
