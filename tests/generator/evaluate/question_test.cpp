@@ -43,13 +43,13 @@ TEST(Question, IsProvedByBuildingWhatItDescribes) {
     {"model": "ball", "value": "model.nq"},
     {"joints": {"hinge": 1, "free": 1}, "value": "model.nq"},
     {"joints": {"ball": 2}, "value": "model.nq"},
-    {"mjcf": ["<mujoco>", "</mujoco>"], "run": ["const a = 3;"], "value": "a + 5"},
+    {"mjcf": ["<mujoco>", "</mujoco>"], "run": ["const a = model.nq;"], "value": "a + 8"},
     {"model": "ball", "value": "model.nv", "equals": 7})"));
   EXPECT_EQ(proofs_of(found),
             "ball.xml | model.nq | 8\n"
             "a model with 1 hinge and 1 free joints | model.nq | 8\n"
             "a model with 2 ball joints | model.nq | 8\n"
-            "the model in the question | a + 5 | 8\n"
+            "the model in the question | a + 8 | 8\n"
             "ball.xml | model.nv | 7\n");
   EXPECT_TRUE(found.result<QuizResult>().questions[0].proved);
   EXPECT_EQ(found.tally().answers_proved, 1);
@@ -63,7 +63,9 @@ TEST(Question, MayRunAScriptAndTheClockFirst) {
 }
 
 TEST(Question, AllowsForItsToleranceAndForBinary) {
-  EXPECT_EQ(evaluated_mistakes(number("0.1", R"j({"model": "ball", "value": "0.3 - 0.2"})j")), "");
+  EXPECT_EQ(
+      evaluated_mistakes(number("0.1", R"j({"model": "ball", "value": "data.time + 0.3 - 0.2"})j")),
+      "");
   const auto tolerant = [](const std::string& answer, const std::string& tolerance) {
     std::string question = number(answer, R"j({"model": "ball", "value": "model.nq"})j");
     question.insert(question.find("\"q\": \"?\""), "\"tol\": " + tolerance + ", ");
@@ -77,8 +79,8 @@ TEST(Question, AllowsForItsToleranceAndForBinary) {
 
 TEST(Question, HoldsSmallAndWholeNumbersToAllTheirDigits) {
   const auto of = [](const std::string& answer, const std::string& value) {
-    const std::string mistakes =
-        evaluated_mistakes(number(answer, R"({"model": "ball", "value": ")" + value + "\"}"));
+    const std::string mistakes = evaluated_mistakes(
+        number(answer, R"({"model": "ball", "value": "data.time + )" + value + "\"}"));
     const std::size_t message = mistakes.find("the answer"), end = mistakes.find(" [");
     return message == mistakes.npos ? mistakes : mistakes.substr(message, end - message);
   };
@@ -166,8 +168,9 @@ TEST(Choice, StartsAfreshForEachOption) {
 }
 
 TEST(Several, AreProvedWhenExactlyTheyHold) {
-  EXPECT_EQ(proofs_of(EvaluationOf(several(
-                "[2, 0]", R"({"model": "ball", "options": ["true", "model.nq == 7", "true"]})"))),
+  EXPECT_EQ(proofs_of(EvaluationOf(
+                several("[2, 0]", R"({"model": "ball", "options": ["model.nv == 7", "model.nq == 7",
+                                            "model.nq == 8"]})"))),
             "ball.xml |  | 0 (\"one\") and 2 (\"three\")\n");
 }
 
@@ -237,9 +240,9 @@ TEST(Order, OfTwoEqualNumbersIsAnError) {
 }
 
 TEST(Order, OfSmallNumbersIsOne) {
-  EXPECT_EQ(
-      proofs_of(EvaluationOf(order(R"({"model": "ball", "values": ["1e-15", "2e-15", "3e-15"]})"))),
-      "ball.xml |  | 1e-15 < 2e-15 < 3e-15\n");
+  EXPECT_EQ(proofs_of(EvaluationOf(
+                order(R"({"model": "ball", "values": ["data.time + 1e-15", "2e-15", "3e-15"]})"))),
+            "ball.xml |  | 1e-15 < 2e-15 < 3e-15\n");
 }
 
 TEST(Order, IsAssertedWithoutAProofOfIt) {

@@ -1,3 +1,5 @@
 #include "wheel.h"
 
-int main() { return turns(0); }
+int main() {
+  return turns(0);
+}

@@ -1,3 +1,5 @@
 #include "wheel.h"
 
-int main() { return twice("one"); }
+int main() {
+  return twice("one");
+}

@@ -5,4 +5,6 @@ int twice(T x) {
   return x * 2;
 }
 
-inline int turns(int x) { return x / radius; }
+inline int turns(int x) {
+  return x / radius;
+}
