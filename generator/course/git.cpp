@@ -26,7 +26,7 @@ constexpr int kSeconds = 10;
 std::string line_of(const fs::path& file) {
   std::error_code none;
   if (!fs::is_regular_file(file, none)) return "";
-  std::string line(2 * PATH_MAX, '\0');
+  std::string line(std::size_t{2} * PATH_MAX, '\0');
   std::ifstream text(file, std::ios::binary);
   text.read(line.data(), std::ssize(line));
   line.resize(static_cast<std::size_t>(text.gcount()));
