@@ -1,7 +1,6 @@
 /**
  * What one lab shows: MuJoCo's own list of geoms, drawn as MuJoCo's own renderer draws it, so that
- * it agrees with the picture that the generator made. Skins are not drawn, nor fog, which the
- * generator does not draw either.
+ * it agrees with the picture that the generator made. Neither draws fog.
  */
 import type { Scene } from "../../engine/scene.js";
 import type { Simulation } from "../../engine/simulation.js";
