@@ -55,7 +55,10 @@ function run(name, user, home, landlock) {
   const course = join(temporary, "..", `${name}-${user ?? "own"}-${landlock ?? "own"}`);
   cpSync(join(courses, name), course, { recursive: true });
   if (user !== undefined) for (const own of [temporary, cache]) chownSync(own, user, user);
-  const { status, stdout, stderr } = spawnSync(mjcourse, ["check", "--course", course], {
+  // One program at a time: the kernel counts an ordinary user's processes together, so that beside
+  // a fork bomb its neighbours cannot fork either.
+  const check = ["check", "--jobs", "1", "--course", course];
+  const { status, stdout, stderr } = spawnSync(mjcourse, check, {
     encoding: "utf8",
     cwd: "/",
     env: {
