@@ -50,7 +50,9 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Work
   check_overlays(names_of(lab.overlays), bench);
   if (!guard_scripts(bench, result.scripts, doubtful)) return std::nullopt;
   std::optional<LabRun> run = LabRun::start(bench, lab.model);
-  if (!run || !fits_in_page(bench, run->simulation())) return std::nullopt;
+  const auto memory = run ? memory_in_page(bench, run->simulation()) : std::nullopt;
+  if (!memory) return std::nullopt;
+  result.memory = *memory;
   result.script_names = run->world().names();
   result.keyframes = find_keyframes(lab, run->simulation().model());
   const bool read = read_at_rest(lab, *run, result);

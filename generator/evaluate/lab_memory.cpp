@@ -25,21 +25,25 @@ std::uint64_t bytes_of(const mjData& data) {
 std::uint64_t bytes_in_page(const Lab& lab, const Simulation& simulation) {
   const std::uint64_t simulations = lab.ghost ? 2 : 1;
   const std::uint64_t anew = lab.editable ? simulations : 0;
-  return kBase + (simulations + anew + 1) * bytes_of(*simulation.model().get()) +
+  return (simulations + anew + 1) * bytes_of(*simulation.model().get()) +
          (2 * simulations + anew) * bytes_of(*simulation.data().get());
+}
+
+std::string mebibytes_up(std::uint64_t bytes) {
+  return std::to_string((bytes + kMebibyte - 1) / kMebibyte);
 }
 
 }  // namespace
 
-bool fits_in_page(const LabBench& bench, const Simulation& simulation) {
-  const std::uint64_t needed = bytes_in_page(bench.lab(), simulation);
-  if (needed <= kEngine) return true;
-  return bench.error(
-      "E-lab-memory", bench.lab().model.span(),
-      "live, this model takes " + std::to_string(needed / kMebibyte) +
-          " MiB of memory, and a page has 2048 MiB for it",
-      "a smaller model, or a smaller `njmax`, `nconmax` or `nstack` in its `<size>`; "
-      "a figure shows it as it is");
+std::optional<std::uint64_t> memory_in_page(const LabBench& bench, const Simulation& simulation) {
+  const std::uint64_t bytes = bytes_in_page(bench.lab(), simulation);
+  if (kBase + bytes <= kEngine) return bytes;
+  bench.error("E-lab-memory", bench.lab().model.span(),
+              "live, this model takes " + mebibytes_up(kBase + bytes) +
+                  " MiB of memory, and a page has 2048 MiB for it",
+              "a smaller model, or a smaller `njmax`, `nconmax` or `nstack` in its `<size>`; "
+              "a figure shows it as it is");
+  return std::nullopt;
 }
 
 }  // namespace mjcourse

@@ -5,12 +5,15 @@
 // may be too large for it, and a reader would only be told that it failed.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "evaluate/lab_bench.h"
 #include "physics/simulation.h"
 
 namespace mjcourse {
 
-// Reports the lab's model where its page would have no room for it; true where it has.
-bool fits_in_page(const LabBench& bench, const Simulation& simulation);
+// Bytes that the lab takes of it; reports the lab's model where the page would have no room for it.
+std::optional<std::uint64_t> memory_in_page(const LabBench& bench, const Simulation& simulation);
 
 }  // namespace mjcourse

@@ -123,6 +123,7 @@ struct LabResult {
   std::vector<double> readouts;             // at rest, in the lab's order
   std::vector<std::vector<double>> traces;  // at rest, for each plot
   Lab::Camera camera;                       // the lab's, or one that shows all of the model
+  std::uint64_t memory = 0;                 // bytes that it takes in a page
   LabModel model;
   std::vector<std::string> script_names;            // what scripts may use of the world
   std::map<std::string, std::string> scripts = {};  // that have guards (lab_scripts.h)

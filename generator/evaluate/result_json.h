@@ -85,8 +85,8 @@ MJCOURSE_FIELDS(LabModel, main, texts, assets)
 MJCOURSE_FIELDS(LabReading, steps, values)
 MJCOURSE_FIELDS(LabRunResult, control, value, readings)
 MJCOURSE_FIELDS(Lab::Camera, azimuth, elevation, distance, target)
-MJCOURSE_FIELDS(LabResult, readouts, traces, camera, model, script_names, scripts, keyframes, runs,
-                predicted, poster, pin)
+MJCOURSE_FIELDS(LabResult, readouts, traces, camera, memory, model, script_names, scripts,
+                keyframes, runs, predicted, poster, pin)
 MJCOURSE_FIELDS(ChartDrawing, svg, width, height)
 MJCOURSE_FIELDS(ChartDrawings, wide, narrow)
 MJCOURSE_FIELDS(ChartResult, drawings, table, file)

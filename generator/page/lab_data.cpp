@@ -90,6 +90,10 @@ json PageWriter::asked_data(const Lab& lab) const {
   return asked;
 }
 
+// A lab that takes more than this of the 2 GiB that all labs of a page share is loaded when its
+// reader presses Play, and not before: none is to be in the way of another unasked.
+constexpr std::uint64_t kMostUnasked = 64 << 20;
+
 // Where the page's script finds what makes a lab live; null where the site has no engine for it.
 json PageWriter::live_data(const Lab& lab, const LabResult& result, std::size_t index) {
   const std::string number = lesson_.number + "-" + std::to_string(block_number(lesson_, index));
@@ -103,6 +107,7 @@ json PageWriter::live_data(const Lab& lab, const LabResult& result, std::size_t 
                                       {"wasm", "engine.wasm"}}) {
       data[name] = from_root(press_.manifest.at(asset).get<std::string>());
     }
+    data["large"] = result.memory > kMostUnasked;
   }
   lab_files_.push_back(std::move(files));
   return data;

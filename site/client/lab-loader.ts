@@ -1,6 +1,7 @@
 // Makes a lab's picture live. Until then it is a picture with a Play button: the engine is large, so
 // it is loaded when the reader presses Play, or when the page is idle, the lab is near, and the reader
-// has moved at all: whoever opened the page and left it has no use for a running simulator.
+// has moved at all: a page that was opened and left needs no running simulator. A large model waits
+// for Play, since all labs of a page share the engine's memory.
 //
 // Where it cannot be loaded the picture stays, and one line says why and what to do. What happens
 // once it is loaded is in lab/lab.ts, which this script knows only by its address.
@@ -43,7 +44,7 @@ class SimLab extends HTMLElement {
     this.#status.setAttribute("role", "status");
     view.append(this.#play);
     view.after(this.#status);
-    if (savesData()) return;
+    if (savesData() || "large" in this.dataset) return;
     const open = (): void => void this.#open().catch(() => undefined);
     onFirstMove(() => whenNear(this, () => whenIdle(open)));
   }
@@ -61,6 +62,10 @@ class SimLab extends HTMLElement {
 
   #open(): Promise<LabHandle> {
     this.#opening ??= this.#load().catch((error: unknown) => {
+      if (isNamed(error, "NoMemory") && this.#play.ariaBusy !== "true") {
+        this.#opening = undefined; // nobody asked for it yet, and then there may be memory
+        throw error;
+      }
       const focused = this.#play.matches(":focus");
       this.#play.remove();
       this.#status.textContent = reasonOf(error);
@@ -95,11 +100,15 @@ class Refusal extends Error {
   override readonly name = "Refusal";
 }
 
-/** lab.ts has a Refusal of its own: it is told by its name. */
 function reasonOf(error: unknown): string {
-  if (error instanceof Error && error.name === "Refusal") return error.message;
+  if (isNamed(error, "Refusal") || isNamed(error, "NoMemory")) return error.message;
   reportError(error);
   return reasons.unknown;
+}
+
+/** lab.ts has classes of its own: what it throws is told by its name. */
+function isNamed(error: unknown, name: string): error is Error {
+  return error instanceof Error && error.name === name;
 }
 
 function savesData(): boolean {
@@ -107,13 +116,14 @@ function savesData(): boolean {
   return connection?.saveData === true;
 }
 
+/** A scroll is none: the browser itself scrolls to where a reader was before a reload. */
 function onFirstMove(act: () => void): void {
   const listening = new AbortController();
   const move = (): void => {
     listening.abort();
     act();
   };
-  for (const kind of ["pointermove", "pointerdown", "keydown", "scroll"]) {
+  for (const kind of ["pointermove", "pointerdown", "keydown", "wheel"]) {
     addEventListener(kind, move, { capture: true, passive: true, signal: listening.signal });
   }
 }

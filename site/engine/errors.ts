@@ -7,6 +7,11 @@ export class MujocoError extends Error {
   readonly id = "E-script-mujoco";
 }
 
+/** The engine's memory is full. */
+export class MemoryError extends Error {
+  override readonly name = "MemoryError";
+}
+
 /** A model that does not load, with the place in its file. */
 export class LoadError extends Error {
   override readonly name = "LoadError";

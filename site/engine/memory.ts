@@ -1,5 +1,5 @@
 /** The engine's memory and functions, as the other files of this folder use them. */
-import { MujocoError } from "./errors.js";
+import { MemoryError, MujocoError } from "./errors.js";
 import type { Glue, Pointer } from "./glue.js";
 import type { Numbers } from "../script/native.js";
 
@@ -65,7 +65,7 @@ export class Memory {
   /** Gives `use` room for so many bytes that lasts as long as the call. */
   withRoom<T>(size: number, use: (address: Pointer) => T): T {
     const address = this.call("malloc", size);
-    if (address === 0) throw new RangeError(`the engine has no ${size} bytes left`);
+    if (address === 0) throw new MemoryError(`the engine has no ${size} bytes left`);
     try {
       return use(address);
     } finally {

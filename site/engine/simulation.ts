@@ -2,7 +2,7 @@
  * A model in motion, watched by the same code as in a build (generator/physics/simulation.cpp): what
  * diverges stops, and says so.
  */
-import { MujocoError } from "./errors.js";
+import { MemoryError, MujocoError } from "./errors.js";
 import { dataFields, modelFields } from "./field-table.js";
 import { nativeFunctions } from "./functions.js";
 import type { Pointer } from "./glue.js";
@@ -100,7 +100,7 @@ export class Simulation {
   /** What a page draws. It lives until the simulation is freed. */
   openScene(): Scene {
     const handle = this.call("mjc_scene_new", mostGeoms);
-    if (handle === 0) throw new RangeError("the engine has no memory for a scene");
+    if (handle === 0) throw new MemoryError("the engine has no memory for a scene");
     const scene = new Scene(this.memory, handle);
     this.scenes.add(scene);
     return scene;
@@ -113,6 +113,10 @@ export class Simulation {
     this.call("mjc_free");
     this.handle = 0;
     this.opened = undefined;
+  }
+
+  get freed(): boolean {
+    return this.handle === 0;
   }
 
   private native(): Native {

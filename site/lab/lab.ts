@@ -8,7 +8,7 @@ import type { LabModule } from "./lab-module.js";
 import { wear } from "./page/stylesheet.js";
 import { arrive, fetchFiles, loadModule, openEngine } from "./run/engine-room.js";
 import { Run } from "./run/run.js";
-import { whyNoStart } from "./run/trouble.js";
+import { isOutOfMemory, whyNoStart } from "./run/trouble.js";
 import { Stage } from "./stage/stage.js";
 
 export interface LabHandle {
@@ -17,7 +17,12 @@ export interface LabHandle {
 
 /** Says to the reader why there is no live lab. The loader knows it by its name. */
 class Refusal extends Error {
-  override readonly name = "Refusal";
+  override readonly name: string = "Refusal";
+}
+
+/** Other labs of the page have the memory. */
+class NoMemory extends Refusal {
+  override readonly name = "NoMemory";
 }
 
 let stage: Stage | undefined;
@@ -48,7 +53,8 @@ function start(engine: Engine, module: LabModule, files: ModelFiles): Run {
     return run;
   } catch (cause) {
     run?.free();
-    throw new Refusal(whyNoStart(cause), { cause });
+    const Reason = isOutOfMemory(cause) ? NoMemory : Refusal;
+    throw new Reason(whyNoStart(cause), { cause });
   }
 }
 

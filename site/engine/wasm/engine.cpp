@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "allocation_scope.h"
 #include "physics/model.h"
 #include "physics/object_count.h"
 #include "simulation_handle.h"
@@ -32,6 +33,7 @@ void mjc_add_file(const char* name, const char* bytes, int size) {
 
 mjcSimulation* mjc_load(const char* name) {
   const ModelFiles given = std::exchange(files, {});
+  AllocationScope scope;
   auto model = load_model_files(name, given);
   if (!model) {
     last_error = std::move(model.error());
@@ -41,7 +43,9 @@ mjcSimulation* mjc_load(const char* name) {
     // Room for what MuJoCo allocates in passing: memory is not to grow, and so to move, while the
     // page steps.
     mju_free(mju_malloc(1 << 20));
-    return new mjcSimulation(*std::move(model));
+    auto* simulation = new mjcSimulation(*std::move(model));
+    scope.keep();
+    return simulation;
   } catch (const std::exception& error) {
     last_error = {name, 0, 0, error.what()};
     return nullptr;

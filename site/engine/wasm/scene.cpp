@@ -1,9 +1,10 @@
 #include "scene.h"
 
 #include <algorithm>
-#include <memory>
+#include <exception>
 #include <string_view>
 
+#include "allocation_scope.h"
 #include "physics/data.h"
 #include "physics/mujoco_guard.h"
 #include "physics/overlay_table.h"
@@ -35,9 +36,12 @@ struct mjcScene_ {
 };
 
 mjcScene* mjc_scene_new(mjcSimulation* simulation, int maxgeom) {
+  AllocationScope scope;
   try {
-    return new mjcScene(*simulation, maxgeom);
-  } catch (const mjcourse::MujocoError&) {
+    auto* scene = new mjcScene(*simulation, maxgeom);
+    scope.keep();
+    return scene;
+  } catch (const std::exception&) {
     return nullptr;
   }
 }

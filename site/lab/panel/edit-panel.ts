@@ -14,7 +14,7 @@ export class EditPanel {
   readonly #rebuilt: () => void;
   #editor: Promise<Editor> | undefined;
 
-  /** `rebuilt` is called when there is another model. */
+  /** `rebuilt` is called when there is another model, or another stage of the same. */
   constructor(run: Run, tasks: readonly HTMLElement[], rebuilt: () => void) {
     this.#run = run;
     this.#lesson = run.mjcf;
@@ -68,10 +68,11 @@ export class EditPanel {
   }
 
   async #compile(text: string): Promise<void> {
+    const { stage } = this.#run;
     const error = this.#run.recompile(text);
     this.#status.textContent = error === undefined ? "" : sentence(error);
     this.#status.classList.toggle("wrong", error !== undefined);
-    if (error === undefined) this.#rebuilt();
+    if (this.#run.stage !== stage) this.#rebuilt();
     (await this.#editor)?.showError(error);
   }
 }

@@ -25,7 +25,7 @@ import type { Samples } from "./samples.js";
 import { type Look, Stage } from "./stage.js";
 import { type Circumstances, type RunPlace, Timeline } from "./timeline.js";
 import type { Moment, Track } from "./track.js";
-import { ScriptTrouble, type Trouble } from "./trouble.js";
+import { isOutOfMemory, ScriptTrouble, type Trouble, whyNoEdit } from "./trouble.js";
 
 export type { ControlValue } from "./controls.js";
 
@@ -55,6 +55,8 @@ export class Run {
   #files: ModelFiles;
   #pair: Pair;
   #stage: Stage | undefined;
+  /** What the next stage begins with. */
+  #look: Look;
   #settings: readonly ControlValue[] = [];
   #goalReached = false;
   /** Steps until the prediction is measured, 0 when none is going on. */
@@ -66,6 +68,7 @@ export class Run {
     this.#engine = engine;
     this.#module = module;
     this.#timeline = new Timeline(module.lab);
+    this.#look = module.lab;
     this.#files = files;
     this.#pair = new Pair(engine, module, files);
     this.reset();
@@ -107,10 +110,9 @@ export class Run {
   }
 
   /** The scenes, the camera, the overlays and the reader's hand. Take it anew for each frame:
-   * recompile() opens another one. */
+   * recompile() may open another one. */
   get stage(): Stage {
-    const { camera, overlays } = this.lab;
-    return (this.#stage ??= this.#openStage({ camera, overlays }));
+    return this.#stage ?? this.#openStage();
   }
 
   get scene(): Scene {
@@ -278,31 +280,55 @@ export class Run {
   }
 
   /** Starts anew with `mjcf` as the model's main file. Where that does not load it says why, and
-   * all is as it was. */
+   * all is as it was; only where the page has no memory for it the former model starts anew. */
   recompile(mjcf: string): LoadError | undefined {
+    const former = this.#files;
     const { name } = this.lab.model;
-    const files = { ...this.#files, [name]: mjcf };
-    let pair;
     try {
-      pair = new Pair(this.#engine, this.#module, files);
+      this.#startWith({ ...former, [name]: mjcf });
+      return undefined;
     } catch (error) {
-      if (error instanceof LoadError) return error;
-      return new LoadError(error instanceof Error ? error.message : String(error), name, 0, 0, "");
+      if (this.simulation.freed || this.#files !== former) this.#startWith(former);
+      return whyNoEdit(error, name);
     }
-    const look = this.#stage && { camera: this.#stage.camera, overlays: this.#stage.overlays };
-    this.free();
-    this.#stage = undefined;
-    this.#pair = pair;
-    this.#files = files;
-    this.reset();
-    this.#stage = look && this.#openStage(look);
-    return undefined;
   }
 
   // How it is done.
 
-  #openStage(look: Look): Stage {
-    return new Stage(this.simulation, this.#pair.ghost?.simulation, look);
+  #startWith(files: ModelFiles): void {
+    const pair = this.#load(files);
+    this.#leave();
+    this.#pair = pair;
+    this.#files = files;
+    this.reset();
+    this.#openStage();
+  }
+
+  /** Beside the present model, or in its place where the page has no memory for both. */
+  #load(files: ModelFiles): Pair {
+    const load = () => new Pair(this.#engine, this.#module, files);
+    try {
+      return load();
+    } catch (error) {
+      if (!isOutOfMemory(error)) throw error;
+      this.#leave();
+      return load();
+    }
+  }
+
+  /** Frees the present model; the next one is looked at as it was. */
+  #leave(): void {
+    if (this.#stage !== undefined) {
+      const { camera, overlays } = this.#stage;
+      this.#look = { camera, overlays };
+      this.#stage = undefined;
+    }
+    this.free();
+  }
+
+  #openStage(): Stage {
+    this.#stage = new Stage(this.simulation, this.#pair.ghost?.simulation, this.#look);
+    return this.#stage;
   }
 
   #step(): boolean {

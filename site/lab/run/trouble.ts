@@ -1,5 +1,5 @@
 /** What stopped a run, as a reader is told. */
-import { MujocoError } from "../../engine/errors.js";
+import { LoadError, MemoryError, MujocoError } from "../../engine/errors.js";
 import { Fault } from "../../script/fault.js";
 
 export interface Trouble {
@@ -24,15 +24,32 @@ export class ScriptTrouble extends Error implements Trouble {
   }
 }
 
-/** Why a lab's model does not start here, which the build could simulate: a page has less memory, and
- * all its labs share it. */
+/** MuJoCo's words where it got no memory; not those of a reader, who may name a body `memory`. */
+const withoutMemory =
+  /^(?:object '[^']*': )?(?:\w+: )?could not (?:allocate|create mjData)|^std::bad_alloc$/i;
+
+/** A page has less memory than the build, and all its labs share it. */
+export function isOutOfMemory(error: unknown): boolean {
+  return error instanceof MemoryError || withoutMemory.test(wordsOf(error));
+}
+
+/** Why a lab's model does not start here, which the build could simulate. */
 export function whyNoStart(error: unknown): string {
-  const message = error instanceof Error ? error.message : String(error);
-  if (!/alloc|memory|bytes left/i.test(message)) return `The lab could not be started: ${message}`;
+  if (!isOutOfMemory(error)) return `The lab could not be started: ${wordsOf(error)}`;
   return (
     "The page has no memory left for this lab’s model, so it stays a picture. Reload the page and " +
     "play this lab first."
   );
+}
+
+/** Why the reader's model, edited in the file `name`, is not the lab's. */
+export function whyNoEdit(error: unknown, name: string): LoadError {
+  if (isOutOfMemory(error)) {
+    const cure = "a smaller one, or a smaller `njmax`, `nconmax` or `nstack` in its `<size>`";
+    return new LoadError("the page has no memory left for this model", name, 0, 0, cure);
+  }
+  if (error instanceof LoadError) return error;
+  return new LoadError(wordsOf(error), name, 0, 0, "");
 }
 
 /** `error` as trouble; mistakes of ours are thrown on. */
@@ -44,6 +61,9 @@ export function troubleOf(error: unknown): Trouble {
 
 /** What a script threw, with the script. */
 export function scriptTrouble(error: unknown, source: string): ScriptTrouble {
-  const message = error instanceof Error ? error.message : String(error);
-  return new ScriptTrouble(message, error instanceof Fault ? error.cure : "", source);
+  return new ScriptTrouble(wordsOf(error), error instanceof Fault ? error.cure : "", source);
+}
+
+function wordsOf(error: unknown): string {
+  return error instanceof Error ? error.message : String(error);
 }

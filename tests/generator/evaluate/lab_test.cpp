@@ -98,6 +98,16 @@ content/1-a/1.1-x.md:9:46: error: after "Two": the simulation diverged at t = 0 
 )");
 }
 
+TEST(Lab, TellsWhatItTakesInAPage) {
+  const auto bytes = [](const std::string& more) {
+    return EvaluationOf(lab_text(more)).result<LabResult>().memory;
+  };
+  const std::uint64_t plain = bytes(R"("speed": 1)");
+  EXPECT_GT(plain, 10'000U);
+  EXPECT_GT(bytes(R"("ghost": {"label": "g", "run": "data.qvel[0] = 1"})"), 3 * plain / 2);
+  EXPECT_LT(plain, 64U << 20);
+}
+
 TEST(Lab, IsReadOnTheWayToo) {
   EXPECT_EQ(
       evaluated_mistakes(

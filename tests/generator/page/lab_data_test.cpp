@@ -39,6 +39,17 @@ TEST_F(LabDataTest, WakesUpWhereTheSiteHasAnEngine) {
   EXPECT_EQ(html.find("lab-missing"), std::string::npos) << html;
 }
 
+TEST_F(LabDataTest, WaitsForItsReaderWhereItIsLarge) {
+  for (const char* name : {"lab.js", "lab.css", "engine.mjs", "engine.wasm"}) {
+    manifest_[name] = std::string("assets/") + name;
+  }
+  for (const bool large : {false, true}) {
+    std::get<LabResult>(results_.of_block[0]).memory = (64ULL << 20) + (large ? 1 : 0);
+    const std::string html = writer(kLabFence).body();
+    EXPECT_EQ(html.find("engine.wasm\" data-large>") != std::string::npos, large) << html;
+  }
+}
+
 TEST_F(LabDataTest, SaysThatItCannotWakeUpWithoutOne) {
   EXPECT_EQ(body(kLabFence), R"(<sim-lab class="lab dock" id="lab-1">
 <figure aria-labelledby="lab-1-title">

@@ -59,6 +59,65 @@ test("trouble stops, says where it was, and is gone after a reset", async () => 
   run.free();
 });
 
+// MuJoCo's data of `mebibytes`, which are never touched.
+const large = (mebibytes, inside = "") =>
+  `<mujoco><size nstack="${Math.round(mebibytes * 131072)}"/><worldbody>${inside}</worldbody></mujoco>`;
+
+test("the largest model is edited again and again, also with a ghost", async () => {
+  for (const [ghosts, mebibytes] of [
+    [0, 630],
+    [1, 310],
+  ]) {
+    const young = await newEngine();
+    const run = await openRun(young, large(mebibytes), ({ run }) => ({
+      ghost: ghosts === 0 ? null : { label: "slow", run: run("model.opt.timestep *= 2") },
+    }));
+    run.stage.camera = { ...run.stage.camera, azimuth: 33 };
+    for (let edit = 1; edit <= 6; edit++) {
+      // somewhat larger each time, so that it does not fit where the former was
+      assert.equal(run.recompile(large(mebibytes + edit)), undefined);
+      assert.equal(run.stage.update(), true);
+      assert.equal(run.step(3), 3);
+    }
+    assert.equal(run.stage.camera.azimuth, 33);
+    run.free();
+  }
+});
+
+test("an edited model for which the page has no room", async () => {
+  const young = await newEngine();
+  const run = await openRun(young, large(100, "<geom size='1'/>"));
+  run.stage.camera = { ...run.stage.camera, azimuth: 33 };
+  const refused = (mebibytes) => {
+    run.step(7);
+    const error = run.recompile(large(mebibytes));
+    assert.deepEqual(
+      [error.name, error.message, error.file, error.line, error.cure],
+      [
+        "LoadError",
+        "the page has no memory left for this model",
+        "model.xml",
+        0,
+        "a smaller one, or a smaller `njmax`, `nconmax` or `nstack` in its `<size>`",
+      ],
+    );
+    // The former starts anew.
+    assert.equal(run.time, 0);
+    assert.equal(run.stage.camera.azimuth, 33);
+    assert.equal(run.stage.update(), true);
+    assert.equal(run.scene.geoms.length, 1);
+  };
+  refused(4110); // beyond what an address of the engine can say
+  refused(2100); // for its simulation
+  refused(1200); // for its scene
+  assert.equal(run.step(2), 2);
+  assert.equal(run.recompile(large(150)), undefined);
+  // A reader's own word is no lack of memory.
+  const { message } = run.recompile(`<mujoco><size memory="1M"/></mujoco>`);
+  assert.match(message, /unrecognized attribute: 'memory'/);
+  run.free();
+});
+
 test("a model that the page has no room for, and the next that has", async () => {
   const asks = (nstack) => `<mujoco><size nstack="${nstack}"/></mujoco>`;
   // Twice as much: for the simulation, and for its scene.

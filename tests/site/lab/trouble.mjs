@@ -10,6 +10,19 @@ await testSite(async (visitor) => {
     await tryDiverging(await Lab.wake(page, "lab-2"), expect);
   });
 
+  // What wakes by itself, as a small lab does, is in nobody's way: the other keeps its button.
+  const unasked = (page) =>
+    page.route(`**/${trouble}`, async (route) => {
+      const response = await route.fetch();
+      const body = (await response.text()).replaceAll(" data-large", "");
+      await route.fulfill({ response, body });
+    });
+  for (const before of [undefined, unasked]) {
+    await visitor.visit(trouble, { before }, (page) =>
+      tryTwoLarge(page, before !== undefined, expect),
+    );
+  }
+
   const lacking = [
     ["WebGL 2", (page) => page.addInitScript(refuseWebGL)],
     ["WebAssembly", (page) => page.addInitScript(() => delete globalThis.WebAssembly)],
@@ -44,6 +57,30 @@ async function tryScript(lab, expect) {
   expect((await alert.innerText()) === "", "a reset leaves the alert");
   await lab.press("One step");
   expect((await lab.seconds()) === 0.005, "after a reset it does not go on");
+}
+
+// Two labs of more than a gibibyte each.
+async function tryTwoLarge(page, wakes, expect) {
+  const [first, second] = ["lab-3", "lab-4"].map((id) => new Lab(page, id));
+  for (const place of [4, 5]) await page.mouse.move(place, place);
+  await second.root.scrollIntoViewIfNeeded();
+  if (wakes) await page.locator("#lab-3[data-live]").waitFor();
+  await page.evaluate(idle);
+  expect((await second.root.getAttribute("data-live")) === null, "a large lab wakes by itself");
+  if (!wakes) await first.button("Play").click();
+  await page.locator("#lab-3[data-live]").waitFor();
+  await second.button("Play").click();
+  const words = /no memory left for this lab’s model, so it stays a picture/;
+  await second.root.getByRole("status").filter({ hasText: words }).waitFor();
+  expect((await second.button("Play").count()) === 0, "a button is left that does nothing");
+}
+
+// Three times, after which what the page does unasked is done.
+async function idle() {
+  for (let i = 0; i < 3; ++i) {
+    await new Promise((resolve) => requestIdleCallback(resolve));
+    await new Promise((resolve) => setTimeout(resolve, 200));
+  }
 }
 
 async function tryDiverging(lab, expect) {
