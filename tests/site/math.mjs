@@ -1,4 +1,5 @@
-// Each formula is there twice: as MathML, for what reads aloud and copies, and drawn, for the eye.
+// Each formula is there twice: as MathML, for what reads aloud and copies, and drawn, for the eye. No
+// line begins with the comma behind one.
 
 import { pagesWith, testSite } from "./browser.mjs";
 
@@ -15,12 +16,31 @@ function formulas() {
   }));
 }
 
+// Formulas behind which a mark stands on the next line.
+function parted() {
+  return [...document.querySelectorAll(".with-mark > .math")]
+    .filter((formula) => {
+      const mark = document.createRange();
+      mark.selectNodeContents(formula.nextSibling);
+      const { left, top, width } = mark.getBoundingClientRect();
+      const end = [...formula.getClientRects()].at(-1);
+      return width > 0 && left < end.left && top > end.top + 4;
+    })
+    .map((formula) => formula.querySelector("annotation").textContent);
+}
+
 const errors = () => [...document.querySelectorAll(".katex-error, merror")].map((e) => e.outerHTML);
 
 await testSite(async (visitor) => {
   let count = 0;
   for (const path of pagesWith('class="katex')) {
     await visitor.visit(path, { javaScript: false }, async (page) => {
+      for (const width of [360, 390, 412, 480, 600, 768, 1280]) {
+        await page.setViewportSize({ width, height: 1000 });
+        for (const tex of await page.evaluate(parted)) {
+          visitor.complain(path, `at ${width} px a line begins with the mark behind ${tex}`);
+        }
+      }
       for (const error of await page.evaluate(errors)) visitor.complain(path, error);
       for (const formula of await page.evaluate(formulas)) {
         const { tex, spoken, drawn, height, drawings, folded, onPaper } = formula;
