@@ -65,9 +65,13 @@ int main() {
   report("RK4, 1 ms", fine);
 
   result("fallen", -coarse.energy.back());
-  result("taken", coarse.sum.back() - coarse.energy.back());
   result("created", coarse.sum.back());
   result("fallen_fine", -fine.energy.back());
+  const double taken_fine = fine.sum.back() - fine.energy.back();
+  const double taken = coarse.sum.back() - coarse.energy.back();
+  result("taken", taken);
+  result("too_much", taken - taken_fine);
+  result("too_much_percent", 100 * (taken / taken_fine - 1));
   table("ledger", {{"time", coarse.time},
                    {"energy", coarse.energy},
                    {"energy + damping", coarse.sum}});
