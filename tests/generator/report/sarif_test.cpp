@@ -33,9 +33,9 @@ TEST(Sarif, SaysWhatARuleMeans) {
       run_of({error_at({"a.md", 1, 1, 1, ""}, "E-json-syntax", "x")})["tool"]["driver"]["rules"][0];
   EXPECT_EQ(
       rule["help"]["text"],
-      "The body of a fence is not JSON. The caret shows where it cannot go on; what is missing "
-      "mostly stands just before: a comma, a quote, a bracket. JSON has no comments, and no "
-      "comma behind the last entry.\n"
+      "The body of a fence is not valid JSON. The caret shows where parsing stopped. The missing "
+      "character is usually just before it: a comma, a quotation mark or a bracket. JSON has no "
+      "comments, and no comma after the last entry.\n"
       "wrong: `{\"height\": 200,}`\n"
       "right: `{\"height\": 200}`\n");
 }
