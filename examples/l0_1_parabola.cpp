@@ -1,9 +1,9 @@
 // Lesson 0.1: how far a simulated fall is below the textbook's parabola.
 //
 // INPUT    falling_box.xml, with steps of 2, 10 and 20 ms
-// PROCESS  let the box fall for 0.5 s; hold every height against the parabola,
-//          and against the parabola less g h t / 2
-// OUTPUT   both differences, the largest there is; for the lesson, the way there
+// PROCESS  let the box fall for 0.5 s; compare every height with the parabola,
+//          and with the parabola less g h t / 2
+// OUTPUT   the largest of both differences; for the lesson, the way there
 //          as the table "below", and the speed of each step as "speeds"
 //
 // Run: cmake -S examples -B build && cmake --build build

@@ -6,8 +6,8 @@
 //          wall is where the depth buffer says 0.9; (4) which depth a wall has
 //          beside the middle; (5) how far the ball is behind, in a picture that
 //          was drawn after mj_step
-// OUTPUT   the five numbers; no formula of the lesson is in them, but for the one
-//          that makes metres of a depth buffer
+// OUTPUT   the five numbers; no formula of the lesson enters them, except the one
+//          that turns a depth buffer into metres
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l0_3_looked_up

@@ -1,4 +1,4 @@
-// Lesson 1.1: how old what stands in mjData is after mj_step.
+// Lesson 1.1: how old the results in mjData are after mj_step.
 //
 // INPUT    arm_and_crate.xml, its arm told to swing down
 // PROCESS  after each step, measure how far the hand's site_xpos is from where

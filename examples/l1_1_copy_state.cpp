@@ -25,7 +25,7 @@ void copy(const Model& model, const Data& from, const Data& to, What what) {
     mj_copyData(to, model, from);
     return;
   }
-  ctrl(model, to) = ctrl(model, from);  // an input: whoever goes on sets it
+  ctrl(model, to) = ctrl(model, from);  // an input, set by the caller
   qpos(model, to) = qpos(model, from);
   qvel(model, to) = qvel(model, from);
   if (what >= kActivations) std::copy_n(from->act, model->na, to->act);

@@ -1,10 +1,10 @@
-// Lesson 1.1, challenge: look ahead in threads, and act as it was best.
+// Lesson 1.1, challenge: look ahead in threads, then act on it.
 //
 // INPUT    arm_and_crate.xml, 0.5 s after its arm began to move
 // PROCESS  copy the data for each of 16 candidate targets; in two threads, let
 //          each copy go on for a second and measure how far the crate got;
-//          then give the best target to the original, and see
-// OUTPUT   the best target, what was foreseen and what came of it; exits with 1
+//          then give the best target to the original
+// OUTPUT   the best target, the foreseen result and the actual one; exits with 1
 //          where the two differ by a bit
 //
 // Run: cmake -S examples -B build && cmake --build build
@@ -34,7 +34,7 @@ Crate go_on(const mjModel* model, mjData* data, double elbow) {
   return {data->xpos[3 * crate], std::acos(up) * 180 / M_PI};
 }
 
-// What would come of each candidate. Neither `model` nor `now` is written to:
+// The outcome of each candidate. Neither `model` nor `now` is written to:
 // both are only read while the threads run.
 std::vector<Crate> foresee(const mjModel* model, const mjData* now,
                            const std::vector<double>& candidates) {

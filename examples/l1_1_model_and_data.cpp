@@ -1,4 +1,4 @@
-// Lesson 1.1: what never changes is in the model, what changes is in the data.
+// Lesson 1.1: constants in the model, everything that changes in the data.
 //
 // INPUT    arm_and_crate.xml: a crate on the floor, an arm with two hinges
 // PROCESS  (1) print what has a name: its id, and the address of its numbers;

@@ -18,8 +18,8 @@
 using namespace mjcourse;
 using Eigen::VectorXd;
 
-// Holds the pose after one turn against that before it: number by number, and
-// as MuJoCo does.
+// Compares the pose after one turn with the one before it: number by number,
+// and as MuJoCo does.
 void compare(const Model& model, const VectorXd& before,
              const VectorXd& after) {
   VectorXd velocity(model->nv);

@@ -33,7 +33,7 @@ void in_two_halves(const mjModel* model, mjData* data) {
   mj_step2(model, data);
 }
 
-// All that a simulation goes on from, and what its sensors say.
+// The numbers from which a simulation continues, and its sensors.
 VectorXd after_two_seconds(const mjModel* model,
                            void (*step)(const mjModel*, mjData*)) {
   const Data data = make_data(model);

@@ -1,11 +1,11 @@
-// Lesson 1.3: the same brake, by what a step leaves behind: qvel is of now, a
-// sensor of the step before.
+// Lesson 1.3: the same brake, by the results of a step: qvel is up to date, a
+// sensor is one step old.
 //
 // INPUT    flywheel.xml, 0.01 kg m^2, a step of 10 ms
 // PROCESS  brake against a speed: by the reading of the sensor that the last
 //          mj_step left, by the qvel that it left, and by the reading of
-//          mj_step1. A step is linear, so it is a matrix; its largest
-//          eigenvalue is what the error grows by
+//          mj_step1. A step is linear, so it is a matrix; the
+//          error grows by its largest eigenvalue
 // OUTPUT   the largest gain at which the wheel stays calm; for the lesson, the
 //          table "growth"
 //

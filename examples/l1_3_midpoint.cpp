@@ -2,8 +2,8 @@
 //
 // INPUT    flywheel.xml with a spring and damping
 // PROCESS  look half a step ahead, compute the acceleration there, and take the
-//          whole step with that; hold the angle of one second against the
-//          formula
+//          whole step with that; compare the angle with the formula for a
+//          second
 // OUTPUT   the errors and their slope, which is the order
 //
 // Run: cmake -S examples -B build && cmake --build build

@@ -1,7 +1,7 @@
 // Lesson 1.3: what a smaller step buys from each integrator, and what it costs.
 //
 // INPUT    flywheel.xml with a spring, and with its servo for a brake
-// PROCESS  let go at 1 rad; hold the angle of one second against the formula;
+// PROCESS  let go at 1 rad; compare the angle with the formula for a second;
 //          let MuJoCo's timers count how often its first stage runs
 // OUTPUT   the largest errors, the slopes, the runs in a step; for the lesson, the
 //          table "errors"

@@ -1,9 +1,9 @@
-// Lesson 1.3: what the implicit integrator takes implicitly, and what it does
-// not.
+// Lesson 1.3: which forces the implicit integrator takes implicitly, and which
+// it does not.
 //
 // INPUT    flywheel.xml; three carts that one damped tendon joins
-// PROCESS  brake by the same law, five times what a step bears from Euler,
-//          h k / I = 5: as joint damping, as MuJoCo's servo, as a program's own
+// PROCESS  brake by the same law with h k / I = 5, beyond the limit of
+//          Euler: as joint damping, as MuJoCo's servo, as a program's own
 //          control, and as damping of a tendon across branches
 // OUTPUT   the speed after one, two, three and ten steps, over that at first
 //
@@ -19,14 +19,14 @@ using namespace mjcourse;
 constexpr double kGain = 5;  // N m s/rad, for 0.01 kg m^2 and steps of 10 ms
 
 // #region pair
-// MuJoCo's servo: the gain stands in the model.
+// MuJoCo's servo: the gain is in the model.
 void servo(const Model& model, const Data&) {
   const int id = id_of(model, mjOBJ_ACTUATOR, "servo");
   model->actuator_gainprm[mjNGAIN * id] = kGain;
   model->actuator_biasprm[mjNBIAS * id + 2] = -kGain;
 }
 
-// The same law, by a program, with the speed of now.
+// The same law, by a program, with the current speed.
 void own_law(const Model&, const Data& data) {
   data->ctrl[0] = -kGain * data->qvel[0];
 }
@@ -63,7 +63,7 @@ void follow(const char* name, const char* key, const Model& model,
   model->opt.integrator = mjINT_IMPLICIT;
   const Data data = make_data(model);
   qvel(model, data).setConstant(0.001);
-  brake(model, data);  // what stands in the model does so from the start
+  brake(model, data);  // settings of the model, from the start
   std::printf("%-26s", name);
   for (int step = 1; step <= 10; ++step) {
     mj_step1(model, data);
@@ -82,5 +82,5 @@ int main() {
   follow("MuJoCo's servo", "servo", load_model("flywheel"), servo);
   follow("the same law, by ctrl", "own", load_model("flywheel"), own_law);
   follow("a tendon over three carts", "tendon", three_carts(),
-         [](const Model&, const Data&) {});  // it stands in the model
+         [](const Model&, const Data&) {});  // it is in the model
 }

@@ -1,4 +1,4 @@
-// Lesson 1.4, exercise: a pull at the hand, and not at the centre of mass.
+// Lesson 1.4, exercise: a pull at the hand instead of the centre of mass.
 //
 // INPUT    three_arms.xml at rest, and 5 N straight down at the middle arm's hand
 // PROCESS  bring the pull in four ways: mj_jacSite by hand, mj_applyFT, and
@@ -23,7 +23,7 @@ int main() {
   const int hand = id_of(model, mjOBJ_SITE, "middle_hand");
   const Vector3d force(0, 0, -5);  // N
 
-  // Fresh data, one way of pulling, and the two accelerations that come of it.
+  // Fresh data, one way of pulling, and the two resulting accelerations.
   const auto try_way = [&](const char* name, const auto& pull) -> Vector2d {
     const Data data = make_data(model);
     mj_forward(model, data);

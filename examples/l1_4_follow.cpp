@@ -1,10 +1,11 @@
-// Lesson 1.4, challenge: a motion wanted, and the controls that make it.
+// Lesson 1.4, challenge: a wanted motion, and the controls that make it.
 //
 // INPUT    three_arms.xml; a wanted swing of the front arm, for two seconds
 // PROCESS  put the wanted pose, velocity and acceleration into a second mjData,
 //          ask mj_inverse for the torques, divide by the gears: that is ctrl;
-//          do it with ever shorter steps, then with a start that is off
-// OUTPUT   the largest error of an angle on the way
+//          apply it with steps of 2 and of 1 ms, then with weak springs and
+//          dampers towards the wanted motion
+// OUTPUT   the largest error of an angle in each half second
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l1_4_follow

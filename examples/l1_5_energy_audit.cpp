@@ -2,7 +2,7 @@
 //
 // INPUT    double_pendulum.xml, let go level and at rest: 0 J
 // PROCESS  simulate two seconds with three settings; read MuJoCo's energy, and
-//          hold the kinetic part against (1/2) v'Mv
+//          compare the kinetic part with (1/2) v'Mv
 // OUTPUT   the account of the coarsest setting; for the lesson, all three totals
 //          as the table "trace"
 //

@@ -28,7 +28,7 @@ double impedance(const mjtNum* solimp, double depth) {
   return dmin + y * (dmax - dmin);
 }
 
-// The depth at which k d p = (1 - d) a: what the floor gives is what presses.
+// The depth at which k d p = (1 - d) a, where the contact balances the load.
 double depth_at_rest(const mjModel* model, int geom, double acceleration) {
   const mjtNum* solref = model->geom_solref + mjNREF * geom;
   const mjtNum* solimp = model->geom_solimp + mjNIMP * geom;

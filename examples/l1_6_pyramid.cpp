@@ -3,7 +3,7 @@
 // INPUT    soft_floor.xml, its impedance the same at any depth, T = 0.1 s
 // PROCESS  for both friction cones and four coefficients of friction, measure
 //          the depth of the 1 kg ball, and read R of its first constraint
-// OUTPUT   depths; how much harder pyramids are, and what R makes one expect
+// OUTPUT   depths; how much harder pyramids are, and what R predicts
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l1_6_pyramid

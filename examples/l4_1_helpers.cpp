@@ -1,4 +1,4 @@
-// Lesson 4.1: MuJoCo's rotation helpers, each held against Eigen.
+// Lesson 4.1: MuJoCo's rotation helpers, each compared with Eigen.
 //
 // INPUT    a thousand random pairs of rotations, with a vector each
 // PROCESS  compute everything with MuJoCo and with Eigen

@@ -1,4 +1,4 @@
-// Lesson 5.1: how the arm follows its plan, and what it must know of now.
+// Lesson 5.1: how the arm follows its plan, and why its weight must be up to date.
 //
 // INPUT    pick_place.xml at its keyframe "home"
 // PROCESS  lead the hand to the cube in 0.6 s and wait there: with servos that
@@ -70,7 +70,7 @@ void follow(const mjModel* model, mjData* data, mjData* plan,
             const Pose& target, Weight weight) {
   reach(model, plan, target);  // a damped step of the plan, no simulation
   if (weight == Weight::kOfLastStep) command(model, data, plan, weight);
-  mj_step1(model, data);  // qfrc_bias is of now
+  mj_step1(model, data);  // qfrc_bias is up to date
   if (weight != Weight::kOfLastStep) command(model, data, plan, weight);
   mj_step2(model, data);
 }

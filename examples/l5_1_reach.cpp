@@ -22,7 +22,7 @@ using Matrix6d = Eigen::Matrix<double, 6, 6>;
 using Jacobian = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::RowMajor>;
 
 // #region step
-// What is missing: how far to move, and how far to turn (world frame).
+// The error: how far to move, and how far to turn (world frame).
 Vector6d error_of(const mjData* data, int site, const Pose& target) {
   double is[4], local[3];
   mju_mat2Quat(is, data->site_xmat + 9 * site);

@@ -1,4 +1,4 @@
-// Lesson 1.1: whoever gets a const mjModel* cannot change the world's rules.
+// Lesson 1.1: a const mjModel* does not let you change the model.
 
 #include <mujoco/mujoco.h>
 
