@@ -78,4 +78,14 @@ int main() {
                    {"Euler", errors[mjINT_EULER]},
                    {"RK4", errors[mjINT_RK4]},
                    {"implicit", errors[mjINT_IMPLICIT]}});
+
+  static int calls = 0;
+  mjcb_control = [](const mjModel*, mjData*) { ++calls; };
+  model->opt.integrator = mjINT_RK4;
+  for (int step = 0; step < 500; ++step) {
+    mj_step(model, data);
+    mj_forward(model, data);
+  }
+  mjcb_control = nullptr;
+  result("RK4_calls", calls);  // for a question of the lesson
 }

@@ -52,7 +52,7 @@ int main() {
     for (int step = 0; step < 500; ++step) mj_step(model, resting);
 
     const bool elliptic = cone == mjCONE_ELLIPTIC;
-    double along = 0, between = 0;
+    double along = 0, between = 0, at_30 = 0;
     for (int angle = 0; angle <= 360; angle += 15) {
       const double a = angle * M_PI / 180;
       const Vector2d way(std::cos(a), std::sin(a));
@@ -66,12 +66,13 @@ int main() {
       theory_y.push_back(share * way.y());
       if (angle == 0) along = push;
       if (angle == 45) between = push;
+      if (angle == 30) at_30 = push;
     }
     std::printf("%-9s  %12.2f  %17.2f\n", elliptic ? "elliptic" : "pyramidal",
                 along, between);
     result(elliptic ? "elliptic_along" : "pyramidal_along", along);
     result(elliptic ? "elliptic_between" : "pyramidal_between", between);
-    if (!elliptic) result("share", between / limit);
+    if (!elliptic) result("share_30", at_30 / limit);
   }
   table("cone", {{"cone", cones},
                  {"angle", angles},
