@@ -20,6 +20,16 @@ std::size_t unit_length(std::string_view text) {
   return is_unit ? 1 + word.size() : 0;
 }
 
+// The blank between the next number from `begin` on and its unit.
+std::size_t next_unit(std::string_view text, std::size_t begin) {
+  for (std::size_t i = text.find(' ', begin); i != std::string_view::npos;
+       i = text.find(' ', i + 1)) {
+    const bool ends_number = i > 0 && text[i - 1] >= '0' && text[i - 1] <= '9';
+    if (ends_number && unit_length(text.substr(i)) > 0) return i;
+  }
+  return std::string_view::npos;
+}
+
 }  // namespace
 
 std::size_t kept_length(std::string_view text) {
@@ -27,6 +37,20 @@ std::size_t kept_length(std::string_view text) {
   while (const std::size_t more = unit_length(text.substr(length))) length += more;
   const std::size_t end = text.find_first_not_of(kPunctuation, length);
   return std::min(end, text.size());
+}
+
+bool has_units(std::string_view text) {
+  return next_unit(text, 0) != std::string_view::npos;
+}
+
+std::string with_kept_units(std::string_view text) {
+  std::string kept;
+  std::size_t begin = 0;
+  for (std::size_t blank; (blank = next_unit(text, begin)) != std::string_view::npos;) {
+    kept.append(text.substr(begin, blank - begin)).append("\u00a0");
+    begin = blank + 1;
+  }
+  return kept.append(text.substr(begin));
 }
 
 }  // namespace mjcourse

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 
 namespace mjcourse {
@@ -12,5 +13,11 @@ namespace mjcourse {
 // How many bytes at the beginning of `text` belong to the formula or number right before it:
 // " N m" of " N m, and then", "," of ", and then", none of " and then".
 std::size_t kept_length(std::string_view text);
+
+// Does a number with its unit stand in `text`?
+bool has_units(std::string_view text);
+
+// `text` with a no-break space between each number and its unit.
+std::string with_kept_units(std::string_view text);
 
 }  // namespace mjcourse

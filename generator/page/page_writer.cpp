@@ -104,7 +104,8 @@ bool PageWriter::takes(cmark_node* node) const {
   const cmark_node_type type = cmark_node_get_type(node);
   const std::string name = cmark_node_get_type_string(node);
   return lesson_.block(node) != nullptr || type == CMARK_NODE_HEADING || type == CMARK_NODE_LINK ||
-         name == "table" || name == "tasklist" || kept_before(node) > 0 || stays_whole(node);
+         name == "table" || name == "tasklist" || kept_before(node) > 0 || stays_whole(node) ||
+         (type == CMARK_NODE_TEXT && has_units(cmark_node_get_literal(node)));
 }
 
 std::size_t PageWriter::kept_before(cmark_node* text) const {
@@ -133,7 +134,8 @@ std::string PageWriter::write(cmark_node* node, const std::string& inner) {
   if (type == CMARK_NODE_TEXT) {
     const std::string_view text = cmark_node_get_literal(node);
     const std::size_t kept = kept_before(node);
-    return escape_html(text.substr(0, kept)) + "</span>" + escape_html(text.substr(kept));
+    const std::string rest = escape_html(with_kept_units(text.substr(kept)));
+    return kept == 0 ? rest : escape_html(text.substr(0, kept)) + "</span>" + rest;
   }
   if (type == CMARK_NODE_CODE) {
     const std::string_view code = cmark_node_get_literal(node);
