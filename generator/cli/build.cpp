@@ -7,6 +7,7 @@
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "course/last_changed.h"
+#include "evaluate/claims.h"
 #include "page/foreign_files.h"
 #include "page/site.h"
 #include "page/theme.h"
@@ -25,10 +26,12 @@ int build(const Options& options) {
   }
   if (!options.base_url.empty()) verified.course->url = options.base_url;
   try {
-    write_site(*verified.course, verified.evaluation,
-               {options.course, assets_folder(), std::filesystem::absolute(options.out),
-                options.jobs, options.compress},
-               std::move(history.changes));
+    write_site(
+        *verified.course, verified.evaluation,
+        {options.course, assets_folder(), std::filesystem::absolute(options.out), options.jobs,
+         options.compress},
+        [&](const Lesson& lesson) { return claims_of_prose(lesson, verified.evaluation); },
+        std::move(history.changes));
   } catch (const BrokenTemplate& broken) {
     const DiskFiles course(options.course);
     if (!is_themed(broken.error().name, course)) throw;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "evaluate/result.h"
+#include "findings/tally.h"
 
 namespace mjcourse {
 

@@ -18,6 +18,7 @@
 #include "cli/timings.h"
 #include "evaluate/claims.h"
 #include "evaluate/strict.h"
+#include "evaluate/versions.h"
 #include "page/report.h"
 #include "page/theme.h"
 #include "report/terminal.h"

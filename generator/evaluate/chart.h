@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "evaluate/result.h"
 #include "evaluate/workshop.h"
+#include "findings/result.h"
 #include "lesson/lesson.h"
 #include "report/diagnostic.h"
 

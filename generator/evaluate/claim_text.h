@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "evaluate/result.h"
 #include "evaluate/versions.h"
+#include "findings/result.h"
 #include "lesson/lesson.h"
 
 namespace mjcourse {

@@ -6,8 +6,8 @@
 
 #include "base/files.h"
 #include "evaluate/driver_steps.h"
-#include "evaluate/linked_libraries.h"
 #include "evaluate/warm_header.h"
+#include "lesson/linked_libraries.h"
 
 namespace mjcourse {
 namespace {

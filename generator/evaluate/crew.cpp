@@ -11,8 +11,8 @@
 #include "base/machine_memory.h"
 #include "base/parallel.h"
 #include "evaluate/crew_size.h"
-#include "evaluate/known_scripts.h"
 #include "evaluate/shared_headers.h"
+#include "script/known_scripts.h"
 
 namespace mjcourse {
 namespace {

@@ -20,6 +20,7 @@
 #include "evaluate/progress.h"
 #include "evaluate/task_queue.h"
 #include "evaluate/worker.h"
+#include "findings/evaluation.h"
 
 namespace mjcourse {
 

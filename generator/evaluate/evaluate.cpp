@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/sandbox.h"
+#include "evaluate/api_reference.h"
 #include "evaluate/archive.h"
 #include "evaluate/claims.h"
 #include "evaluate/commands_task.h"
@@ -18,6 +19,7 @@
 #include "evaluate/publish.h"
 #include "evaluate/region.h"
 #include "evaluate/snippets_task.h"
+#include "evaluate/versions.h"
 #include "physics/mujoco_api.h"
 
 namespace mjcourse {
@@ -174,15 +176,6 @@ class Evaluator {
 Evaluation evaluate(const Course& course, const Workplace& workplace, Progress& progress,
                     Diagnostics found) {
   return Evaluator(course, workplace, progress).run(std::move(found));
-}
-
-const LessonResults& Evaluation::results_of(const Course& course, const Lesson& page) const {
-  if (course.glossary && &page == &course.glossary->page) return glossary;
-  return lessons.at(static_cast<std::size_t>(&page - course.lessons.data()));
-}
-
-LessonResults& Evaluation::results_of(const Course& course, const Lesson& page) {
-  return const_cast<LessonResults&>(std::as_const(*this).results_of(course, page));
 }
 
 }  // namespace mjcourse

@@ -18,33 +18,14 @@
 #include "base/parallel.h"
 #include "base/store.h"
 #include "course/course.h"
-#include "evaluate/api_reference.h"
 #include "evaluate/fingerprints.h"
-#include "evaluate/known_scripts.h"
-#include "evaluate/model_page.h"
 #include "evaluate/progress.h"
-#include "evaluate/result.h"
-#include "evaluate/versions.h"
 #include "evaluate/worker.h"
+#include "findings/evaluation.h"
 #include "report/diagnostic.h"
+#include "script/known_scripts.h"
 
 namespace mjcourse {
-
-struct Evaluation {
-  std::vector<LessonResults> lessons;  // one for each lesson of the course
-  LessonResults glossary = {};         // of its page
-  std::vector<ModelPage> models = {};  // that the course links to
-  std::vector<ApiEntry> api = {};      // names of MuJoCo's that it uses
-  Diagnostics diagnostics;
-  Versions versions;
-  std::string sandbox = {};          // how what was run was contained; empty where nothing was
-  std::vector<TaskTime> times = {};  // of all tasks, as they began
-  bool open = false;                 // something is still to be worked out
-
-  // Those of a page of `course` (Course::pages).
-  const LessonResults& results_of(const Course& course, const Lesson& page) const;
-  LessonResults& results_of(const Course& course, const Lesson& page);
-};
 
 // What to show of a block that is not known yet; nothing where there is nothing.
 using StandIn = std::function<std::optional<Result>(const Lesson& lesson, std::size_t block)>;

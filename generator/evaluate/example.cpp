@@ -11,11 +11,11 @@
 #include "evaluate/compiled_recipe.h"
 #include "evaluate/containment.h"
 #include "evaluate/judge_run.h"
-#include "evaluate/linked_libraries.h"
 #include "evaluate/program_files.h"
 #include "evaluate/quoted_includes.h"
 #include "evaluate/records.h"
 #include "evaluate/region.h"
+#include "lesson/linked_libraries.h"
 #include "physics/mesa.h"
 #include "report/refused_file.h"
 

@@ -7,8 +7,8 @@
 
 #include <optional>
 
-#include "evaluate/result.h"
 #include "evaluate/workshop.h"
+#include "findings/result.h"
 #include "lesson/lesson.h"
 #include "report/diagnostic.h"
 

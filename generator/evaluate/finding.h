@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "evaluate/model_page.h"
-#include "evaluate/result.h"
+#include "findings/result.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {

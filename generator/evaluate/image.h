@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "evaluate/result.h"
+#include "findings/result.h"
 #include "lesson/lesson.h"
 #include "report/diagnostic.h"
 

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "evaluate/lab_bench.h"
-#include "evaluate/result.h"
+#include "findings/result.h"
 
 namespace mjcourse {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "evaluate/lab_bench.h"
-#include "evaluate/result.h"
+#include "findings/result.h"
 #include "script/world.h"
 
 namespace mjcourse {

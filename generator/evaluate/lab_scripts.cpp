@@ -5,10 +5,6 @@
 namespace mjcourse {
 namespace {
 
-std::string key_of(const std::string& text, ScriptKind kind) {
-  return std::to_string(static_cast<int>(kind)) + text;
-}
-
 // Goes through all of a lab; every mistake is shown.
 class Guarding {
  public:
@@ -54,7 +50,7 @@ class Guarding {
     Workshop& workshop = bench_.workshop();
     const auto safe = workshop.script_guard().guard(text.text, kind, workshop.script_names());
     if (safe) {
-      if (*safe != text.text) scripts_[key_of(text.text, kind)] = *safe;
+      if (*safe != text.text) scripts_[lab_script_key(text.text, kind)] = *safe;
       return true;
     }
     if (safe.error().id == "E-script-syntax" || safe.error().id == "E-script-name") {
@@ -72,11 +68,6 @@ class Guarding {
 };
 
 }  // namespace
-
-const std::string& guarded(const LabScripts& scripts, const std::string& text, ScriptKind kind) {
-  const auto found = scripts.find(key_of(text, kind));
-  return found == scripts.end() ? text : found->second;
-}
 
 bool guard_scripts(const LabBench& bench, LabScripts& scripts,
                    std::vector<DoubtfulScript>& doubtful) {

@@ -1,10 +1,9 @@
-// The scripts of a lab, as they are run: with their guards (script/script_guard.h).
+// Putting guards into the scripts of a lab (script/script_guard.h).
 #pragma once
 
-#include <map>
-#include <string>
 #include <vector>
 
+#include "findings/lab_scripts.h"
 #include "lesson/lesson.h"
 #include "script/script_guard.h"
 
@@ -12,12 +11,6 @@ namespace mjcourse {
 
 class LabBench;
 class Workshop;
-
-// By kind and text; of those alone that guards were put into.
-using LabScripts = std::map<std::string, std::string>;
-
-// What is run of the author's `text`.
-const std::string& guarded(const LabScripts& scripts, const std::string& text, ScriptKind kind);
 
 // One that does not parse, or names what there is not. The engine that runs it tells of that
 // together with all else that goes wrong; what it does not come to, or reads otherwise, is told

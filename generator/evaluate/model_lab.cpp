@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "evaluate/lab.h"
-#include "evaluate/lesson_of_lab.h"
+#include "lesson/lesson_of_lab.h"
 
 namespace mjcourse {
 namespace {

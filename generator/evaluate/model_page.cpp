@@ -141,10 +141,6 @@ View portrait_of(Simulation& simulation) {
 
 }  // namespace
 
-std::string alt_of(const ModelPage& page) {
-  return "The model " + page.name + " in its initial state";
-}
-
 std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Bench& bench) {
   Workshop& workshop = bench.workshop();
   std::optional<Simulation> simulation =

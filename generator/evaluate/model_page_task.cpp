@@ -5,8 +5,8 @@
 
 #include "evaluate/bench.h"
 #include "evaluate/lab_scripts.h"
-#include "evaluate/lesson_of_lab.h"
 #include "evaluate/recipe.h"
+#include "findings/model_page.h"
 
 namespace mjcourse {
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "evaluate/result.h"
+#include "findings/result.h"
 #include "lesson/lesson.h"
 #include "report/diagnostic.h"
 

@@ -126,15 +126,4 @@ std::optional<PinComparison> compare_pin(const LocatedText& pin, const Picture& 
   return Pin(pin, picture, bench).compare();
 }
 
-std::vector<const PinComparison*> pins_of(const LessonResults& results) {
-  std::vector<const PinComparison*> pins;
-  for (const auto& [index, result] : results.of_block) {
-    const auto* figure = std::get_if<FigureResult>(&result);
-    const auto* lab = std::get_if<LabResult>(&result);
-    if (figure != nullptr && figure->pin) pins.push_back(&*figure->pin);
-    if (lab != nullptr && lab->pin) pins.push_back(&*lab->pin);
-  }
-  return pins;
-}
-
 }  // namespace mjcourse

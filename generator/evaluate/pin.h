@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "evaluate/bench.h"
-#include "evaluate/result.h"
+#include "findings/result.h"
 
 namespace mjcourse {
 
@@ -17,8 +17,5 @@ namespace mjcourse {
 // A reference that is not there, cannot be read, or is not like `picture`, is reported.
 std::optional<PinComparison> compare_pin(const LocatedText& pin, const Picture& picture,
                                          const Bench& bench);
-
-// Those of a lesson, in the order of its blocks. They point into `results`.
-std::vector<const PinComparison*> pins_of(const LessonResults& results);
 
 }  // namespace mjcourse

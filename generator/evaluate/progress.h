@@ -1,4 +1,4 @@
-// Progress: what is told of the work as it goes on, and how long each piece of it took.
+// Progress: what is told of the work as it goes on.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,6 @@ class Progress {
   virtual void plan(std::size_t tasks) = 0;
   virtual void begin(const std::string& what) = 0;  // "compile and run l1_2_…"; not of what is kept
   virtual void end(const std::string& what) = 0;    // of every task
-};
-
-// When a task was worked on, in seconds since the first began; measured.
-struct TaskTime {
-  std::string what;
-  std::size_t thread = 0;
-  double begin = 0, seconds = 0;
-  bool reused = false;
 };
 
 }  // namespace mjcourse

@@ -4,8 +4,8 @@
 
 #include <optional>
 
-#include "evaluate/result.h"
 #include "evaluate/workshop.h"
+#include "findings/result.h"
 
 namespace mjcourse {
 

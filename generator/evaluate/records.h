@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluate/result.h"
+#include "findings/result.h"
 
 namespace mjcourse {
 

@@ -5,7 +5,7 @@
 
 #include "base/beneath.h"
 #include "base/utf8.h"
-#include "evaluate/lesson_of_lab.h"
+#include "findings/model_page.h"
 #include "physics/model_files.h"
 
 namespace mjcourse {

@@ -10,10 +10,10 @@
 #include "base/files.h"
 #include "course/course.h"
 #include "evaluate/compiler.h"
-#include "evaluate/known_scripts.h"
 #include "evaluate/reports.h"
 #include "evaluate/shown_program.h"
 #include "physics/model_shelf.h"
+#include "script/known_scripts.h"
 
 namespace mjcourse {
 

@@ -7,8 +7,8 @@
 
 #include <map>
 
-#include "evaluate/result.h"
 #include "evaluate/workshop.h"
+#include "findings/result.h"
 
 namespace mjcourse {
 

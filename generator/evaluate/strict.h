@@ -1,7 +1,7 @@
 // What `check --strict` does not let pass: whatever nobody proved and nobody gave a reason for.
 #pragma once
 
-#include "evaluate/claim.h"
+#include "findings/claim.h"
 
 namespace mjcourse {
 

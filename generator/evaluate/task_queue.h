@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "evaluate/plan.h"
+#include "findings/lesson_results.h"
 
 namespace mjcourse {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "evaluate/bench.h"
-#include "evaluate/result.h"
+#include "findings/result.h"
 #include "physics/whole_view.h"
 
 namespace mjcourse {

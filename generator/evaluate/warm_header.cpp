@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "base/files.h"
-#include "evaluate/leading_includes.h"
+#include "lesson/leading_includes.h"
 
 namespace mjcourse {
 namespace {

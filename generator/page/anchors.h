@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "evaluate/claim.h"
+#include "findings/claim.h"
 #include "lesson/lesson.h"
 
 namespace mjcourse {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluate/evaluate.h"
+#include "findings/evaluation.h"
 
 namespace mjcourse {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluate/result.h"
+#include "findings/result.h"
 
 namespace mjcourse {
 

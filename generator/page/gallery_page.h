@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "evaluate/evaluate.h"
+#include "findings/evaluation.h"
 #include "page/page_writer.h"
 
 namespace mjcourse {

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "evaluate/evaluate.h"
+#include "findings/evaluation.h"
 #include "page/page_writer.h"
 
 namespace mjcourse {

@@ -6,7 +6,7 @@
 
 #include "base/content_hash.h"
 #include "base/files.h"
-#include "evaluate/lab_scripts.h"
+#include "findings/lab_scripts.h"
 #include "page/lab_record.h"
 #include "page/page_writer.h"
 #include "page/site_paths.h"

@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "evaluate/result.h"
+#include "findings/result.h"
 #include "lesson/lab.h"
 
 namespace mjcourse {

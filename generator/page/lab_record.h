@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "evaluate/result.h"
+#include "findings/result.h"
 #include "lesson/lab.h"
 
 namespace mjcourse {

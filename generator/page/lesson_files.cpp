@@ -3,7 +3,6 @@
 #include <optional>
 #include <string>
 
-#include "evaluate/claims.h"
 #include "lesson/resting_lesson.h"
 #include "page/course_data.h"
 #include "page/csv.h"
@@ -79,8 +78,7 @@ void write_lesson(const SiteData& site, std::size_t index, PagePress& press, Sit
 
   if (parts == nullptr) return;
   const bool is_card = resting.kept == Lesson::Kept::card;
-  *parts = verification_parts(lesson,
-                              is_card ? claims_of_prose(lesson, site.evaluation) : results.claims,
+  *parts = verification_parts(lesson, is_card ? site.claims_of_card(lesson) : results.claims,
                               press.templates(), spool);
   add_search_part(lesson, results, search_share(site.course), spool, *parts);
   if (printed.fits()) {

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "evaluate/result.h"
+#include "findings/lesson_results.h"
+#include "findings/result.h"
 #include "lesson/lesson.h"
 
 namespace mjcourse {

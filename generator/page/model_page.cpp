@@ -1,7 +1,7 @@
 #include "page/model_page.h"
 
 #include "course/uses.h"
-#include "evaluate/lesson_of_lab.h"
+#include "findings/model_page.h"
 #include "page/site_paths.h"
 #include "page/uses_data.h"
 

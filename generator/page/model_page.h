@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluate/evaluate.h"
+#include "findings/evaluation.h"
 #include "page/page_writer.h"
 #include "page/still_data.h"
 

@@ -5,11 +5,11 @@
 
 #include "base/content_hash.h"
 #include "course/language.h"
-#include "evaluate/workshop.h"
 #include "page/course_data.h"
 #include "page/page_fonts.h"
 #include "page/placeholder.h"
 #include "page/web_place.h"
+#include "script/known_scripts.h"
 
 namespace mjcourse {
 namespace {

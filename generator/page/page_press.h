@@ -5,6 +5,7 @@
 // (SiteData) they only read.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -14,13 +15,16 @@
 #include "base/spool.h"
 #include "course/course.h"
 #include "course/last_changed.h"
-#include "evaluate/evaluate.h"
+#include "findings/evaluation.h"
 #include "page/course_data.h"
 #include "page/lesson_pictures.h"
 #include "page/page_writer.h"
 #include "page/site_files.h"
 
 namespace mjcourse {
+
+// The claims of a lesson that rested as a card (lesson/resting_lesson.h) and was woken.
+using CardClaims = std::function<Claims(const Lesson&)>;
 
 struct SiteData {
   const Course& course;
@@ -34,6 +38,7 @@ struct SiteData {
   LastChanges changes = {};                        // of the lessons' files, as far as git knows
   bool asks = has_questions(course);               // some published lesson does
   bool feed = false;                               // it has one (page/web_files.h)
+  CardClaims claims_of_card = {};                  // of lessons that rest as cards
   bool prints = true;                              // it has print.html (page/printed_course.h)
 };
 

@@ -6,12 +6,12 @@
 
 #include "course/link_target.h"
 #include "course/web_address.h"
-#include "evaluate/workshop.h"
 #include "page/formula_text.h"
 #include "page/kept_together.h"
 #include "page/place_marks.h"
 #include "page/placeholder.h"
 #include "page/site_paths.h"
+#include "script/known_scripts.h"
 
 namespace mjcourse {
 namespace {

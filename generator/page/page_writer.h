@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "course/course.h"
-#include "evaluate/result.h"
+#include "findings/lesson_results.h"
+#include "findings/result.h"
 #include "page/inline_styles.h"
 #include "page/lab_module.h"
 #include "page/markdown_html.h"

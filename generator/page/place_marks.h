@@ -7,7 +7,7 @@
 
 #include <vector>
 
-#include "evaluate/result.h"
+#include "findings/lesson_results.h"
 #include "lesson/lesson.h"
 
 namespace mjcourse {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "evaluate/linked_libraries.h"
+#include "lesson/linked_libraries.h"
 
 namespace mjcourse {
 namespace {

@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "evaluate/result.h"
+#include "findings/lesson_results.h"
+#include "findings/result.h"
 #include "lesson/lesson.h"
 
 namespace mjcourse {

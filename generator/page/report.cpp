@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "course/language.h"
-#include "evaluate/pin.h"
+#include "findings/lesson_results.h"
 #include "page/anchors.h"
 #include "page/page_writer.h"
 #include "page/site_directory.h"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "course/course.h"
-#include "evaluate/evaluate.h"
+#include "findings/evaluation.h"
 
 namespace mjcourse {
 

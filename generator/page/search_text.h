@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluate/result.h"
+#include "findings/lesson_results.h"
 #include "lesson/lesson.h"
 
 namespace mjcourse {

@@ -14,10 +14,11 @@
 namespace mjcourse {
 
 void write_site(const Course& course, const Evaluation& evaluation, const SitePaths& paths,
-                LastChanges changes) {
+                const CardClaims& claims_of_card, LastChanges changes) {
   const ThemedAssets assets(paths.assets, {paths.course / kThemeTemplates});
   SiteDirectory directory(paths.out, paths.course);
-  SitePages pages(course, evaluation, paths.course, assets, directory, false, std::move(changes));
+  SitePages pages(course, evaluation, paths.course, assets, directory, false, std::move(changes),
+                  claims_of_card);
   // Made on the thread that works with it, at its first page.
   std::vector<std::unique_ptr<PressEngines>> engines(paths.threads);
   const auto engines_of = [&](std::size_t thread) -> PressEngines& {

@@ -12,7 +12,8 @@
 
 #include "course/course.h"
 #include "course/last_changed.h"
-#include "evaluate/evaluate.h"
+#include "findings/evaluation.h"
+#include "page/page_press.h"
 
 namespace mjcourse {
 
@@ -24,10 +25,11 @@ struct SitePaths {
   bool compress = false;         // precompressed.h
 };
 
+// `claims_of_card` is asked for the claims of lessons that rest as cards, from any thread.
 // `changes` is when the lessons' files were changed, as far as that is known. Throws
 // std::runtime_error or std::system_error when the site cannot be written; the old one then stands
 // as it was.
 void write_site(const Course& course, const Evaluation& evaluation, const SitePaths& paths,
-                LastChanges changes);
+                const CardClaims& claims_of_card, LastChanges changes);
 
 }  // namespace mjcourse

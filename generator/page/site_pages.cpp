@@ -7,7 +7,6 @@
 
 #include "base/content_hash.h"
 #include "course/link_target.h"
-#include "evaluate/workshop.h"
 #include "page/api_page.h"
 #include "page/course_data.h"
 #include "page/gallery_page.h"
@@ -25,6 +24,7 @@
 #include "page/theme.h"
 #include "page/web_files.h"
 #include "page/zip.h"
+#include "script/known_scripts.h"
 
 namespace mjcourse {
 namespace {
@@ -42,7 +42,7 @@ std::string write_theme(const Files& course, SiteFiles& out) {
 
 SitePages::SitePages(const Course& course, const Evaluation& evaluation,
                      const std::filesystem::path& root, const Files& assets, SiteFiles& out,
-                     bool places, LastChanges changes)
+                     bool places, LastChanges changes, CardClaims claims_of_card)
     : root_(root),
       out_(out),
       files_(root),
@@ -57,6 +57,7 @@ SitePages::SitePages(const Course& course, const Evaluation& evaluation,
             std::move(changes)},
       parts_(course.lessons.size() + 1),
       printed_(course) {
+  site_.claims_of_card = std::move(claims_of_card);
   site_.feed = has_feed(site_);
 }
 

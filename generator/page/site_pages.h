@@ -20,7 +20,8 @@ class SitePages {
   // `root` is the course's folder, `assets` what site/build.mjs made; these, the course and what
   // came of it must outlive this.
   SitePages(const Course& course, const Evaluation& evaluation, const std::filesystem::path& root,
-            const Files& assets, SiteFiles& out, bool places = false, LastChanges changes = {});
+            const Files& assets, SiteFiles& out, bool places = false, LastChanges changes = {},
+            CardClaims claims_of_card = {});
 
   // Lesson `index` with its files, be it a draft; what write_others() needs of it is made as well,
   // unless it is written `alone`. From several threads, each with engines of its own and another

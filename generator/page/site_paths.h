@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <string>
 
-#include "evaluate/result.h"
+#include "findings/result.h"
 #include "lesson/lesson.h"
 
 namespace mjcourse {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "course/uses.h"
-#include "evaluate/evaluate.h"
+#include "findings/evaluation.h"
 
 namespace mjcourse {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "course/course.h"
-#include "evaluate/evaluate.h"
+#include "findings/evaluation.h"
 
 namespace mjcourse {
 

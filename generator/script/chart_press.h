@@ -12,19 +12,10 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "findings/chart_drawing.h"
 #include "script/engine.h"
 
 namespace mjcourse {
-
-struct ChartDrawing {
-  std::string svg;  // what stands inside of an <svg> of this size
-  int width = 0, height = 0;
-};
-
-struct ChartDrawings {
-  ChartDrawing wide;
-  std::optional<ChartDrawing> narrow;  // for phones, where the wide one cannot serve them
-};
 
 struct ChartFault {
   std::string id, message, cure;

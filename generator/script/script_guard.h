@@ -11,12 +11,11 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "findings/lab_scripts.h"
 #include "script/engine.h"
 #include "script/script_error.h"
 
 namespace mjcourse {
-
-enum class ScriptKind { script, value, assignment };
 
 // What the text of an expression tells (site/script/guard/asked.ts).
 struct ExpressionText {

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "evaluate/lesson_of_lab.h"
 #include "evaluation_of.h"
+#include "lesson/lesson_of_lab.h"
 
 namespace mjcourse {
 namespace {

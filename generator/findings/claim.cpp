@@ -1,4 +1,4 @@
-#include "evaluate/claim.h"
+#include "findings/claim.h"
 
 namespace mjcourse {
 

@@ -1,4 +1,4 @@
-#include "evaluate/known_scripts.h"
+#include "script/known_scripts.h"
 
 #include <stdexcept>
 #include <tl/expected.hpp>

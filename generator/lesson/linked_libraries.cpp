@@ -1,8 +1,8 @@
-#include "evaluate/linked_libraries.h"
+#include "lesson/linked_libraries.h"
 
 #include <algorithm>
 
-#include "evaluate/leading_includes.h"
+#include "lesson/leading_includes.h"
 
 namespace mjcourse {
 

@@ -1,4 +1,4 @@
-#include "evaluate/result.h"
+#include "findings/tally.h"
 
 namespace mjcourse {
 namespace {

@@ -5,15 +5,12 @@
 
 #include <string>
 
-#include "evaluate/model_page.h"
+#include "lesson/lesson.h"
 
 namespace mjcourse {
 
 // Of the model `name`, whose page has the lab in `fence`. Its mistakes are no author's: a caller
 // decides what they mean.
 Lesson lesson_of_lab(const std::string& name, const std::string& fence, Diagnostics& mistakes);
-
-// `page` has a lab.
-Lesson lesson_of_lab(const ModelPage& page);
 
 }  // namespace mjcourse

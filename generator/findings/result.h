@@ -9,16 +9,13 @@
 #include <filesystem>
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
-#include <utility>
 #include <variant>
 #include <vector>
 
 #include "base/blob.h"
-#include "evaluate/claim.h"
+#include "findings/chart_drawing.h"
 #include "lesson/lab.h"
-#include "script/chart_press.h"
 
 namespace mjcourse {
 
@@ -162,44 +159,5 @@ struct QuizResult {
 
 using Result = std::variant<FormulaResult, ValueResult, ExampleResult, ModelResult, OutputResult,
                             ImageResult, LabResult, FigureResult, ChartResult, QuizResult>;
-
-// How much was verified; what failed is not counted. The claims in numbers: see tally_of.
-struct Tally {
-  int formulas = 0;
-  int programs = 0;
-  int snippets = 0;
-  int commands = 0;  // listings of them
-  int outputs = 0;
-  int values = 0;
-  int listed_models = 0;
-  int unchecked = 0;
-  int answers_proved = 0;
-  int answers_asserted = 0;
-  int labs = 0;
-  int pictures = 0;
-  int plots = 0;
-
-  Tally& operator+=(const Tally& other);
-};
-
-Tally tally_of(const Claims& claims);
-
-// Blocks of several lessons, each by its lesson's file and its index there.
-using Blocks = std::set<std::pair<std::string, std::size_t>>;
-
-struct LessonResults {
-  std::map<std::size_t, Result> of_block;  // only of blocks that could be evaluated
-  std::map<std::size_t, double> seconds;   // measured, of the blocks that take time
-  std::set<std::size_t> open;  // blocks that are being worked on: their results are stand-ins
-  Claims claims;               // in the order of the blocks
-  Tally tally;
-
-  // The result of block `index` if it is there and of this type.
-  template <typename T>
-  const T* get(std::size_t index) const {
-    const auto found = of_block.find(index);
-    return found == of_block.end() ? nullptr : std::get_if<T>(&found->second);
-  }
-};
 
 }  // namespace mjcourse

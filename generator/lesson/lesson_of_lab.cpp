@@ -1,4 +1,4 @@
-#include "evaluate/lesson_of_lab.h"
+#include "lesson/lesson_of_lab.h"
 
 #include <memory>
 
@@ -15,11 +15,6 @@ Lesson lesson_of_lab(const std::string& name, const std::string& fence, Diagnost
   Reading reading(*lesson.source, mistakes);
   LessonReader(lesson, reading).read_document();
   return lesson;
-}
-
-Lesson lesson_of_lab(const ModelPage& page) {
-  Diagnostics none;
-  return lesson_of_lab(page.name, page.lab->fence, none);
 }
 
 }  // namespace mjcourse

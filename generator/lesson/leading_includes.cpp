@@ -1,4 +1,4 @@
-#include "evaluate/leading_includes.h"
+#include "lesson/leading_includes.h"
 
 #include <algorithm>
 #include <optional>
@@ -6,10 +6,10 @@
 namespace mjcourse {
 namespace {
 
-constexpr std::string_view kBlank = " \t\r";
+constexpr std::string_view kBlanksOfLine = " \t\r";
 
 std::string_view without_blanks_before(std::string_view text) {
-  return text.substr(std::min(text.find_first_not_of(kBlank), text.size()));
+  return text.substr(std::min(text.find_first_not_of(kBlanksOfLine), text.size()));
 }
 
 // Takes the comments, blanks and line ends that `text` begins with away. False where a comment has
@@ -19,7 +19,7 @@ bool skip_comments(std::string_view& text) {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
     if (text.starts_with("//")) {
       const std::size_t end = std::min(text.find('\n'), text.size());
-      const std::size_t last = text.substr(0, end).find_last_not_of(kBlank);
+      const std::size_t last = text.substr(0, end).find_last_not_of(kBlanksOfLine);
       if (text[last] == '\\') return false;
       text.remove_prefix(end);
     } else if (text.starts_with("/*")) {

@@ -1,4 +1,4 @@
-#include "evaluate/linked_libraries.h"
+#include "lesson/linked_libraries.h"
 
 #include <gtest/gtest.h>
 

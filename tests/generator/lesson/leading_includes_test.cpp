@@ -1,4 +1,4 @@
-#include "evaluate/leading_includes.h"
+#include "lesson/leading_includes.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,44 @@
+// Evaluation: what was found out about a course.
+//
+// Data alone: evaluate/ fills it, and whatever shows a course reads it, in pages, reports, the
+// preview and the editor.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "course/course.h"
+#include "findings/api_entry.h"
+#include "findings/lesson_results.h"
+#include "findings/model_page.h"
+#include "findings/versions.h"
+#include "report/diagnostic.h"
+
+namespace mjcourse {
+
+// When a task was worked on, in seconds since the first began; measured.
+struct TaskTime {
+  std::string what;
+  std::size_t thread = 0;
+  double begin = 0, seconds = 0;
+  bool reused = false;
+};
+
+struct Evaluation {
+  std::vector<LessonResults> lessons;  // one for each lesson of the course
+  LessonResults glossary = {};         // of its page
+  std::vector<ModelPage> models = {};  // that the course links to
+  std::vector<ApiEntry> api = {};      // names of MuJoCo's that it uses
+  Diagnostics diagnostics;
+  Versions versions;
+  std::string sandbox = {};          // how what was run was contained; empty where nothing was
+  std::vector<TaskTime> times = {};  // of all tasks, as they began
+  bool open = false;                 // something is still to be worked out
+
+  // Those of a page of `course` (Course::pages).
+  const LessonResults& results_of(const Course& course, const Lesson& page) const;
+  LessonResults& results_of(const Course& course, const Lesson& page);
+};
+
+}  // namespace mjcourse
