@@ -10,7 +10,7 @@
 #include "evaluate/claims.h"
 #include "page/foreign_files.h"
 #include "page/site.h"
-#include "page/theme.h"
+#include "page/themed_assets.h"
 
 namespace mjcourse {
 

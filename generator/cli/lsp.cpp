@@ -8,7 +8,7 @@
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "lsp/language_server.h"
-#include "preview/quick_store.h"
+#include "session/quick_store.h"
 
 namespace mjcourse {
 namespace {

@@ -21,7 +21,7 @@
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "preview/preview_server.h"
-#include "preview/quick_store.h"
+#include "session/quick_store.h"
 
 namespace mjcourse {
 namespace {

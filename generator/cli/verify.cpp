@@ -20,8 +20,8 @@
 #include "evaluate/strict.h"
 #include "evaluate/versions.h"
 #include "page/report.h"
-#include "page/theme.h"
 #include "report/terminal.h"
+#include "session/examine.h"
 
 namespace mjcourse {
 namespace {
@@ -116,7 +116,7 @@ void evaluate_course(const Options& options, Verified& verified, bool all_claims
     Store* store = verified.kept->store();
     const Workplace workplace = workplace_of(options, assets, store);
     if (store != nullptr) workplace.known_files->read(*store, options.course);
-    verified.evaluation = evaluate(*verified.course, workplace, progress, std::move(reading));
+    verified.evaluation = examine(*verified.course, workplace, progress, std::move(reading));
     if (store != nullptr) workplace.known_files->write(*store, options.course);
   } else {
     verified.evaluation.diagnostics = std::move(reading);
@@ -124,11 +124,6 @@ void evaluate_course(const Options& options, Verified& verified, bool all_claims
   }
   if (verified.course && all_claims) {
     claim_prose(*verified.course, DiskFiles(options.course), verified.evaluation);
-  }
-  if (verified.course) {
-    const Diagnostics theme = check_theme(DiskFiles(options.course), DiskFiles(assets_folder()));
-    Diagnostics& all = verified.evaluation.diagnostics;
-    all.insert(all.end(), theme.begin(), theme.end());
   }
   if (options.strict) apply_strictly(verified);
   sort_by_place(verified.evaluation.diagnostics);

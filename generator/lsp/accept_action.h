@@ -5,7 +5,7 @@
 #include <string>
 
 #include "lsp/open_documents.h"
-#include "preview/snapshot.h"
+#include "session/snapshot.h"
 
 namespace mjcourse {
 

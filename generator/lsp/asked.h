@@ -10,7 +10,7 @@
 #include "lesson/plot_grammar.h"
 #include "lsp/model_names.h"
 #include "lsp/open_documents.h"
-#include "preview/snapshot.h"
+#include "session/snapshot.h"
 
 namespace mjcourse {
 

@@ -10,7 +10,7 @@
 #include "lsp/definition.h"
 #include "lsp/hover.h"
 #include "lsp/outline.h"
-#include "preview/folder_watch.h"
+#include "session/folder_watch.h"
 
 namespace mjcourse {
 namespace {
@@ -37,9 +37,9 @@ Desk::Desk(Workplace workplace, Units units, Connection& connection)
       models_(documents_->root()),
       plots_(read_plot_grammar(workplace.assets)),
       diagnostics_(*documents_, connection),
-      studio_(std::move(workplace), documents_,
-              [this](const SnapshotPtr& snapshot) { show(snapshot); }),
-      typed_(kQuiet, [this] { studio_.changed(); }),
+      session_(std::move(workplace), documents_,
+               [this](const SnapshotPtr& snapshot) { show(snapshot); }),
+      typed_(kQuiet, [this] { session_.changed(); }),
       watcher_([this](const std::stop_token& stop) { watch(stop); }) {}
 
 Desk::~Desk() = default;

@@ -1,4 +1,4 @@
-// Desk: one course in an editor: its open documents, the studio that evaluates them, and the
+// Desk: one course in an editor: its open documents, the session that evaluates them, and the
 // answers to what is asked about them.
 #pragma once
 
@@ -12,7 +12,7 @@
 #include "lsp/asked.h"
 #include "lsp/editor_diagnostics.h"
 #include "lsp/quiet_moment.h"
-#include "preview/studio.h"
+#include "session/live_session.h"
 
 namespace mjcourse {
 
@@ -53,7 +53,7 @@ class Desk {
   std::condition_variable shown_;
   SnapshotPtr snapshot_;
   // Each uses those above it.
-  Studio studio_;
+  LiveSession session_;
   QuietMoment typed_;
   std::jthread watcher_;
 };

@@ -8,8 +8,8 @@
 #include "lsp/plot_words.h"
 #include "lsp/script_cursor.h"
 #include "physics/mujoco_api.h"
-#include "preview/former_results.h"
 #include "report/meaning.h"
+#include "session/former_results.h"
 
 namespace mjcourse {
 namespace {

@@ -9,7 +9,7 @@
 #include "page/precompressed.h"
 #include "page/site_directory.h"
 #include "page/site_pages.h"
-#include "page/theme.h"
+#include "page/themed_assets.h"
 
 namespace mjcourse {
 

@@ -21,7 +21,7 @@
 #include "page/program_folder.h"
 #include "page/search_index.h"
 #include "page/site_paths.h"
-#include "page/theme.h"
+#include "page/themed_assets.h"
 #include "page/web_files.h"
 #include "page/zip.h"
 #include "script/known_scripts.h"

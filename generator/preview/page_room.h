@@ -18,9 +18,9 @@
 #include <thread>
 
 #include "page/site_pages.h"
-#include "page/theme.h"
+#include "page/themed_assets.h"
 #include "preview/memory_site.h"
-#include "preview/snapshot.h"
+#include "session/snapshot.h"
 
 namespace mjcourse {
 

@@ -99,7 +99,7 @@ Preview::Preview(const PreviewSetup& setup, std::function<void(const Snapshot&)>
       room_(setup.workplace.root, setup.assets,
             setup.site.empty() ? fs::path() : setup.site / "templates") {
   if (!setup.site.empty()) stylesheet_.emplace(setup.site);
-  studio_ = std::make_unique<Studio>(
+  session_ = std::make_unique<LiveSession>(
       setup_.workplace, std::make_shared<DiskFiles>(setup_.workplace.root),
       [this, tell = std::move(tell)](const SnapshotPtr& snapshot) {
         room_.show(snapshot);
@@ -111,7 +111,7 @@ Preview::Preview(const PreviewSetup& setup, std::function<void(const Snapshot&)>
 }
 
 Preview::~Preview() {
-  watcher_ = {};  // it uses the studio
+  watcher_ = {};  // it uses the session
 }
 
 void Preview::next_version() {
@@ -151,7 +151,7 @@ void Preview::watch(const std::stop_token& stop) {
     };
     const fs::path& course = setup_.workplace.root;
     if (any(course / "content") || any(course / "models") || any(course / "examples")) {
-      studio_->changed();
+      session_->changed();
     }
     const bool has_site = !setup_.site.empty();
     const bool styles = has_site && any(setup_.site / "styles");

@@ -1,6 +1,6 @@
 // Enter here: a course, shown in the browser while it is being written.
 //
-//   files ──FolderWatch──▶ Studio ──Snapshot──▶ PageRoom ──pages──▶ PreviewServer ──▶ browser
+//   files ──FolderWatch──▶ LiveSession ──Snapshot──▶ PageRoom ──pages──▶ PreviewServer ──▶ browser
 //
 // Each save becomes a new version; the pages that are open hear of it, ask for what they show, and
 // put the parts in place that are others now (site/preview/).
@@ -16,11 +16,11 @@
 #include <string>
 #include <thread>
 
-#include "preview/folder_watch.h"
 #include "preview/page_room.h"
 #include "preview/sent_pages.h"
-#include "preview/studio.h"
 #include "preview/stylesheet.h"
+#include "session/folder_watch.h"
+#include "session/live_session.h"
 
 namespace mjcourse {
 
@@ -75,7 +75,7 @@ class Preview {
   std::size_t version_ = 0;
   Stylesheet::Bundle styles_;
   std::optional<Diagnostic> unwatched_;
-  std::unique_ptr<Studio> studio_;
+  std::unique_ptr<LiveSession> session_;
   std::jthread watcher_;  // last: it uses the rest
 };
 

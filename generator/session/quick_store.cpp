@@ -1,4 +1,4 @@
-#include "preview/quick_store.h"
+#include "session/quick_store.h"
 
 #include <algorithm>
 

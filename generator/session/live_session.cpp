@@ -1,4 +1,4 @@
-#include "preview/studio.h"
+#include "session/live_session.h"
 
 #include <algorithm>
 #include <chrono>
@@ -12,7 +12,8 @@
 #include "base/cancellation.h"
 #include "base/stopwatch.h"
 #include "evaluate/warm_up.h"
-#include "preview/former_results.h"
+#include "session/examine.h"
+#include "session/former_results.h"
 
 namespace mjcourse {
 namespace {
@@ -72,48 +73,48 @@ class Listener : public Progress {
 
 }  // namespace
 
-// What a worker does for one save. All but `stop` is guarded by the studio's mutex.
-struct Studio::Job {
+// What a worker does for one save. All but `stop` is guarded by the session's mutex.
+struct LiveSession::Job {
   std::stop_source stop;
   std::chrono::steady_clock::time_point begin;
   bool progressed = false, done = false;
   SnapshotPtr last, whole;  // where it began, and what came of it
 };
 
-Studio::Studio(Workplace workplace, std::shared_ptr<const Files> lessons,
-               std::function<void(SnapshotPtr)> tell, bool wants_guesses)
+LiveSession::LiveSession(Workplace workplace, std::shared_ptr<const Files> lessons,
+                         std::function<void(SnapshotPtr)> tell, bool wants_guesses)
     : workplace_(std::move(workplace)),
       lessons_(std::move(lessons)),
       tell_(std::move(tell)),
       wants_guesses_(wants_guesses),
       thread_([this] { run(); }) {}
 
-Studio::~Studio() {
+LiveSession::~LiveSession() {
   wake(stopped_);
 }
 
-void Studio::changed() {
+void LiveSession::changed() {
   const std::lock_guard lock(mutex_);
   changed_at_ = std::chrono::steady_clock::now();
   changed_ = true;
   woken_.notify_all();
 }
 
-void Studio::wake(bool& why) {
+void LiveSession::wake(bool& why) {
   const std::lock_guard lock(mutex_);
   why = true;
   woken_.notify_all();
 }
 
 // Each has a course of its own: a page may just be made of the one before.
-std::shared_ptr<Snapshot> Studio::begin() const {
+std::shared_ptr<Snapshot> LiveSession::begin() const {
   return {new Snapshot, [shelf = shelf_](Snapshot* old) {
             shelf->give_back(old->course);
             delete old;
           }};
 }
 
-SnapshotPtr Studio::snapshot(const SnapshotPtr& former, bool whole, Progress& progress) const {
+SnapshotPtr LiveSession::snapshot(const SnapshotPtr& former, bool whole, Progress& progress) const {
   const std::shared_ptr<Snapshot> made = begin();
   const FormerResults results(whole ? nullptr : former);
   try {
@@ -131,7 +132,7 @@ SnapshotPtr Studio::snapshot(const SnapshotPtr& former, bool whole, Progress& pr
         };
       }
       made->evaluation =
-          std::make_shared<const Evaluation>(evaluate(made->course, workplace, progress, reading));
+          std::make_shared<const Evaluation>(examine(made->course, workplace, progress, reading));
       const Diagnostics& all = made->evaluation->diagnostics;
       made->of_work.assign(all.begin() + static_cast<std::ptrdiff_t>(reading.size()), all.end());
       if (made->evaluation->open && former) keep_former(former->of_work, made->of_work);
@@ -148,12 +149,12 @@ SnapshotPtr Studio::snapshot(const SnapshotPtr& former, bool whole, Progress& pr
   return made;
 }
 
-SnapshotPtr Studio::look(const SnapshotPtr& former) const {
+SnapshotPtr LiveSession::look(const SnapshotPtr& former) const {
   Listener nobody;
   return snapshot(former, false, nobody);
 }
 
-SnapshotPtr Studio::guess(const SnapshotPtr& former) const {
+SnapshotPtr LiveSession::guess(const SnapshotPtr& former) const {
   if (!wants_guesses_ || !former) return nullptr;
   const std::shared_ptr<Snapshot> made = begin();
   try {
@@ -173,7 +174,7 @@ SnapshotPtr Studio::guess(const SnapshotPtr& former) const {
   return made;
 }
 
-void Studio::do_job(Job& job) {
+void LiveSession::do_job(Job& job) {
   const Cancellable cancellable(job.stop.get_token());
   Listener listener([&] { wake(job.progressed); });
   std::this_thread::sleep_until(job.begin);
@@ -188,7 +189,7 @@ void Studio::do_job(Job& job) {
   }
 }
 
-SnapshotPtr Studio::work(SnapshotPtr last) {
+SnapshotPtr LiveSession::work(SnapshotPtr last) {
   const auto job = std::make_shared<Job>();
   {
     const std::lock_guard lock(mutex_);
@@ -226,20 +227,20 @@ SnapshotPtr Studio::work(SnapshotPtr last) {
   }
 }
 
-void Studio::warm_up_for(const SnapshotPtr& snapshot) {
+void LiveSession::warm_up_for(const SnapshotPtr& snapshot) {
   warmer_ = std::jthread([this, snapshot](const std::stop_token& stop) {
     const Cancellable cancellable(stop);
     try {
       warm_up(snapshot->course, workplace_);
     } catch (const Cancelled&) {
-      // The studio ends.
+      // The session ends.
     } catch (const std::exception&) {
       // Whoever needs it tells why.
     }
   });
 }
 
-void Studio::run() {
+void LiveSession::run() {
   SnapshotPtr last;
   bool warm = false;
   for (;;) {

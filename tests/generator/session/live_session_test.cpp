@@ -1,4 +1,4 @@
-#include "preview/studio.h"
+#include "session/live_session.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "base/files.h"
 #include "base/temporary_folder.h"
-#include "preview/quick_store.h"
+#include "session/quick_store.h"
 
 namespace mjcourse {
 namespace {
@@ -28,9 +28,9 @@ class BreakingFiles : public DiskFiles {
   std::atomic<bool> broken = false;
 };
 
-class StudioTest : public testing::Test {
+class LiveSessionTest : public testing::Test {
  protected:
-  StudioTest() {
+  LiveSessionTest() {
     write("content/course.yaml",
           "title: A course\nlevels:\n  - folder: 1-one\n    title: One\n    lessons: [1.1-a]\n");
     write_lesson("It has `{swing} model.nq`.");
@@ -52,7 +52,7 @@ class StudioTest : public testing::Test {
   }
 
   void begin(bool wants_guesses = false) {
-    studio_.emplace(
+    session_.emplace(
         Workplace{folder_.path(), assets_, &store_, 2}, std::make_shared<DiskFiles>(folder_.path()),
         [this](const SnapshotPtr& snapshot) {
           const std::lock_guard lock(mutex_);
@@ -89,10 +89,10 @@ class StudioTest : public testing::Test {
   std::mutex mutex_;
   std::condition_variable more_;
   std::deque<SnapshotPtr> told_;
-  std::optional<Studio> studio_;  // last: it uses the rest
+  std::optional<LiveSession> session_;  // last: it uses the rest
 };
 
-TEST_F(StudioTest, TellsWhatIsKnownAndThenWhatIsTrue) {
+TEST_F(LiveSessionTest, TellsWhatIsKnownAndThenWhatIsTrue) {
   begin();
   const SnapshotPtr first = next();
   EXPECT_TRUE(first->evaluation->open);
@@ -100,11 +100,11 @@ TEST_F(StudioTest, TellsWhatIsKnownAndThenWhatIsTrue) {
   EXPECT_EQ(value_of(*whole()), "1");
 }
 
-TEST_F(StudioTest, ShowsFormerResultsUntilTheyAreKnownAnew) {
+TEST_F(LiveSessionTest, ShowsFormerResultsUntilTheyAreKnownAnew) {
   begin();
   whole();
   write_model(2);
-  studio_->changed();
+  session_->changed();
   const SnapshotPtr first = next();
   EXPECT_TRUE(first->evaluation->open);
   EXPECT_EQ(first->evaluation->lessons[0].open, std::set<std::size_t>{0});
@@ -112,21 +112,21 @@ TEST_F(StudioTest, ShowsFormerResultsUntilTheyAreKnownAnew) {
   EXPECT_EQ(value_of(*whole()), "2");
 }
 
-TEST_F(StudioTest, HasNoNeedToWorkForWhatItKnows) {
+TEST_F(LiveSessionTest, HasNoNeedToWorkForWhatItKnows) {
   begin();
   whole();
   write_lesson("Now it has `{swing} model.nq`, as before.");
-  studio_->changed();
+  session_->changed();
   const SnapshotPtr first = next();
   EXPECT_FALSE(first->evaluation->open);
   EXPECT_EQ(value_of(*first), "1");
 }
 
-TEST_F(StudioTest, GuessesThatAnEditOfTextChangesNothingElse) {
+TEST_F(LiveSessionTest, GuessesThatAnEditOfTextChangesNothingElse) {
   begin(true);
   whole();
   write_lesson("Now it has `{swing} model.nq`, as before.");
-  studio_->changed();
+  session_->changed();
   const SnapshotPtr first = next();
   EXPECT_TRUE(first->guessed);
   EXPECT_EQ(value_of(*first), "1");
@@ -136,7 +136,7 @@ TEST_F(StudioTest, GuessesThatAnEditOfTextChangesNothingElse) {
   EXPECT_EQ(value_of(*second), "1");
 }
 
-TEST_F(StudioTest, ShowsAFaultOfItsOwnUntilTheNextEdit) {
+TEST_F(LiveSessionTest, ShowsAFaultOfItsOwnUntilTheNextEdit) {
   for (const bool wants_guesses : {false, true}) {
     write_lesson("It has `{swing} model.nq`.");
     assets_.broken = false;
@@ -145,7 +145,7 @@ TEST_F(StudioTest, ShowsAFaultOfItsOwnUntilTheNextEdit) {
     assets_.broken = true;
     write_model(wants_guesses ? 3 : 2);
     write_lesson("It has `{swing} model.nq`, `{swing} model.nv`.");
-    studio_->changed();
+    session_->changed();
     SnapshotPtr broken = next();
     while (broken->readable) broken = next();
     ASSERT_EQ(broken->diagnostics.size(), 1u);
@@ -153,24 +153,24 @@ TEST_F(StudioTest, ShowsAFaultOfItsOwnUntilTheNextEdit) {
     EXPECT_EQ(broken->diagnostics[0].message, "not foreseen");
     assets_.broken = false;
     write_lesson("Now it has `{swing} model.nq`.");
-    studio_->changed();
+    session_->changed();
     EXPECT_EQ(value_of(*whole()), wants_guesses ? "3" : "2");
-    studio_.reset();
+    session_.reset();
     told_.clear();
   }
 }
 
-TEST_F(StudioTest, LooksAfterAWrongGuess) {
+TEST_F(LiveSessionTest, LooksAfterAWrongGuess) {
   begin(true);
   whole();
   write_model(2);
   write_lesson("Now it has `{swing} model.nq`.");
-  studio_->changed();
+  session_->changed();
   EXPECT_TRUE(next()->guessed);
   EXPECT_EQ(value_of(*whole()), "2");
 }
 
-TEST_F(StudioTest, ShowsAtOnceThatAnEditedProgramRuns) {
+TEST_F(LiveSessionTest, ShowsAtOnceThatAnEditedProgramRuns) {
   const auto save = [&](const std::string& text) {
     const std::string code = "#include <cstdio>\n\nint main() { std::puts(\"" + text + "\"); }\n";
     write("examples/say.cpp", code);
@@ -183,7 +183,7 @@ TEST_F(StudioTest, ShowsAtOnceThatAnEditedProgramRuns) {
   begin(true);
   EXPECT_EQ(said(*whole()), "one\n");
   save("two");
-  studio_->changed();
+  session_->changed();
   const SnapshotPtr first = next();
   EXPECT_TRUE(first->guessed);
   EXPECT_TRUE(first->evaluation->open);
@@ -194,63 +194,63 @@ TEST_F(StudioTest, ShowsAtOnceThatAnEditedProgramRuns) {
   EXPECT_EQ(said(*whole()), "two\n");
 }
 
-TEST_F(StudioTest, DoesNotGuessWhatABlockIs) {
+TEST_F(LiveSessionTest, DoesNotGuessWhatABlockIs) {
   begin(true);
   whole();
   for (const char* text : {"It has `{swing} model.nv`.", "None.", "`{swing} 1`, `{swing} 2`."}) {
     write_lesson(text);
-    studio_->changed();
+    session_->changed();
     const SnapshotPtr first = next();
     EXPECT_FALSE(first->guessed) << text;
     if (first->evaluation->open) whole();
   }
   // Nor where no lesson was edited.
   write_model(3);
-  studio_->changed();
+  session_->changed();
   EXPECT_FALSE(next()->guessed);
 }
 
-TEST_F(StudioTest, KeepsMistakesUntilTheyAreKnownToBeMended) {
+TEST_F(LiveSessionTest, KeepsMistakesUntilTheyAreKnownToBeMended) {
   write_lesson("It has `{swing} model.nqq`.");
   begin();
   ASSERT_EQ(whole()->diagnostics.size(), 1);
   write_lesson("And it has `{swing} model.nqq`.");
-  studio_->changed();
+  session_->changed();
   const SnapshotPtr first = next();
   EXPECT_TRUE(first->evaluation->open);
   EXPECT_EQ(first->diagnostics.size(), 1);
   EXPECT_EQ(whole()->diagnostics.size(), 1);
   write_lesson("And it has `{swing} model.nq`.");
-  studio_->changed();
+  session_->changed();
   EXPECT_TRUE(whole()->diagnostics.empty());
 }
 
-TEST_F(StudioTest, TellsWhyACourseCannotBeRead) {
+TEST_F(LiveSessionTest, TellsWhyACourseCannotBeRead) {
   begin();
   whole();
   fs::remove(folder_.path() / "content/course.yaml");
-  studio_->changed();
+  session_->changed();
   const SnapshotPtr none = next();
   EXPECT_FALSE(none->readable);
   ASSERT_EQ(none->diagnostics.size(), 1);
   EXPECT_EQ(none->diagnostics[0].id, "E-course-yaml");
 }
 
-TEST_F(StudioTest, EndsWorkThatANewerSaveMakesVain) {
+TEST_F(LiveSessionTest, EndsWorkThatANewerSaveMakesVain) {
   write_lesson("It has `{swing} model.nq`.\n\n```cpp file=examples/sleep.cpp timeout=300\n```");
   write("examples/sleep.cpp", "#include <unistd.h>\n\nint main() { sleep(300); }\n");
   begin();
   EXPECT_TRUE(next()->evaluation->open);
   std::this_thread::sleep_for(std::chrono::seconds(2));  // it is compiled, or runs already
   write_lesson("It has only `{swing} model.nq`.");
-  studio_->changed();
+  session_->changed();
   EXPECT_EQ(value_of(*whole()), "1");
 }
 
-TEST_F(StudioTest, EndsWhileItWorks) {
+TEST_F(LiveSessionTest, EndsWhileItWorks) {
   begin();
   next();
-  studio_.reset();
+  session_.reset();
 }
 
 }  // namespace

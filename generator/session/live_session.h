@@ -1,4 +1,4 @@
-// Studio: a course, kept evaluated while it is being edited.
+// LiveSession: a course, kept evaluated while it is being edited.
 //
 // Enter with changed() after each save. First comes a snapshot of what is known at once: the new
 // text, with results that were kept, and former ones in the place of those that have to be worked
@@ -19,21 +19,21 @@
 
 #include "course/lesson_shelf.h"
 #include "evaluate/progress.h"
-#include "preview/snapshot.h"
+#include "session/snapshot.h"
 
 namespace mjcourse {
 
-class Studio {
+class LiveSession {
  public:
-  // `tell` gets each snapshot as it comes, on a thread of the studio's; it must not wait for long.
+  // `tell` gets each snapshot as it comes, on a thread of the session's; it must not wait for long.
   // All must outlive this. The first snapshot comes by itself. Lessons are read from `lessons`, in
   // which there may be some that nobody has saved yet; what they name is read from the disk.
-  Studio(Workplace workplace, std::shared_ptr<const Files> lessons,
-         std::function<void(SnapshotPtr)> tell, bool wants_guesses = false);
+  LiveSession(Workplace workplace, std::shared_ptr<const Files> lessons,
+              std::function<void(SnapshotPtr)> tell, bool wants_guesses = false);
   // Ends all work.
-  ~Studio();
-  Studio(const Studio&) = delete;
-  Studio& operator=(const Studio&) = delete;
+  ~LiveSession();
+  LiveSession(const LiveSession&) = delete;
+  LiveSession& operator=(const LiveSession&) = delete;
 
   // From any thread.
   void changed();

@@ -1,4 +1,4 @@
-#include "preview/folder_watch.h"
+#include "session/folder_watch.h"
 
 #include <poll.h>
 #include <sys/inotify.h>

@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "preview/snapshot.h"
+#include "session/snapshot.h"
 
 namespace mjcourse {
 

@@ -1,9 +1,10 @@
-#include "page/theme.h"
+#include "course/theme.h"
 
 #include <algorithm>
 #include <optional>
 #include <set>
 #include <string_view>
+#include <vector>
 
 #include "base/nearest.h"
 #include "report/refused_file.h"
@@ -11,11 +12,7 @@
 namespace mjcourse {
 namespace {
 
-constexpr std::string_view kTemplates = "templates/", kEnding = ".hbs";
-
-std::string theme_path(const std::string& template_name) {
-  return std::string(kThemeTemplates) + "/" + template_name + std::string(kEnding);
-}
+constexpr std::string_view kTemplateEnding = ".hbs";
 
 // The names of the templates that `text` includes: `{{> name`.
 std::set<std::string> partials_in(std::string_view text) {
@@ -32,8 +29,8 @@ std::set<std::string> partials_in(std::string_view text) {
 
 // A template's name, of its file's; nothing where it is none.
 std::optional<std::string> template_name(const std::string& file) {
-  if (!file.ends_with(kEnding)) return std::nullopt;
-  return file.substr(0, file.size() - kEnding.size());
+  if (!file.ends_with(kTemplateEnding)) return std::nullopt;
+  return file.substr(0, file.size() - kTemplateEnding.size());
 }
 
 Diagnostic stray(const std::string& file, const std::string& message, const std::string& cure) {
@@ -44,44 +41,8 @@ Diagnostic stray(const std::string& file, const std::string& message, const std:
 
 }  // namespace
 
-ThemedAssets::ThemedAssets(const std::filesystem::path& assets,
-                           const std::vector<std::filesystem::path>& templates)
-    : assets_(assets) {
-  for (const std::filesystem::path& folder : templates) templates_.emplace_back(folder);
-}
-
-tl::expected<std::string, std::string> ThemedAssets::read(const std::string& path) const {
-  if (path.starts_with(kTemplates)) {
-    const std::string name = path.substr(kTemplates.size());
-    for (const DiskFiles& folder : templates_) {
-      if (folder.exists(name)) return folder.read(name);
-    }
-  }
-  return assets_.read(path);
-}
-
-bool ThemedAssets::exists(const std::string& path) const {
-  return read(path).has_value();
-}
-
-std::vector<std::string> ThemedAssets::list(const std::string& folder) const {
-  std::vector<std::string> names = assets_.list(folder);
-  if (folder + "/" != kTemplates) return names;
-  std::set<std::string> all(names.begin(), names.end());
-  for (const DiskFiles& one : templates_) {
-    for (const std::string& name : one.list("")) all.insert(name);
-  }
-  return {all.begin(), all.end()};
-}
-
-std::vector<std::string> ThemedAssets::list_below(const std::string& folder) const {
-  std::vector<std::string> names = assets_.list_below(folder);
-  if (folder + "/" != kTemplates) return names;
-  std::set<std::string> all(names.begin(), names.end());
-  for (const DiskFiles& one : templates_) {
-    for (const std::string& name : one.list_below("")) all.insert(name);
-  }
-  return {all.begin(), all.end()};
+std::string theme_template(const std::string& name) {
+  return std::string(kThemeTemplates) + "/" + name + std::string(kTemplateEnding);
 }
 
 Diagnostics check_theme(const Files& course, const Files& assets) {
@@ -120,23 +81,7 @@ Diagnostics check_theme(const Files& course, const Files& assets) {
 }
 
 bool is_themed(const std::string& template_name, const Files& course) {
-  return course.exists(theme_path(template_name));
-}
-
-Diagnostic template_mistake(const TemplateError& error, const Files& course) {
-  const std::string path = theme_path(error.name);
-  const auto text = course.read(path);
-  if (text && error.line > 0) {
-    const SourceText source(path, *text);
-    const int line = std::min(error.line, source.line_count());
-    const std::size_t begin = source.line_start(line);
-    return error_at(place_of(source, {begin, begin + source.line(line).size()}), "E-template",
-                    error.message);
-  }
-  Place place;
-  place.file = text ? path : "site/" + std::string(kTemplates) + error.name + std::string(kEnding);
-  place.line = error.line;
-  return error_at(std::move(place), "E-template", error.message);
+  return course.exists(theme_template(template_name));
 }
 
 }  // namespace mjcourse

@@ -1,4 +1,4 @@
-#include "preview/former_results.h"
+#include "session/former_results.h"
 
 #include <algorithm>
 #include <variant>
