@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "physics/draw_list.h"
 #include "physics/mujoco_guard.h"
 #include "physics/offscreen_context.h"
 
 namespace mjcourse {
 namespace {
 
-constexpr int most_shapes = 10000;  // in one scene, frames' axes and the like counted
 constexpr int kLongestSide = 2048;  // pixels; with 4 samples a buffer takes 32 bytes a pixel
 constexpr int film_shadow = 1024;   // texels a side
 constexpr int kLarge = 64 << 20;    // bytes that are not kept for the next picture
@@ -43,16 +43,13 @@ Picture read_picture(PictureSize size, const mjrContext& context) {
 // What is set up once, and what is made for the model drawn last.
 struct Renderer::Stage {
   OffscreenContext opengl;
-  mjvScene scene;
+  DrawList shapes;
   mjrContext context;
   std::uint64_t model = 0;         // serial number of the model that all of this is for
   Detail detail = Detail::still;   // and how finely it draws
   std::unique_ptr<Data> stand_in;  // takes the place of a simulation's data
 
-  Stage() {
-    mjv_defaultScene(&scene);
-    mjr_defaultContext(&context);
-  }
+  Stage() { mjr_defaultContext(&context); }
   ~Stage() { clear(); }
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
@@ -62,7 +59,8 @@ struct Renderer::Stage {
            size.height <= context.offHeight;
   }
   void set(const Model& next, PictureSize size, Detail wanted);
-  void draw(const Simulation& simulation, const mjvOption& options, mjvCamera camera,
+  // False, and nothing is drawn, where there are too many shapes.
+  bool draw(const Simulation& simulation, const mjvOption& options, mjvCamera camera,
             PictureSize size);
   void clear();
 };
@@ -71,9 +69,9 @@ struct Renderer::Stage {
 void Renderer::Stage::set(const Model& next, PictureSize size, Detail wanted) {
   clear();
   stand_in = std::make_unique<Data>(next);
-  mjv_makeScene(next.get(), &scene, most_shapes);
-  scene.flags[mjRND_SHADOW] = 1;
-  scene.flags[mjRND_REFLECTION] = 1;
+  shapes.make(next.get());
+  shapes.scene().flags[mjRND_SHADOW] = 1;
+  shapes.scene().flags[mjRND_REFLECTION] = 1;
   // The framebuffer's size and its quality are settings of the model, whose own say nothing of the
   // pictures asked for here: a shallow copy says it.
   mjModel sized = *next.get();
@@ -91,14 +89,15 @@ void Renderer::Stage::set(const Model& next, PictureSize size, Detail wanted) {
 
 // mj_forward brings what is drawn up to date with the state. On the simulation's own data it would
 // also change the solver's warm start, and with it the last bits of every later step.
-void Renderer::Stage::draw(const Simulation& simulation, const mjvOption& options, mjvCamera camera,
+bool Renderer::Stage::draw(const Simulation& simulation, const mjvOption& options, mjvCamera camera,
                            PictureSize size) {
   const mjModel* drawn = simulation.model().get();
   mjData* data = stand_in->get();
   mj_copyData(data, drawn, simulation.data().get());
   mj_forward(drawn, data);
-  mjv_updateScene(drawn, data, &options, nullptr, &camera, mjCAT_ALL, &scene);
-  mjr_render({0, 0, size.width, size.height}, &scene, &context);
+  if (!shapes.update(drawn, data, options, nullptr, camera)) return false;
+  mjr_render({0, 0, size.width, size.height}, &shapes.scene(), &context);
+  return true;
 }
 
 void Renderer::Stage::clear() {
@@ -106,7 +105,7 @@ void Renderer::Stage::clear() {
   stand_in.reset();
   if (!opengl.make_current()) return;
   mjr_freeContext(&context);
-  mjv_freeScene(&scene);
+  shapes.clear();
 }
 
 Renderer::Renderer(std::unique_ptr<Stage> stage) : stage_(std::move(stage)) {}
@@ -140,7 +139,10 @@ tl::expected<Picture, std::string> Renderer::render(const Simulation& simulation
     if (!stage_->suits(simulation.model(), size, detail)) {
       stage_->set(simulation.model(), size, detail);
     }
-    stage_->draw(simulation, *options, free_camera(camera), size);
+    if (!stage_->draw(simulation, *options, free_camera(camera), size)) {
+      return tl::unexpected("it has more than " + std::to_string(kMostShapes) +
+                            " shapes; geoms in a `group` above 2 are not drawn");
+    }
   } catch (const MujocoError& error) {
     return tl::unexpected(std::string(error.what()));
   }

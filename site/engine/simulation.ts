@@ -12,9 +12,6 @@ import { constants } from "../script/constants.js";
 import type { Native } from "../script/native.js";
 import { openWorld, type Scope } from "../script/world.js";
 
-/** How many geoms a scene has room for, as in the generator's renderer. */
-const mostGeoms = 10000;
-
 export class Simulation {
   private readonly model: Pointer;
   private readonly data: Pointer;
@@ -99,7 +96,7 @@ export class Simulation {
 
   /** What a page draws. It lives until the simulation is freed. */
   openScene(): Scene {
-    const handle = this.call("mjc_scene_new", mostGeoms);
+    const handle = this.call("mjc_scene_new");
     if (handle === 0) throw new MemoryError("the engine has no memory for a scene");
     const scene = new Scene(this.memory, handle);
     this.scenes.add(scene);

@@ -46,6 +46,20 @@ test("skins are where their bodies have brought them", () => {
   assert.equal(scene.skins.vertices.length, 0);
 });
 
+test("a large model is in it to the last geom, with all that is added", () => {
+  const balls = `<geom size=".1"/>`.repeat(12000);
+  const mjcf = `<mujoco><worldbody>${balls}</worldbody></mujoco>`;
+  const large = engine.load("large.xml", { "large.xml": mjcf });
+  const crowded = large.openScene();
+  assert.ok(crowded.update());
+  assert.equal(crowded.geoms.length, 12000);
+  assert.equal(crowded.geoms.at(-1).numbers.objid[0], 11999);
+  crowded.showOverlay("geom-frames", true);
+  assert.ok(crowded.update());
+  assert.equal(crowded.geoms.length, 4 * 12000);
+  large.free();
+});
+
 test("drawing changes no bit of the motion", () => {
   const run = (draw) => {
     simulation.reset();

@@ -6,20 +6,18 @@
 
 #include "allocation_scope.h"
 #include "physics/data.h"
+#include "physics/draw_list.h"
 #include "physics/mujoco_guard.h"
 #include "physics/overlay_table.h"
 #include "simulation_handle.h"
 
 struct mjcScene_ {
-  explicit mjcScene_(mjcSimulation& shown, int maxgeom)
-      : simulation(shown), stand_in(shown.model()) {
+  explicit mjcScene_(mjcSimulation& shown) : simulation(shown), stand_in(shown.model()) {
     mjv_defaultOption(&options);
     mjv_defaultCamera(&camera);
     mjv_defaultPerturb(&perturb);
-    mjv_defaultScene(&scene);
-    mjv_makeScene(model(), &scene, maxgeom);
+    shapes.make(model());
   }
-  ~mjcScene_() { mjv_freeScene(&scene); }
   mjcScene_(const mjcScene_&) = delete;
   mjcScene_& operator=(const mjcScene_&) = delete;
 
@@ -31,14 +29,14 @@ struct mjcScene_ {
   mjvOption options;
   mjvCamera camera;
   mjvPerturb perturb;
-  mjvScene scene;
+  mjcourse::DrawList shapes;
   int pulled = 0;  // the body whose xfrc_applied is ours
 };
 
-mjcScene* mjc_scene_new(mjcSimulation* simulation, int maxgeom) {
+mjcScene* mjc_scene_new(mjcSimulation* simulation) {
   AllocationScope scope;
   try {
-    auto* scene = new mjcScene(*simulation, maxgeom);
+    auto* scene = new mjcScene(*simulation);
     scope.keep();
     return scene;
   } catch (const std::exception&) {
@@ -77,8 +75,7 @@ int mjc_scene_update(mjcScene* scene) {
   try {
     mj_copyData(data, model, scene->data());
     mj_forward(model, data);
-    mjv_updateScene(model, data, &scene->options, &scene->perturb, &scene->camera, mjCAT_ALL,
-                    &scene->scene);
+    scene->shapes.update(model, data, scene->options, &scene->perturb, scene->camera);
   } catch (const mjcourse::MujocoError&) {
     return 0;
   }
@@ -86,19 +83,19 @@ int mjc_scene_update(mjcScene* scene) {
 }
 
 const mjvGeom* mjc_scene_geoms(const mjcScene* scene) {
-  return scene->scene.geoms;
+  return scene->shapes.scene().geoms;
 }
 
 int mjc_scene_geom_count(const mjcScene* scene) {
-  return scene->scene.ngeom;
+  return scene->shapes.scene().ngeom;
 }
 
 const float* mjc_scene_skin_vertices(const mjcScene* scene) {
-  return scene->scene.skinvert;
+  return scene->shapes.scene().skinvert;
 }
 
 const float* mjc_scene_skin_normals(const mjcScene* scene) {
-  return scene->scene.skinnormal;
+  return scene->shapes.scene().skinnormal;
 }
 
 int mjc_scene_skin_vertex_count(const mjcScene* scene) {
@@ -106,15 +103,15 @@ int mjc_scene_skin_vertex_count(const mjcScene* scene) {
 }
 
 const mjvLight* mjc_scene_lights(const mjcScene* scene) {
-  return scene->scene.lights;
+  return scene->shapes.scene().lights;
 }
 
 int mjc_scene_light_count(const mjcScene* scene) {
-  return scene->scene.nlight;
+  return scene->shapes.scene().nlight;
 }
 
 const mjvGLCamera* mjc_scene_view(const mjcScene* scene) {
-  return scene->scene.camera;
+  return scene->shapes.scene().camera;
 }
 
 mjvCamera* mjc_scene_camera(mjcScene* scene) {
@@ -122,7 +119,7 @@ mjvCamera* mjc_scene_camera(mjcScene* scene) {
 }
 
 void mjc_scene_move_camera(mjcScene* scene, int action, double dx, double dy) {
-  mjv_moveCamera(scene->model(), action, dx, dy, &scene->scene, &scene->camera);
+  mjv_moveCamera(scene->model(), action, dx, dy, &scene->shapes.scene(), &scene->camera);
 }
 
 int mjc_scene_select(mjcScene* scene, double aspect, double x, double y) {
@@ -130,8 +127,8 @@ int mjc_scene_select(mjcScene* scene, double aspect, double x, double y) {
   int geom = -1;
   int skin = -1;
   const mjData* data = scene->stand_in.get();
-  const int body = mjv_select(scene->model(), data, &scene->options, aspect, x, y, &scene->scene,
-                              point, &geom, &skin);
+  const int body = mjv_select(scene->model(), data, &scene->options, aspect, x, y,
+                              &scene->shapes.scene(), point, &geom, &skin);
   mjvPerturb& perturb = scene->perturb;
   perturb.select = std::max(body, 0);
   perturb.active = 0;
@@ -145,13 +142,13 @@ int mjc_scene_select(mjcScene* scene, double aspect, double x, double y) {
 void mjc_scene_grab(mjcScene* scene, int kind) {
   mjvPerturb& perturb = scene->perturb;
   if (kind != 0 && perturb.active == 0) {
-    mjv_initPerturb(scene->model(), scene->stand_in.get(), &scene->scene, &perturb);
+    mjv_initPerturb(scene->model(), scene->stand_in.get(), &scene->shapes.scene(), &perturb);
   }
   perturb.active = perturb.select > 0 ? kind : 0;
 }
 
 void mjc_scene_drag(mjcScene* scene, int action, double dx, double dy) {
-  mjv_movePerturb(scene->model(), scene->stand_in.get(), action, dx, dy, &scene->scene,
+  mjv_movePerturb(scene->model(), scene->stand_in.get(), action, dx, dy, &scene->shapes.scene(),
                   &scene->perturb);
 }
 

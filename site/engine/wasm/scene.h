@@ -15,9 +15,9 @@ extern "C" {
 
 typedef struct mjcScene_ mjcScene;
 
-/* A scene of up to `maxgeom` geoms, seen by a free camera at MuJoCo's defaults. NULL when MuJoCo
- * has no memory for it. Free it before the simulation. */
-MJC_EXPORT mjcScene* mjc_scene_new(mjcSimulation* simulation, int maxgeom);
+/* A scene that is seen by a free camera at MuJoCo's defaults. NULL when MuJoCo has no memory for
+ * it. Free it before the simulation. */
+MJC_EXPORT mjcScene* mjc_scene_new(mjcSimulation* simulation);
 MJC_EXPORT void mjc_scene_free(mjcScene* scene);
 
 /* Switch an overlay (physics/overlay_table.h) on or off; returns 0 when there is none of that name.

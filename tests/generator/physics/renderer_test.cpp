@@ -24,6 +24,18 @@ std::string sphere(const std::string& rgb) {
 const std::string red = sphere("1 0 0");
 const std::string blue = sphere("0 0 1");
 
+// A tendon of `count` pieces behind the camera, and after it one that is seen.
+std::string long_tendon(int count) {
+  std::string path;
+  for (int i = 0; i <= count; ++i) path += i % 2 == 0 ? "<site site='a'/>" : "<site site='b'/>";
+  return "<mujoco><worldbody><light pos='0 -3 3' dir='0 1 -1'/><site name='a' pos='0 -9 0'/>"
+         "<site name='b' pos='0 -8 0'/><site name='c' pos='0 0 .3'/><site "
+         "name='d'/></worldbody><tendon><spatial>" +
+         path +
+         "</spatial><spatial width='0.3' rgba='1 0 0 1'><site site='c'/><site site='d'/></spatial>"
+         "</tendon></mujoco>";
+}
+
 // From -y, level with the target; x to the right, z up.
 Camera looking_at(std::array<double, 3> target) {
   return {.azimuth = 90, .elevation = 0, .distance = 3, .target = target};
@@ -152,6 +164,11 @@ TEST_F(RendererTest, DrawsOverlays) {
   }
 }
 
+TEST_F(RendererTest, DrawsAllShapesOfALargeModel) {
+  Simulation simulation = simulate(long_tendon(12000));
+  EXPECT_TRUE(at(draw(simulation, looking_at({0, 0, 0})), 0.5, 0.5).is_red());
+}
+
 TEST_F(RendererTest, LeavesTheSimulationAsItWas) {
   const std::string mjcf = R"(<mujoco><worldbody><geom type="plane" size="5 5 1"/>
       <body pos="0 0 0.3" euler="10 20 0"><freejoint/><geom type="box" size=".1 .1 .1"/></body>
@@ -176,6 +193,8 @@ TEST_F(RendererTest, SaysWhyItCannot) {
   EXPECT_EQ(renderer_.render(simulation, {}, {}, {0, 10}).error(),
             "a picture's sides are 1 to 2048 pixels");
   EXPECT_FALSE(renderer_.render(simulation, {}, {}, {10, 100000}).has_value());
+  EXPECT_EQ(renderer_.render(simulate(long_tendon(160000)), {}, {}, {10, 10}).error(),
+            "it has more than 160000 shapes; geoms in a `group` above 2 are not drawn");
 }
 
 }  // namespace
