@@ -1,5 +1,6 @@
 #include "evaluate/figure.h"
 
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -14,27 +15,37 @@
 namespace mjcourse {
 namespace {
 
-// From where `simulation` stands; empty (reported) where that fails.
-std::string shoot(const Figure::Animation& animation, Simulation& simulation, View view,
-                  const Bench& bench) {
+// From where `simulation` stands: has `look` look at each frame, until that is false. False
+// (reported) where it fails.
+bool play_frames(const Figure::Animation& animation, Simulation& simulation, const Bench& bench,
+                 const std::function<bool()>& look) {
   const auto all = step_count(simulation.model(), animation.seconds);
   if (!all) {
-    bench.error("E-figure-simulation", animation.span, all.error(), "a larger time step");
-    return "";
+    return bench.error("E-figure-simulation", animation.span, all.error(), "a larger time step");
   }
-  view.detail = Detail::film;
-  Film film(animation.rate);
   int taken = 0;
   for (int frame = 0; frame < animation.frames(); ++frame) {
     end_if_cancelled();
     const int steps =
         step_count(simulation.model(), static_cast<double>(frame) / animation.rate).value();
-    if (!step_on(simulation, steps - taken, animation.span, bench)) return "";
+    if (!step_on(simulation, steps - taken, animation.span, bench)) return false;
     taken = steps;
-    const auto picture = draw(simulation, view, "the animation", animation.span, bench);
-    if (!picture) return "";
-    film.add(*picture);
+    if (!look()) return false;
   }
+  return true;
+}
+
+// From where `simulation` stands; empty (reported) where that fails.
+std::string shoot(const Figure::Animation& animation, Simulation& simulation, View view,
+                  const Bench& bench) {
+  view.detail = Detail::film;
+  Film film(animation.rate);
+  const bool played = play_frames(animation, simulation, bench, [&] {
+    const auto picture = draw(simulation, view, "the animation", animation.span, bench);
+    if (picture) film.add(*picture);
+    return picture.has_value();
+  });
+  if (!played) return "";
   bench.workshop().trace().file(find_program("ffmpeg"));
   auto bytes = film.encode();
   if (bytes) return *std::move(bytes);
@@ -51,8 +62,19 @@ std::optional<FigureResult> evaluate_figure(const Figure& figure, const Lesson& 
   check_overlays(names_of(figure.overlays), bench);
   std::optional<Simulation> simulation = simulate_figure(figure, bench);
   if (!simulation || diagnostics.size() > before) return std::nullopt;
-  WholeView seen(simulation->model());
-  seen.add(*simulation);
+  const Outlook outlook{.aspect = static_cast<double>(figure.width) / figure.height};
+  WholeView seen(simulation->model(), outlook);
+  if (!figure.camera) seen.add(*simulation);
+  if (!figure.camera && figure.animation) {
+    const auto look = [&] {
+      seen.add(*simulation);
+      return true;
+    };
+    if (!play_frames(*figure.animation, *simulation, bench, look)) return std::nullopt;
+    simulation.reset();  // a large model is not there twice
+    simulation = simulate_figure(figure, bench);
+    if (!simulation) return std::nullopt;
+  }
   const View view{camera_of(figure.camera, seen), figure.overlays, figure.width, figure.height};
   const auto picture = draw(*simulation, view, "the figure", figure.span, bench);
   if (!picture) return std::nullopt;

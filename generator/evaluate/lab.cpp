@@ -1,5 +1,6 @@
 #include "evaluate/lab.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "evaluate/assignment.h"
@@ -13,6 +14,11 @@ namespace mjcourse {
 namespace {
 
 constexpr int kPosterWidth = 712;  // CSS pixels: the widest that a lab gets
+
+// A narrow page cuts the sides off: all is seen in one where the lab is as wide as it is high.
+Outlook outlook_of(const Lab& lab) {
+  return {.aspect = std::min(1.0, static_cast<double>(kPosterWidth) / lab.height)};
+}
 
 std::vector<int> find_keyframes(const Lab& lab, const Model& model) {
   std::vector<int> ids;
@@ -58,10 +64,10 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Work
   const bool read = read_at_rest(lab, *run, result);
   // What fails at rest would fail again after every control.
   const bool at_rest = check_at_rest(bench, *run);
-  WholeView view(run->simulation().model());
+  WholeView view(run->simulation().model(), outlook_of(lab));
   run.reset();  // a large model is not there twice
   if (at_rest && read) {
-    result.runs = rehearse(bench, view);
+    result.runs = rehearse(bench, lab.camera ? nullptr : &view);
     evaluate_assignment(bench, result);
   }
   if (std::optional<LabModel> model = find_lab_model(bench)) result.model = *std::move(model);

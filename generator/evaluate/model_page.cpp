@@ -126,7 +126,7 @@ std::vector<ModelPage::File> files_of(const fs::path& root, const std::string& m
 
 // All of the model, also as it moves for two seconds, from less high above than a figure has it.
 View portrait_of(Simulation& simulation) {
-  WholeView seen(simulation.model());
+  WholeView seen(simulation.model(), {.elevation = -30});
   seen.add(simulation);
   const int frames = step_count(simulation.model(), 2) ? 50 : 0;
   for (int frame = 0; frame < frames && !simulation.stopped(); ++frame) {
@@ -134,9 +134,7 @@ View portrait_of(Simulation& simulation) {
     if (!simulation.stopped()) seen.add(simulation);
   }
   simulation.reset();
-  View view{camera_of(std::nullopt, seen), {}, kPictureWidth, kPictureHeight};
-  view.camera.elevation = -30;
-  return view;
+  return {camera_of(std::nullopt, seen), {}, kPictureWidth, kPictureHeight};
 }
 
 }  // namespace

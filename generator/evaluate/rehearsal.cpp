@@ -121,10 +121,10 @@ bool play(LabRun& run, double seconds,
   return true;
 }
 
-std::vector<LabRunResult> rehearse(const LabBench& bench, WholeView& view) {
+std::vector<LabRunResult> rehearse(const LabBench& bench, WholeView* view) {
   std::vector<LabRunResult> runs;
   // What fails by itself would fail again after every control.
-  std::optional<LabRunResult> alone = run_of(bench, std::nullopt, {}, &view);
+  std::optional<LabRunResult> alone = run_of(bench, std::nullopt, {}, view);
   if (!alone) return runs;
   runs.push_back(*std::move(alone));
   const std::vector<Lab::Control>& controls = bench.lab().controls;

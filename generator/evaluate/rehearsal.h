@@ -15,8 +15,8 @@ namespace mjcourse {
 bool play(LabRun& run, double seconds,
           const std::function<bool(int steps, const std::vector<double>& readouts)>& look);
 
-// Two seconds of every control in every value, and of none, in which `view` sees all that there is.
-// A control that fails is reported, and left out of what is given.
-std::vector<LabRunResult> rehearse(const LabBench& bench, WholeView& view);
+// Two seconds of every control in every value, and of none, in which `view`, which may be null,
+// sees all that there is. A control that fails is reported, and left out of what is given.
+std::vector<LabRunResult> rehearse(const LabBench& bench, WholeView* view);
 
 }  // namespace mjcourse

@@ -35,7 +35,9 @@ std::vector<LocatedText> names_of(const std::vector<Lab::Overlay>& overlays) {
 }
 
 Lab::Camera camera_of(const std::optional<Lab::Camera>& camera, const WholeView& view) {
-  return camera.value_or(Lab::Camera{90, -45, 1.5 * view.extent(), view.center()});
+  if (camera) return *camera;
+  const auto [target, distance] = view.place();
+  return {view.outlook().azimuth, view.outlook().elevation, distance, target};
 }
 
 std::optional<Picture> draw(const Simulation& simulation, const View& view, const std::string& what,

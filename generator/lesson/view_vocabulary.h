@@ -17,7 +17,7 @@ inline constexpr Vocabulary kCamera{"camera", kCameraKeys};
 
 inline constexpr Key kCameraKey{"camera",
                                 KeyKind::object,
-                                "Where it is seen from; without one, all of the model is in sight.",
+                                "Where it is seen from; without one, the whole model is in view.",
                                 Need::none,
                                 {},
                                 &kCamera};

@@ -61,5 +61,13 @@ TEST(Figure, IsTheSameFilmEachTime) {
   EXPECT_NE(film, animated(R"(, "seconds": 0.1, "animate": {"seconds": 0.3, "fps": 10})"));
 }
 
+// Where the ball flies in the film, from the same state.
+TEST(Figure, SeesWhereTheFilmLeads) {
+  const std::string thrown = R"("run": "data.qvel[2] = 4")";
+  EXPECT_NE(png_of(thrown), png_of(thrown + R"(, "animate": {"seconds": 0.3, "fps": 10})"));
+  EXPECT_EQ(png_of(kSide + (", " + thrown)),
+            png_of(kSide + (", " + thrown + R"(, "animate": {"seconds": 0.3, "fps": 10})")));
+}
+
 }  // namespace
 }  // namespace mjcourse
