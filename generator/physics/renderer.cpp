@@ -25,6 +25,22 @@ mjvCamera free_camera(const Camera& camera) {
   return free;
 }
 
+// Says which texture is larger than the current context can hold; "" where none is.
+std::string too_large_texture(const Model& model) {
+  for (int id = 0; id < model->ntex; ++id) {
+    const bool is_flat = model->tex_type[id] == mjTEXTURE_2D;
+    const int width = model->tex_width[id], height = model->tex_height[id];
+    GLint most = 0;
+    glGetIntegerv(is_flat ? GL_MAX_TEXTURE_SIZE : GL_MAX_CUBE_MAP_TEXTURE_SIZE, &most);
+    if ((is_flat ? std::max(width, height) : width) <= most) continue;
+    const std::string name = model.name(mjOBJ_TEXTURE, id);
+    return "its texture " + (name.empty() ? std::to_string(id) : "`" + name + "`") + " has " +
+           std::to_string(width) + " x " + std::to_string(height) +
+           " pixels, and a side may have at most " + std::to_string(most);
+  }
+  return "";
+}
+
 // What the current framebuffer shows, OpenGL's bottom row first turned to the top row first.
 Picture read_picture(PictureSize size, const mjrContext& context) {
   const std::ptrdiff_t row = std::ptrdiff_t{3} * size.width;
@@ -137,6 +153,8 @@ tl::expected<Picture, std::string> Renderer::render(const Simulation& simulation
   const WarningLog log;
   try {
     if (!stage_->suits(simulation.model(), size, detail)) {
+      const std::string too_large = too_large_texture(simulation.model());
+      if (!too_large.empty()) return tl::unexpected(too_large);
       stage_->set(simulation.model(), size, detail);
     }
     if (!stage_->draw(simulation, *options, free_camera(camera), size)) {

@@ -67,8 +67,9 @@ export class Shadows {
     // Where no light has a tile nobody reads the map, and WebGL draws nothing without it all the same.
     renderer.initRenderTarget(target);
     if (casting.length === 0) return;
-    const tile = Math.min(settings.size, largestTile);
     const across = casting.length > 1 ? 2 : 1;
+    const bearable = Math.floor(renderer.capabilities.maxTextureSize / across);
+    const tile = Math.min(settings.size, largestTile, bearable);
     if (target.width < tile * across) target.setSize(tile * across, tile * across);
     uniforms.shadowTexel.value = 1 / target.width;
 

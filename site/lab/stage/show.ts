@@ -14,7 +14,7 @@ import { Mirror } from "./mirror.js";
 import { ModelFields } from "./model-fields.js";
 import type { Shadows, ShadowSettings } from "./shadows.js";
 import { Sky } from "./sky.js";
-import { Textures } from "./textures.js";
+import { type TextureLimits, Textures } from "./textures.js";
 
 /** The size of a picture, and how many of its pixels are one of the page's. */
 export interface Frame {
@@ -45,6 +45,7 @@ export class Show {
   constructor(
     simulation: Simulation,
     private readonly shadows: Shadows,
+    limits: TextureLimits,
   ) {
     const model = new ModelFields(simulation);
     this.line = 1.5 * model.number("vis.global.linewidth");
@@ -60,7 +61,7 @@ export class Show {
     };
     const { lights, gaze, lineWidth } = this;
     const uniforms = { ...lights.uniforms, ...shadows.uniforms, ...gaze.uniforms, lineWidth };
-    this.textures = new Textures(model);
+    this.textures = new Textures(model, limits);
     this.kinds = new Kinds(model, this.textures, quality);
     this.materials = new Materials(uniforms);
     this.cast = new Cast(this.kinds, this.materials, model.array("geom_rbound").slice());

@@ -7,6 +7,7 @@ import { setConsoleFunction, WebGLRenderer } from "three";
 
 import { Shadows } from "./shadows.js";
 import type { Frame } from "./show.js";
+import type { TextureLimits } from "./textures.js";
 
 /** The browser does not draw with WebGL 2: labs stay pictures. */
 export class StageError extends Error {
@@ -19,8 +20,12 @@ export class Stage {
   onRestored: () => void = () => undefined;
   /** @internal */
   readonly shadows = new Shadows();
+  /** @internal */
+  readonly limits: TextureLimits;
 
   private constructor(private readonly renderer: WebGLRenderer) {
+    const { maxTextureSize, maxCubemapSize } = renderer.capabilities;
+    this.limits = { flat: maxTextureSize, cube: maxCubemapSize };
     renderer.autoClear = false;
     renderer.domElement.addEventListener("webglcontextlost", this.lose);
     renderer.domElement.addEventListener("webglcontextrestored", this.restore);

@@ -15,11 +15,26 @@ import type { ModelFields } from "./model-fields.js";
 const flat = 0;
 const skybox = 2;
 
+/** Pixels that a side may have in this browser. */
+export interface TextureLimits {
+  readonly flat: number;
+  readonly cube: number;
+}
+
+interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
 export class Textures {
   private readonly types: Numbers;
   private readonly made = new Map<number, Texture>();
 
-  constructor(private readonly model: ModelFields) {
+  /** What is larger than `limits` is shrunk. */
+  constructor(
+    private readonly model: ModelFields,
+    private readonly limits: TextureLimits,
+  ) {
     this.types = model.array("tex_type").slice();
   }
 
@@ -51,8 +66,10 @@ export class Textures {
   }
 
   private picture(id: number): Texture {
-    const { width, height } = this.size(id);
-    const texture = new DataTexture(this.pixels(id, 0, width * height), width, height);
+    const size = this.size(id);
+    const { flat: limit } = this.limits;
+    const to = { width: Math.min(size.width, limit), height: Math.min(size.height, limit) };
+    const texture = new DataTexture(shrink(this.rgb(id, 0), size, to), to.width, to.height);
     texture.wrapS = texture.wrapT = RepeatWrapping;
     return texture;
   }
@@ -60,30 +77,57 @@ export class Textures {
   /** A square is every side; else the six lie one below the other. */
   private cube(id: number): Texture {
     const { width, height } = this.size(id);
-    const step = width === height ? 0 : width * width;
+    const count = width === height ? 1 : 6;
+    const edge = Math.min(width, this.limits.cube);
+    const [from, to] = [squareOf(width), squareOf(edge)];
     const sides = Array.from(
-      { length: 6 },
-      (_, side) => new DataTexture(this.pixels(id, side * step, width * width), width, width),
+      { length: count },
+      (_, side) =>
+        new DataTexture(shrink(this.rgb(id, side * width * width), from, to), edge, edge),
     );
     for (const side of sides) side.needsUpdate = true;
-    return new CubeTexture(sides);
+    return new CubeTexture(Array.from({ length: 6 }, (_, side) => sides[side % count]!));
   }
 
-  private size(id: number) {
+  private size(id: number): Size {
     const [width, height] = ["tex_width", "tex_height"].map((name) => this.model.array(name)[id]!);
     return { width: width!, height: height! };
   }
 
-  /** `count` pixels from number `first` on, with an alpha, which WebGL wants and MuJoCo has not. */
-  private pixels(id: number, first: number, count: number): Uint8Array<ArrayBuffer> {
-    const rgb = this.model.array("tex_rgb").subarray(this.model.array("tex_adr")[id]! + 3 * first);
-    const rgba = new Uint8Array(4 * count);
-    for (let i = 0; i < count; i++) {
-      rgba[4 * i] = rgb[3 * i]!;
-      rgba[4 * i + 1] = rgb[3 * i + 1]!;
-      rgba[4 * i + 2] = rgb[3 * i + 2]!;
-      rgba[4 * i + 3] = 255;
-    }
-    return rgba;
+  /** From pixel `first` on. */
+  private rgb(id: number, first: number): Numbers {
+    return this.model.array("tex_rgb").subarray(this.model.array("tex_adr")[id]! + 3 * first);
   }
+}
+
+function squareOf(width: number): Size {
+  return { width, height: width };
+}
+
+/** A picture in another size, which is no larger: each pixel is the mean of those that it stands for,
+ * with an alpha, which WebGL wants and MuJoCo has not. */
+function shrink(rgb: Numbers, from: Size, to: Size): Uint8Array<ArrayBuffer> {
+  const rgba = new Uint8Array(4 * to.width * to.height).fill(255);
+  const columns = boundaries(from.width, to.width);
+  const rows = boundaries(from.height, to.height);
+  for (let y = 0; y < to.height; y++) {
+    for (let x = 0; x < to.width; x++) {
+      const count = (rows[y + 1]! - rows[y]!) * (columns[x + 1]! - columns[x]!);
+      for (let channel = 0; channel < 3; channel++) {
+        let sum = 0;
+        for (let row = rows[y]!; row < rows[y + 1]!; row++) {
+          for (let column = columns[x]!; column < columns[x + 1]!; column++) {
+            sum += rgb[3 * (row * from.width + column) + channel]!;
+          }
+        }
+        rgba[4 * (y * to.width + x) + channel] = Math.round(sum / count);
+      }
+    }
+  }
+  return rgba;
+}
+
+/** Where each of `to` parts of a row of `from` pixels begins, and where the last one ends. */
+function boundaries(from: number, to: number): number[] {
+  return Array.from({ length: to + 1 }, (_, part) => Math.floor((part * from) / to));
 }

@@ -23,7 +23,7 @@ export class View {
     private scene: Scene,
   ) {
     this.context = canvas.getContext("2d")!;
-    this.show = new Show(simulation, stage.shadows);
+    this.show = new Show(simulation, stage.shadows, stage.limits);
   }
 
   /**
@@ -42,7 +42,7 @@ export class View {
   /** After another model was compiled. */
   replace(simulation: Simulation, scene: Scene): void {
     this.show.dispose();
-    this.show = new Show(simulation, this.stage.shadows);
+    this.show = new Show(simulation, this.stage.shadows, this.stage.limits);
     this.scene = scene;
   }
 
@@ -52,7 +52,8 @@ export class View {
 
   private frame(): Frame {
     const { clientWidth, clientHeight } = this.canvas;
-    const density = Math.min(devicePixelRatio, highestDensity);
+    const fits = this.stage.limits.flat / Math.max(clientWidth, clientHeight);
+    const density = Math.min(devicePixelRatio, highestDensity, fits);
     return {
       width: Math.round(clientWidth * density),
       height: Math.round(clientHeight * density),

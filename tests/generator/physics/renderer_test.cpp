@@ -195,6 +195,11 @@ TEST_F(RendererTest, SaysWhyItCannot) {
   EXPECT_FALSE(renderer_.render(simulation, {}, {}, {10, 100000}).has_value());
   EXPECT_EQ(renderer_.render(simulate(long_tendon(160000)), {}, {}, {10, 10}).error(),
             "it has more than 160000 shapes; geoms in a `group` above 2 are not drawn");
+  const std::string wide =
+      "<mujoco><asset><texture name='wide' type='2d' builtin='flat' width='40000' height='2'/>"
+      "</asset><worldbody><geom size='1'/></worldbody></mujoco>";
+  EXPECT_EQ(renderer_.render(simulate(wide), {}, {}, {10, 10}).error(),
+            "its texture `wide` has 40000 x 2 pixels, and a side may have at most 16384");
 }
 
 }  // namespace

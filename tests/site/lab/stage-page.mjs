@@ -9,9 +9,31 @@ let webgl;
 const { getContext } = HTMLCanvasElement.prototype;
 HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
   const context = getContext.call(this, kind, ...rest);
-  if (kind === "webgl2") webgl = context;
+  if (kind === "webgl2") webgl ??= context;
   return context;
 };
+
+// Makes a browser whose textures may have no more than `limits` pixels a side: larger ones are refused,
+// as WebGL does. Gives a function that makes it what it was.
+function lower({ flat, cube }) {
+  const { prototype } = WebGL2RenderingContext;
+  const { MAX_TEXTURE_SIZE, MAX_CUBE_MAP_TEXTURE_SIZE, TEXTURE_CUBE_MAP } = prototype;
+  const { getParameter, texStorage2D, texImage2D } = prototype;
+  const limitOf = (target) => (target === TEXTURE_CUBE_MAP ? cube : flat);
+  prototype.getParameter = function (name) {
+    if (name === MAX_TEXTURE_SIZE) return flat;
+    return name === MAX_CUBE_MAP_TEXTURE_SIZE ? cube : getParameter.call(this, name);
+  };
+  prototype.texStorage2D = function (target, levels, format, width, height) {
+    if (Math.max(width, height) > limitOf(target)) return;
+    texStorage2D.call(this, target, levels, format, width, height);
+  };
+  prototype.texImage2D = function (target, level, format, width, height, ...rest) {
+    if (Math.max(width, height) > limitOf(target)) return;
+    texImage2D.call(this, target, level, format, width, height, ...rest);
+  };
+  return () => Object.assign(prototype, { getParameter, texStorage2D, texImage2D });
+}
 
 const stage = Stage.open();
 const canvas = document.querySelector("canvas");
@@ -129,6 +151,26 @@ async function loseContext() {
   return { events, wasLost, isLost: stage.lost, kept, again };
 }
 
+// What these limits change of the picture, and the canvas of a lab that is larger than they are.
+async function compareUnder(limits) {
+  draw();
+  const free = pixels(canvas);
+  const raise = lower(limits);
+  const modest = Stage.open();
+  const modestView = new View(modest, canvas, simulation, scene);
+  modestView.draw();
+  const change = difference(free, pixels(canvas));
+  const before = [canvas.style.width, canvas.style.height].map(parseFloat);
+  resize(limits.flat, limits.flat / 2);
+  modestView.draw();
+  const size = [canvas.width, canvas.height];
+  resize(...before);
+  modestView.dispose();
+  modest.dispose();
+  raise();
+  return { ...change, size };
+}
+
 // Milliseconds of script for a frame, as a rule.
 async function drawingTime() {
   const times = [];
@@ -151,5 +193,5 @@ Object.assign(window, {
   overlayChanges,
   ghostChanges,
 });
-Object.assign(window, { withOverlays, growMemory, loseContext, drawingTime });
+Object.assign(window, { withOverlays, growMemory, loseContext, compareUnder, drawingTime });
 window.overlays = () => scene.overlays;

@@ -79,6 +79,7 @@ async function testStage(visitor, labs) {
     await tryOverlays(page, expect);
     await tryGhost(page, shapes, expect);
     await trySizesAndMemory(page, shapes, expect);
+    await tryLimits(page, shapes, expect);
     await tryLoss(page, expect);
     const time = await page.evaluate(() => window.drawingTime());
     console.log(`a frame takes ${time.toFixed(1)} ms of script`);
@@ -125,6 +126,29 @@ async function trySizesAndMemory(page, { width, height, poster }, expect) {
   // MuJoCo moves an infinite plane to where the camera was before: from the second frame on the
   // corners of the plane, and the light on them, are elsewhere.
   expect(mean <= 2 * closest.mean, `after other sizes, and in moved memory, it is off by ${mean}`);
+}
+
+// A phone's limits, made small: the cube and the sky have 128 pixels a side, the grid 256, and the
+// shadows of two lights 4096.
+async function tryLimits(page, { width, height }, expect) {
+  const { mean, far, size } = await page.evaluate(
+    ([wide, high]) => {
+      window.resize(wide / 8, high / 8);
+      return window.compareUnder({ flat: 200, cube: 50 });
+    },
+    [width, height],
+  );
+  await page.evaluate(
+    ([wide, high]) => {
+      window.resize(wide / 2, high / 2);
+      window.draw();
+    },
+    [width, height],
+  );
+  const found = `mean difference ${mean.toFixed(2)}, ${(100 * far).toFixed(2)} % of pixels far off`;
+  console.log(`with small textures: ${found}`);
+  expect(mean <= 5 && far <= 0.05, `with small textures: ${found}`);
+  expect(size.join() === "200,100", `a large canvas has ${size.join(" x ")} pixels, of 200`);
 }
 
 async function tryLoss(page, expect) {
