@@ -6,6 +6,7 @@
 
 #include "base/nearest.h"
 #include "base/our_command.h"
+#include "page/course_data.h"
 
 namespace mjcourse {
 namespace {

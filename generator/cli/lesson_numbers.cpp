@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "page/course_data.h"
+
 namespace mjcourse {
 
 std::vector<LessonName> LessonNumbers::lessons_of(const ListedLevel& level) const {

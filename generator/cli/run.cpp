@@ -19,6 +19,7 @@
 #include "course/web_address.h"
 #include "evaluate/work_loop.h"
 #include "evaluate/worker.h"
+#include "page/course_data.h"
 #include "page/foreign_files.h"
 #include "physics/mesa.h"
 

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "evaluate/versions.h"
 #include "findings/result.h"
+#include "findings/versions.h"
 #include "lesson/lesson.h"
 
 namespace mjcourse {

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "evaluate/claim_sources.h"
-#include "evaluate/evaluate.h"
+#include "findings/evaluation.h"
 
 namespace mjcourse {
 

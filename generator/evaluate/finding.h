@@ -5,7 +5,7 @@
 #include <map>
 #include <optional>
 
-#include "evaluate/model_page.h"
+#include "findings/model_page.h"
 #include "findings/result.h"
 #include "report/diagnostic.h"
 

@@ -14,8 +14,8 @@
 #include <vector>
 
 #include "evaluate/claim_sources.h"
-#include "evaluate/evaluate.h"
 #include "evaluate/fence_extent.h"
+#include "findings/evaluation.h"
 
 namespace mjcourse {
 

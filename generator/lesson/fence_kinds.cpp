@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "lesson/json_fences.h"
 #include "lesson/read_unchecked.h"
-#include "lesson/vocabulary.h"
 
 namespace mjcourse {
 

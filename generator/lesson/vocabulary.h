@@ -7,7 +7,7 @@
 // made of it (page/json_schema.h), and whatever an editor is told. So no two of these can say
 // different things.
 //
-// Enter at vocabulary_of("lab"); the tables are in lab_vocabulary.h and its like.
+// Enter at vocabulary_of("lab") (json_fences.h); the tables are in lab_vocabulary.h and its like.
 #pragma once
 
 #include <limits>
@@ -83,17 +83,5 @@ struct Vocabulary {
   const Key* find(std::string_view key) const;
   const Vocabulary* variant(std::string_view word) const;
 };
-
-// A fence whose body is such an object.
-struct JsonFence {
-  std::string_view name;    // "lab"
-  std::string_view opened;  // as it is written: "lab simlab"
-  const Vocabulary* vocabulary;
-};
-
-std::span<const JsonFence> json_fences();
-
-// Of the fence of that name; null where it holds no JSON.
-const Vocabulary* vocabulary_of(std::string_view fence);
 
 }  // namespace mjcourse

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "lesson/json_fences.h"
+
 namespace mjcourse {
 namespace {
 

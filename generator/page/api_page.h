@@ -8,8 +8,6 @@
 
 namespace mjcourse {
 
-inline constexpr const char* kApiTitle = "MuJoCo’s names";
-
 // The page's body; `press` writes api.html.
 std::string api_page(const Course& course, const Evaluation& evaluation, const Press& press);
 

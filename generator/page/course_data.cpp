@@ -6,9 +6,6 @@
 
 #include "course/link_target.h"
 #include "page/anchors.h"
-#include "page/api_page.h"
-#include "page/gallery_page.h"
-#include "page/learner_pages.h"
 #include "page/site_paths.h"
 
 namespace mjcourse {

@@ -11,8 +11,6 @@
 #include "base/content_hash.h"
 #include "base/parallel.h"
 #include "base/sha256.h"
-#include "page/learner_pages.h"
-#include "page/search_index.h"
 #include "page/site_paths.h"
 
 namespace mjcourse {

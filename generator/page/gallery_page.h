@@ -8,9 +8,6 @@
 
 namespace mjcourse {
 
-inline constexpr const char* kGalleryPage = "models.html";
-inline constexpr const char* kGalleryTitle = "Models";
-
 // The page's body; `press` writes models.html.
 std::string gallery_page(const Course& course, const Evaluation& evaluation, const Press& press);
 

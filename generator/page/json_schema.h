@@ -10,7 +10,7 @@
 #include <string>
 
 #include "lesson/plot_grammar.h"
-#include "lesson/vocabulary.h"
+#include "lesson/json_fences.h"
 
 namespace mjcourse {
 

@@ -6,7 +6,6 @@
 #include "page/page_writer.h"
 #include "page/site_paths.h"
 #include "page/still_data.h"
-#include "page/web_place.h"
 
 namespace mjcourse {
 namespace {

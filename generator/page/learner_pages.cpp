@@ -6,6 +6,8 @@
 #include "base/content_hash.h"
 #include "page/course_data.h"
 #include "page/placeholder.h"
+#include "page/site_data.h"
+#include "page/site_paths.h"
 
 namespace mjcourse {
 namespace {

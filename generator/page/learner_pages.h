@@ -9,15 +9,9 @@
 
 #include "page/lesson_parts.h"
 #include "page/page_press.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
-
-inline constexpr const char* kProgressTitle = "Your progress";
-inline constexpr const char* kProgressPage = "progress.html";
-inline constexpr const char* kReviewTitle = "Review";
-inline constexpr const char* kReviewPage = "review.html";
-inline constexpr const char* kKeptTitle = "On this device";
-inline constexpr const char* kKeptPage = "offline.html";
 
 // `parts` are those of the lessons, by their index.
 void write_progress(const SiteData& site, const std::vector<LessonParts>& parts, PagePress& press,

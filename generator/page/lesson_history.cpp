@@ -3,6 +3,7 @@
 #include <array>
 
 #include "course/web_address.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
 

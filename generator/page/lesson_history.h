@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "page/page_press.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
 

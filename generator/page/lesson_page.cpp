@@ -7,6 +7,8 @@
 #include "page/lesson_history.h"
 #include "page/moved_html.h"
 #include "page/placeholder.h"
+#include "page/site_data.h"
+#include "page/site_paths.h"
 #include "page/verification.h"
 
 namespace mjcourse {

@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <string>
 
-#include "page/page_press.h"
+#include "page/page_writer.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
 

@@ -7,7 +7,8 @@
 
 #include "page/course_data.h"
 #include "page/placeholder.h"
-#include "page/printed_course.h"
+#include "page/site_data.h"
+#include "page/site_paths.h"
 #include "page/verification.h"
 #include "page/verification_page.h"
 

@@ -5,6 +5,7 @@
 
 #include "page/lesson_parts.h"
 #include "page/page_press.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
 

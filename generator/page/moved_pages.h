@@ -1,10 +1,10 @@
+
+#include "page/site_data.h"
 // The pages at the former addresses of lessons, which lead to where these are now.
 //
 // A site of files cannot answer with a redirect, so each is a small page that sends its reader on:
 // by a script, which keeps the heading that was linked to; without it, by a refresh; and in words.
 #pragma once
-
-#include "page/page_press.h"
 
 namespace mjcourse {
 

@@ -8,6 +8,7 @@
 #include "page/course_data.h"
 #include "page/page_fonts.h"
 #include "page/placeholder.h"
+#include "page/site_data.h"
 #include "page/web_place.h"
 #include "script/known_scripts.h"
 

@@ -2,7 +2,7 @@
 //
 // Enter with write(), which puts a body into the frame that all pages have. Script engines serve
 // one thread each, so every thread that writes pages has a press of its own; what they share
-// (SiteData) they only read.
+// (site_data.h) they only read.
 #pragma once
 
 #include <functional>
@@ -16,42 +16,12 @@
 #include "course/course.h"
 #include "course/last_changed.h"
 #include "findings/evaluation.h"
-#include "page/course_data.h"
 #include "page/lesson_pictures.h"
 #include "page/page_writer.h"
+#include "page/site_data.h"
 #include "page/site_files.h"
 
 namespace mjcourse {
-
-// The claims of a lesson that rested as a card (lesson/resting_lesson.h) and was woken.
-using CardClaims = std::function<Claims(const Lesson&)>;
-
-struct SiteData {
-  const Course& course;
-  const Evaluation& evaluation;
-  const Files& files;                              // the course's
-  const Files& assets;                             // what the site's build made
-  nlohmann::json manifest;                         // the way from a plain name to a path
-  std::map<std::string, std::string> definitions;  // of the glossary's terms
-  bool places = false;                             // pages tell of which lines they are made
-  std::string theme = {};                          // the course's own stylesheet; "" for none
-  LastChanges changes = {};                        // of the lessons' files, as far as git knows
-  bool asks = has_questions(course);               // some published lesson does
-  bool feed = false;                               // it has one (page/web_files.h)
-  CardClaims claims_of_card = {};                  // of lessons that rest as cards
-  bool prints = true;                              // it has print.html (page/printed_course.h)
-};
-
-// What the frame says of a page.
-struct PageHead {
-  std::string kind;  // "home", "lesson", "glossary" …
-  std::string title;
-  std::string description;
-  std::string root = {};                      // the way from the page to the site's root: "../"
-  const Lesson* current = nullptr;            // the lesson whose page it is
-  std::optional<SharedPicture> picture = {};  // of the page, for those who show a link to it
-  bool anywhere = false;                      // it is shown at any address, whatever its depth
-};
 
 // Pieces of a body, which has a mark in their place.
 struct PagePart {

@@ -12,10 +12,10 @@
 #include "page/lesson_page.h"
 #include "page/lesson_parts.h"
 #include "page/page_press.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
 
-inline constexpr const char* kPrintPage = "print.html";
 inline constexpr std::size_t kMostPrinted = 8 << 20;
 
 // How long the document is so far. Lessons add to it on several threads and in any order; once it

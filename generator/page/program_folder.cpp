@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lesson/linked_libraries.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
 namespace {

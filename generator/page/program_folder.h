@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "page/page_press.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
 

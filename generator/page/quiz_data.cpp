@@ -6,6 +6,7 @@
 #include "page/anchors.h"
 #include "page/page_writer.h"
 #include "page/shuffled.h"
+#include "page/site_paths.h"
 #include "page/verification.h"
 
 namespace mjcourse {

@@ -8,6 +8,7 @@
 #include "page/anchors.h"
 #include "page/page_writer.h"
 #include "page/site_directory.h"
+#include "page/site_paths.h"
 #include "page/verification.h"
 #include "page/verification_page.h"
 #include "report/terminal.h"

@@ -7,8 +7,8 @@
 
 #include "base/content_hash.h"
 #include "course/link_target.h"
-#include "page/api_page.h"
 #include "page/search_text.h"
+#include "page/site_data.h"
 #include "page/site_paths.h"
 
 namespace mjcourse {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "page/lesson_parts.h"
-#include "page/page_press.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
 
@@ -20,9 +20,6 @@ namespace mjcourse {
 // has of each lesson an equal share: its titles, and the beginnings of its sections.
 inline constexpr std::size_t kMostSearchText = 8 << 20;
 std::size_t search_share(const Course& course);  // of one lesson
-
-inline constexpr const char* kSearchScript = "search.js";
-inline constexpr const char* kSearchPage = "search.html";  // ?q=WORDS
 
 // The index's piece of `lesson`, which has at most so many bytes of text; its hash goes with it.
 void add_search_part(const Lesson& lesson, const LessonResults& results, std::size_t most,

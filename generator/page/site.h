@@ -13,7 +13,7 @@
 #include "course/course.h"
 #include "course/last_changed.h"
 #include "findings/evaluation.h"
-#include "page/page_press.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
 

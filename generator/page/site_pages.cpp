@@ -7,8 +7,8 @@
 
 #include "base/content_hash.h"
 #include "course/link_target.h"
+#include "lesson/json_fences.h"
 #include "page/api_page.h"
-#include "page/course_data.h"
 #include "page/gallery_page.h"
 #include "page/glossary_page.h"
 #include "page/json_schema.h"
@@ -20,6 +20,7 @@
 #include "page/printed_course.h"
 #include "page/program_folder.h"
 #include "page/search_index.h"
+#include "page/site_data.h"
 #include "page/site_paths.h"
 #include "page/themed_assets.h"
 #include "page/web_files.h"

@@ -12,6 +12,7 @@
 #include "page/lesson_parts.h"
 #include "page/page_press.h"
 #include "page/printed_course.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
 

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <string_view>
 
+#include "course/web_address.h"
+
 namespace mjcourse {
 
 // What is no ASCII stays as it is, since browsers take it so, and since readers' progress is kept
@@ -53,6 +55,11 @@ std::string program_zip_path(const Example& example, const ExampleResult* result
   if (result == nullptr || !example.compiles) return "";
   const std::string& file = example.file.text;
   return file.substr(0, file.rfind('.')) + ".zip";
+}
+
+std::string web_address(const Course& course, const std::string& path) {
+  if (course.url.empty()) return "";
+  return course.url + (path == "index.html" ? "" : escaped_path(path));
 }
 
 }  // namespace mjcourse

@@ -1,10 +1,11 @@
-// Where a lesson's files lie on the site, each below its root. Where a page leads to one of them,
-// or to any other file of the site, it says its address.
+// Where the pages and files of a site lie, each below its root, and what its own pages are called.
+// Where a page leads to one of them it says its address.
 #pragma once
 
 #include <cstddef>
 #include <string>
 
+#include "course/course.h"
 #include "findings/result.h"
 #include "lesson/lesson.h"
 
@@ -24,5 +25,26 @@ std::string image_path(const Lesson& lesson, const Image& image, const ImageResu
 std::string block_path(const Lesson& lesson, std::size_t index);
 // The zip that builds a program by itself; "" of one that did not run, or must not compile.
 std::string program_zip_path(const Example& example, const ExampleResult* result);
+
+// The pages that explain the course, and what stands beside them.
+inline constexpr const char* kApiTitle = "MuJoCo’s names";
+inline constexpr const char* kGalleryPage = "models.html";
+inline constexpr const char* kGalleryTitle = "Models";
+inline constexpr const char* kProgressPage = "progress.html";
+inline constexpr const char* kProgressTitle = "Your progress";
+inline constexpr const char* kReviewPage = "review.html";
+inline constexpr const char* kReviewTitle = "Review";
+inline constexpr const char* kKeptPage = "offline.html";
+inline constexpr const char* kKeptTitle = "On this device";
+inline constexpr const char* kPrintPage = "print.html";
+inline constexpr const char* kSearchPage = "search.html";  // ?q=WORDS
+inline constexpr const char* kSearchScript = "search.js";
+inline constexpr const char* kVerificationPage = "verification.html";
+inline constexpr const char* kVerificationJson = "verification.json";
+inline constexpr const char* kFeed = "feed.xml";
+inline constexpr const char* kOpenSearch = "opensearch.xml";
+
+// Where the page or file `path` of the site is published; "" where the course has no address.
+std::string web_address(const Course& course, const std::string& path);
 
 }  // namespace mjcourse

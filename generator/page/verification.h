@@ -11,10 +11,6 @@
 
 namespace mjcourse {
 
-// The file of it, beside the page.
-inline constexpr const char* kVerificationPage = "verification.html";
-inline constexpr const char* kVerificationJson = "verification.json";
-
 // What a site publishes: the claims of every lesson but the drafts. The same for the same inputs.
 nlohmann::json published_verification(const Course& course, const Evaluation& evaluation);
 

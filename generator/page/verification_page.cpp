@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "page/site_paths.h"
 #include "page/verification.h"
 
 namespace mjcourse {

@@ -4,15 +4,11 @@
 #include <utility>
 
 #include "course/link_target.h"
-#include "page/course_data.h"
-#include "page/gallery_page.h"
-#include "page/learner_pages.h"
-#include "page/printed_course.h"
-#include "page/search_index.h"
+#include "page/lesson_history.h"
 #include "page/search_text.h"
+#include "page/site_data.h"
 #include "page/site_paths.h"
 #include "page/verification.h"
-#include "page/web_place.h"
 
 namespace mjcourse {
 namespace {

@@ -5,14 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "page/lesson_history.h"
 #include "page/lesson_parts.h"
-#include "page/page_press.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
-
-inline constexpr const char* kFeed = "feed.xml";
-inline constexpr const char* kOpenSearch = "opensearch.xml";
 
 // Whether there is a lesson to tell of: one whose last change is known.
 bool has_feed(const SiteData& site);

@@ -1,16 +1,13 @@
 #include "page/web_place.h"
 
-#include "course/web_address.h"
 #include "page/lesson_history.h"
-#include "page/web_files.h"
+#include "page/site_paths.h"
 
 namespace mjcourse {
 
 using nlohmann::json;
 
 namespace {
-
-constexpr const char* kHome = "index.html";
 
 // Inside of a script element, which ends at the first `</script`, whatever is around that.
 std::string embedded(const json& data) {
@@ -35,7 +32,7 @@ std::string facts_of(const SiteData& site, const std::string& address, const Pag
   facts["@type"] = "LearningResource";
   facts["learningResourceType"] = "lesson";
   facts["isPartOf"] = {
-      {"@type", "Course"}, {"name", course.title}, {"url", web_address(course, kHome)}};
+      {"@type", "Course"}, {"name", course.title}, {"url", web_address(course, "index.html")}};
   if (const auto minutes = head.current->front.minutes) {
     facts["timeRequired"] = "PT" + std::to_string(*minutes) + "M";
   }
@@ -53,11 +50,6 @@ json picture_data(const Course& course, const SharedPicture& picture) {
 }
 
 }  // namespace
-
-std::string web_address(const Course& course, const std::string& path) {
-  if (course.url.empty()) return "";
-  return course.url + (path == kHome ? "" : escaped_path(path));
-}
 
 json web_place(const SiteData& site, const std::string& path, const PageHead& head) {
   const std::string address = head.anywhere ? "" : web_address(site.course, path);

@@ -7,12 +7,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "page/page_press.h"
+#include "page/site_data.h"
 
 namespace mjcourse {
-
-// Where the page or file `path` of the site is published; "" where the course has no address.
-std::string web_address(const Course& course, const std::string& path);
 
 // As place.hbs wants it, of the page `path`.
 nlohmann::json web_place(const SiteData& site, const std::string& path, const PageHead& head);

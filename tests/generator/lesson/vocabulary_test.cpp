@@ -1,4 +1,4 @@
-#include "lesson/vocabulary.h"
+#include "lesson/json_fences.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
+#include "lesson/json_fences.h"
 
 namespace mjcourse {
 namespace {

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "base/files.h"
-#include "script/known_scripts.h"
 #include "page/page_writer.h"
 #include "reading_of.h"
+#include "script/known_scripts.h"
 
 namespace mjcourse {
 

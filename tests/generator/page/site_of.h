@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/files.h"
-#include "page/page_press.h"
+#include "page/site_data.h"
 #include "reading_of.h"
 
 namespace mjcourse {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "page/anchors.h"
+#include "page/course_data.h"
 #include "page/page_fixture.h"
 #include "page/verification.h"
 

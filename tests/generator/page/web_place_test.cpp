@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "page/site_data.h"
 #include "site_of.h"
 
 namespace mjcourse {
