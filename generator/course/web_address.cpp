@@ -1,8 +1,9 @@
 #include "course/web_address.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
+
+#include "base/percent_encoding.h"
 
 namespace mjcourse {
 namespace {
@@ -17,10 +18,6 @@ bool is_one_of(char c, std::string_view some) {
 // As ASCII has them: the user's language must not matter.
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
-
-bool is_hex(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F');
 }
 
 // Where the host begins; 0 where `url` is no address of the web.
@@ -40,19 +37,9 @@ bool is_port(std::string_view text) {
          port <= kLastPort;
 }
 
-// With its bytes where they are neither plain nor one of `more`.
+// With its bytes where they are neither unreserved nor one of `more`.
 std::string escaped(std::string_view text, std::string_view more) {
-  constexpr std::array<char, 17> kDigits{"0123456789ABCDEF"};
-  std::string address;
-  for (const char c : text) {
-    if (is_plain(c) || is_one_of(c, "-._~") || is_one_of(c, more)) {
-      address += c;
-    } else {
-      const auto byte = static_cast<unsigned char>(c);
-      address += {'%', kDigits.at(byte >> 4), kDigits.at(byte & 15)};
-    }
-  }
-  return address;
+  return percent_encoded(text, [&](char c) { return is_unreserved(c) || is_one_of(c, more); });
 }
 
 // A name or a number, with a port behind it or without.
@@ -70,10 +57,8 @@ constexpr std::string_view kReserved = "/:@!$&'()*+,;=?#%";
 
 // What is escaped has two digits behind its `%`.
 bool stands_in_address(std::string_view url, std::size_t at) {
-  if (url[at] == '%') {
-    return at + 2 < url.size() && is_hex(url[at + 1]) && is_hex(url[at + 2]);
-  }
-  return is_plain(url[at]) || is_one_of(url[at], "-._~") || is_one_of(url[at], kReserved);
+  if (url[at] == '%') return encoded_byte(url, at).has_value();
+  return is_unreserved(url[at]) || is_one_of(url[at], kReserved);
 }
 
 std::optional<AddressFault> address_fault(std::string_view url) {

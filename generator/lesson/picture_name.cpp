@@ -3,26 +3,21 @@
 #include <re2/re2.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 #include <string_view>
 
+#include "base/percent_encoding.h"
 #include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
 
-constexpr std::size_t kEscape = 3;  // "%20"
-
 // The byte that the escape at `at` stands for; nothing where there is none, or where no name has
 // such a byte.
 std::optional<char> escaped_byte(std::string_view text, std::size_t at) {
-  if (text[at] != '%' || at + kEscape > text.size()) return std::nullopt;
-  unsigned byte = 0;
-  const char* end = text.data() + at + kEscape;
-  if (std::from_chars(text.data() + at + 1, end, byte, 16).ptr != end) return std::nullopt;
-  if (byte < 0x20 || byte == 0x7F) return std::nullopt;
-  return static_cast<char>(byte);
+  const std::optional<char> byte = encoded_byte(text, at);
+  const auto number = static_cast<unsigned char>(byte.value_or('\0'));
+  return number < 0x20 || number == 0x7F ? std::nullopt : byte;
 }
 
 }  // namespace
@@ -33,7 +28,7 @@ LocatedText file_of_target(const LocatedText& target) {
     const std::optional<char> byte = escaped_byte(target.text, at);
     file.text += byte.value_or(target.text[at]);
     file.offsets.push_back(target.span(at, at).begin);
-    at += byte ? kEscape : 1;
+    at += byte ? kEncodedByte : 1;
   }
   if (find_invalid_utf8(file.text)) return target;
   file.offsets.push_back(target.span().end);

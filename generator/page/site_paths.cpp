@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "base/percent_encoding.h"
 #include "course/web_address.h"
 
 namespace mjcourse {
@@ -12,17 +13,10 @@ namespace mjcourse {
 // under these names.
 std::string site_address(const std::string& path) {
   constexpr std::string_view escaped = "\"#%&':<>?\\^`{|}";
-  constexpr std::string_view digits = "0123456789ABCDEF";
-  std::string address;
-  for (const char c : path) {
+  return percent_encoded(path, [&](char c) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte > ' ' && byte != 0x7F && escaped.find(c) == escaped.npos) {
-      address += c;
-    } else {
-      address += {'%', digits[byte >> 4], digits[byte & 15]};
-    }
-  }
-  return address;
+    return byte > ' ' && byte != 0x7F && escaped.find(c) == escaped.npos;
+  });
 }
 
 std::string way_to_root(const std::string& path) {

@@ -2,6 +2,7 @@
 
 #include <string_view>
 
+#include "base/percent_encoding.h"
 #include "base/utf8.h"
 #include "report/other_tools.h"
 

@@ -8,20 +8,6 @@ std::string course_path(const std::string& folder, const std::string& file) {
   return (std::filesystem::path(folder) / file).lexically_normal().generic_string();
 }
 
-std::string percent_encoded(std::string_view text, const std::function<bool(char)>& plain) {
-  constexpr std::string_view digits = "0123456789ABCDEF";
-  std::string encoded;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (plain(c)) {
-      encoded += c;
-    } else {
-      encoded += {'%', digits[byte / 16], digits[byte % 16]};
-    }
-  }
-  return encoded;
-}
-
 std::string message_with_cure(const Diagnostic& diagnostic) {
   std::string text = diagnostic.message;
   if (!diagnostic.detail.empty()) {

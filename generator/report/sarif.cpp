@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/percent_encoding.h"
 #include "report/meaning.h"
 #include "report/other_tools.h"
 
@@ -17,11 +18,9 @@ constexpr const char* kSchema = "https://json.schemastore.org/sarif-2.1.0.json";
 
 // A path as a relative reference (RFC 3986).
 std::string uri_of(const std::string& path) {
-  constexpr std::string_view marks = "-._~/!$&'()*+,;=@";
-  return percent_encoded(path, [&](char c) {
-    const bool is_word = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    return is_word || marks.find(c) != marks.npos;
-  });
+  constexpr std::string_view marks = "/!$&'()*+,;=@";
+  return percent_encoded(path,
+                         [&](char c) { return is_unreserved(c) || marks.find(c) != marks.npos; });
 }
 
 class Sarif {
