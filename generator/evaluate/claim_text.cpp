@@ -1,10 +1,10 @@
 #include "evaluate/claim_text.h"
 
 #include <algorithm>
-#include <cctype>
 #include <vector>
 
 #include "base/counted.h"
+#include "base/running_text.h"
 #include "evaluate/proof_text.h"
 
 namespace mjcourse {
@@ -23,20 +23,8 @@ std::string held(const Question& question, const ProofResult& proof) {
 }  // namespace
 
 std::string as_title(const std::string& text) {
-  std::string line;
-  for (const char c : text) {
-    const bool space = std::isspace(static_cast<unsigned char>(c)) != 0;
-    if (!space) line += c;
-    if (space && !line.empty() && line.back() != ' ') line += ' ';
-  }
-  if (line.ends_with(' ')) line.pop_back();
-  if (line.size() <= kLongest) return line;
-  std::size_t end = line.rfind(' ', kLongest);
-  if (end == line.npos) {
-    end = kLongest;
-    while ((static_cast<unsigned char>(line[end]) & 0xC0) == 0x80) --end;  // inside a character
-  }
-  return line.substr(0, end) + " …";
+  const std::string line = with_single_blanks(text);
+  return line.size() <= kLongest ? line : beginning_of(line, kLongest) + " …";
 }
 
 std::string how_run(const Example& program, const Versions& versions) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/text_lines.h"
 #include "base/utf8.h"
 #include "lesson/inline_length.h"
 #include "lesson/picture_name.h"
@@ -142,11 +143,6 @@ class Finder {
     if (!is_shown(begin)) return;
     tell(at, end + 1, "W-math-brackets", "`" + begin + "` begins no formula: it is text",
          "put the formula between `$$` and `$$`, each on a line of its own");
-  }
-
-  static std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
-    return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
   }
 
   // One with `--` in it, or without an end. In the page, two hyphens are a dash.

@@ -1,20 +1,13 @@
 #include "lesson/term_syntax.h"
 
 #include <algorithm>
-#include <sstream>
 #include <string_view>
 
+#include "base/running_text.h"
 #include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
-
-std::string with_single_blanks(const std::string& text) {
-  std::istringstream words(text);
-  std::string joined;
-  for (std::string word; words >> word;) joined += (joined.empty() ? "" : " ") + word;
-  return joined;
-}
 
 bool may_stand_in_term(cmark_node* node) {
   const cmark_node_type type = cmark_node_get_type(node);

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/text_lines.h"
 #include "base/utf8.h"
 
 namespace mjcourse {
@@ -55,12 +56,6 @@ constexpr std::array<std::string_view, 20> kRelations{"=", "≠", "<", ">", "≤
                                                       "≡", "∼", "∝", "→", "←", "⇒", "⇔",
                                                       "↦", "∈", "∉", "≪", "≫", "≔"};
 constexpr std::array<std::string_view, 9> kOperators{"+", "−", "±", "×", "⋅", "∘", "∧", "∨", "∖"};
-
-std::string blanks_trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(' ');
-  if (begin == text.npos) return "";
-  return text.substr(begin, text.find_last_not_of(' ') + 1 - begin);
-}
 
 std::vector<std::string> characters_of(const std::string& text) {
   std::vector<std::string> characters;
@@ -123,7 +118,7 @@ class LinearMath {
     return node;
   }
   std::string child(const XMLElement* element, int index) const {
-    return blanks_trimmed(of(nth(element, index)));
+    return std::string(trimmed(of(nth(element, index))));
   }
   std::string above(const XMLElement* element, int index) const {
     return raised(child(element, index), superscripts(), "^");
@@ -143,7 +138,7 @@ class LinearMath {
     std::string text;
     for (const XMLNode* one = element->FirstChild(); one != nullptr; one = one->NextSibling()) {
       if (!text.empty()) text += between;
-      text += blanks_trimmed(of(one));
+      text += trimmed(of(one));
     }
     return text;
   }
@@ -204,7 +199,7 @@ std::string formula_text(const std::string& markup) {
   if (document.Parse(markup.data() + from, to + end.size() - from) != tinyxml2::XML_SUCCESS) {
     return "";
   }
-  return blanks_trimmed(without_invisible(LinearMath().of(document.RootElement())));
+  return std::string(trimmed(without_invisible(LinearMath().of(document.RootElement()))));
 }
 
 }  // namespace mjcourse

@@ -1,9 +1,9 @@
 #include "page/reader_text.h"
 
 #include <optional>
-#include <sstream>
 #include <utility>
 
+#include "base/running_text.h"
 #include "page/formula_text.h"
 
 namespace mjcourse {
@@ -27,13 +27,6 @@ std::string text_of(cmark_node* node, const Lesson& page, const LessonResults& r
   std::string text;
   for (; child != nullptr; child = cmark_node_next(child)) text += text_of(child, page, results);
   return cmark_node_get_type(node) == CMARK_NODE_PARAGRAPH ? text + " " : text;
-}
-
-std::string with_single_blanks(const std::string& spaced) {
-  std::istringstream words(spaced);
-  std::string text;
-  for (std::string word; words >> word;) text += (text.empty() ? "" : " ") + word;
-  return text;
 }
 
 }  // namespace

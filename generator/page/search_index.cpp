@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/content_hash.h"
+#include "base/running_text.h"
 #include "course/link_target.h"
 #include "page/search_text.h"
 #include "page/site_data.h"

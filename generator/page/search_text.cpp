@@ -7,15 +7,11 @@
 #include <utility>
 #include <variant>
 
-#include "base/utf8.h"
+#include "base/running_text.h"
 #include "page/reader_text.h"
 
 namespace mjcourse {
 namespace {
-
-bool is_blank(char c) {
-  return c == ' ' || c == '\n' || c == '\t' || c == '\r';
-}
 
 class Reader {
  public:
@@ -155,27 +151,6 @@ class Reader {
 
 std::vector<SearchSection> search_sections(const Lesson& lesson, const LessonResults& results) {
   return Reader(lesson, results).sections();
-}
-
-std::string beginning_of(const std::string& text, std::size_t most) {
-  if (text.size() <= most) return text;
-  const std::size_t end = text.rfind(' ', most);
-  if (end != text.npos) return text.substr(0, end);
-  return text.substr(0, character_start(text, most));  // of a script without blanks
-}
-
-std::string with_single_blanks(const std::string& text) {
-  std::string single;
-  single.reserve(text.size());
-  for (const char c : text) {
-    if (!is_blank(c)) {
-      single += c;
-    } else if (!single.empty() && single.back() != ' ') {
-      single += ' ';
-    }
-  }
-  if (single.ends_with(' ')) single.pop_back();
-  return single;
 }
 
 }  // namespace mjcourse

@@ -6,7 +6,6 @@
 // it counts less than words.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -21,12 +20,5 @@ struct SearchSection {
 };
 
 std::vector<SearchSection> search_sections(const Lesson& lesson, const LessonResults& results);
-
-// At most so many bytes of `text`, which is UTF-8, up to the end of a word; where there is no
-// blank, of a letter.
-std::string beginning_of(const std::string& text, std::size_t most);
-
-// `text` with each stretch of blanks as one, and none at its ends.
-std::string with_single_blanks(const std::string& text);
 
 }  // namespace mjcourse

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/running_text.h"
 #include "course/link_target.h"
 #include "page/lesson_history.h"
-#include "page/search_text.h"
 #include "page/site_data.h"
 #include "page/site_paths.h"
 #include "page/verification.h"

@@ -7,6 +7,7 @@
 #include <sstream>
 #include <vector>
 
+#include "base/running_text.h"
 #include "base/text_lines.h"
 #include "base/utf8.h"
 
@@ -38,9 +39,8 @@ bool is_blank(char c) {
   return std::isspace(static_cast<unsigned char>(c)) != 0;
 }
 
-// Of some hundred lines each, these two are read by hand: regular expressions take milliseconds.
-
-// The name that a declaration gives: "mjtNum gravity[3];" → "gravity"; "" where it gives none.
+// The name that a declaration gives: "mjtNum gravity[3];" → "gravity"; "" where it gives none. Some
+// hundred lines are read by hand: regular expressions take milliseconds.
 std::string declared_name(std::string_view declaration) {
   if (!declaration.ends_with(';')) return "";
   declaration = trimmed(declaration.substr(0, declaration.size() - 1));
@@ -52,16 +52,6 @@ std::string declared_name(std::string_view declaration) {
   const bool behind_a_type =
       begin > 0 && (is_blank(declaration[begin - 1]) || declaration[begin - 1] == '*');
   return behind_a_type ? std::string(declaration.substr(begin)) : "";
-}
-
-// "mjtNum*   qpos;" → "mjtNum* qpos;": the header's columns mean nothing outside of it.
-std::string closed_up(const std::string& code) {
-  std::string text;
-  for (const char c : code) {
-    if (!is_blank(c)) text += c;
-    if (is_blank(c) && (text.empty() || text.back() != ' ')) text += ' ';
-  }
-  return text;
 }
 
 class HeaderReader {
@@ -108,7 +98,7 @@ class HeaderReader {
   void read_macro(const Line& line) {
     static const RE2 define(R"(#define\s+(mj\w+)(?:\([^)]*\))?(?:\s+.*)?)");
     if (std::string name; RE2::FullMatch(line.code, define, &name)) {
-      add(name, {ApiName::Kind::macro, closed_up(line.code),
+      add(name, {ApiName::Kind::macro, with_single_blanks(line.code),
                  line.has_comment ? line.comment : above_, header_, section_, ""});
     }
     above_.clear();
@@ -184,8 +174,8 @@ class HeaderReader {
     const std::string name = declared_name(line.code);
     if (name.empty()) return;
     const ApiName field{ApiName::Kind::field,
-                        closed_up(line.code),
-                        closed_up(line.comment),
+                        with_single_blanks(line.code),
+                        with_single_blanks(line.comment),
                         header_,
                         section_,
                         owner_};
@@ -215,9 +205,10 @@ class HeaderReader {
     static const RE2 constant(R"((mj\w+)\s*(?:=[^,]*)?,?)");
     std::string name;
     if (!RE2::FullMatch(line.code, constant, &name)) return;
-    std::string code = closed_up(line.code);
+    std::string code = with_single_blanks(line.code);
     if (code.ends_with(',')) code.pop_back();
-    add(name, {ApiName::Kind::constant, code, closed_up(line.comment), header_, section_, owner_});
+    add(name, {ApiName::Kind::constant, code, with_single_blanks(line.comment), header_, section_,
+               owner_});
   }
 
   void close() {

@@ -41,11 +41,5 @@ TEST(SearchText, KeepsCodeApart) {
   EXPECT_EQ(sections[0].code, "int x; mj_step(m, d);");
 }
 
-TEST(SearchText, IsCutBetweenWords) {
-  EXPECT_EQ(beginning_of("one two", 7), "one two");
-  EXPECT_EQ(beginning_of("one two", 6), "one");
-  EXPECT_EQ(beginning_of("ⅰⅰⅰ", 4), "ⅰ");
-}
-
 }  // namespace
 }  // namespace mjcourse
