@@ -7,7 +7,7 @@ import path from "node:path";
 
 import { build } from "esbuild";
 
-import { manifestOf, targets } from "./manifest.mjs";
+import { forBrowsers, manifestOf } from "./manifest.mjs";
 
 // Builds into `out` and returns its part of the manifest. `engine` is the folder with engine.mjs and
 // engine.wasm; without them the site has no live labs, and the manifest names none of this.
@@ -29,23 +29,17 @@ export async function buildLab(site, out, engine) {
 
 async function buildCode(site, out) {
   const { metafile } = await build({
-    absWorkingDir: site,
+    ...forBrowsers(site, out),
     entryPoints: [
       { in: "lab/lab.ts", out: "lab" },
       { in: "styles/lab-live.css", out: "lab" },
     ],
-    outdir: path.resolve(out),
     entryNames: "assets/[name]-[hash]",
     chunkNames: "assets/[name]-[hash]",
-    bundle: true,
     splitting: true,
-    minify: true,
     metafile: true,
     format: "esm",
-    charset: "utf8",
-    target: targets,
     legalComments: "none",
-    logLevel: "warning",
   });
   const entries = ["lab/lab.ts", "styles/lab-live.css"];
   return manifestOf(metafile, site, out, (output) => entries.includes(output.entryPoint));

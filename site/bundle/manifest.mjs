@@ -1,9 +1,20 @@
-// The way from plain names to hashed ones, and what both bundles of the browser's files share.
+// What the bundles of the browser's files share, and the way from plain names to hashed ones.
 
 import path from "node:path";
 
 // What the browsers that run this site understand: light-dark(), nested CSS.
-export const targets = ["chrome123", "firefox121", "safari17.5"];
+const targets = ["chrome123", "firefox121", "safari17.5"];
+
+// How esbuild makes all of them, of the sources in `site`.
+export const forBrowsers = (site, out) => ({
+  absWorkingDir: site,
+  outdir: path.resolve(out),
+  bundle: true,
+  minify: true,
+  charset: "utf8",
+  target: targets,
+  logLevel: "warning",
+});
 
 // {"site.css": "assets/site-1A2B3C4D.css", …}, paths below `out`, of the outputs that `wanted` picks.
 export function manifestOf(metafile, site, out, wanted = () => true) {

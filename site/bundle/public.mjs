@@ -1,17 +1,15 @@
 // The files a reader's browser loads: a stylesheet with its fonts, one small script, the favicon;
 // and what only some pages have of scripts and styles, or have once they are shown or asked for.
 
-import path from "node:path";
-
 import { build } from "esbuild";
 
 import { cutFonts } from "./fonts.mjs";
-import { manifestOf, targets } from "./manifest.mjs";
+import { forBrowsers, manifestOf } from "./manifest.mjs";
 
 // How esbuild makes them in `out`.
 export function pageBuild(site, out) {
   return {
-    absWorkingDir: site,
+    ...forBrowsers(site, out),
     entryPoints: [
       { in: "styles/site.css", out: "site" },
       { in: "client/site.ts", out: "site" },
@@ -28,18 +26,12 @@ export function pageBuild(site, out) {
       { in: "client/offline/kept.ts", out: "kept" },
       { in: "icons/favicon.svg", out: "favicon" },
     ],
-    outdir: path.resolve(out),
     entryNames: "assets/[name]-[hash]",
     assetNames: "assets/[name]-[hash]",
-    bundle: true,
-    minify: true,
     metafile: true,
     format: "iife",
-    charset: "utf8",
-    target: targets,
     loader: { ".woff2": "file", ".svg": "copy" },
     plugins: [cutFonts],
-    logLevel: "warning",
   };
 }
 
