@@ -5,15 +5,17 @@
 #include <cstdint>
 #include <numeric>
 
+#include "base/code_points.h"
+
 namespace mjcourse {
 namespace {
 
 // Longer names are nobody's slip of the fingers, and are not listed.
-constexpr std::size_t kLongest = 80;  // bytes
+constexpr std::size_t kLongest = 80;  // characters
 // All suggestions of a run may take so many steps, a second, which no honest course comes near.
 constexpr std::uint64_t kMostSteps = 1'000'000'000;
 
-std::size_t edit_distance(std::string_view a, std::string_view b) {
+std::size_t edit_distance(std::u32string_view a, std::u32string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -33,16 +35,18 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 std::string nearest(std::string_view name, const std::vector<std::string>& candidates) {
   static std::atomic<std::uint64_t> steps = 0;
   std::string best;
-  if (name.size() > kLongest) return best;
-  std::size_t best_distance = std::max<std::size_t>(2, name.size() / 3) + 1;
+  const std::u32string wanted = code_points(name);
+  if (wanted.size() > kLongest) return best;
+  std::size_t best_distance = std::max<std::size_t>(2, wanted.size() / 3) + 1;
   for (const std::string& candidate : candidates) {
-    const std::size_t longer = std::max(name.size(), candidate.size());
-    if (longer - std::min(name.size(), candidate.size()) >= best_distance) continue;
-    steps += name.size() * candidate.size();
+    const std::u32string known = code_points(candidate);
+    const std::size_t longer = std::max(wanted.size(), known.size());
+    if (longer - std::min(wanted.size(), known.size()) >= best_distance) continue;
+    steps += wanted.size() * known.size();
     if (steps > kMostSteps) return best;
-    const std::size_t distance = edit_distance(name, candidate);
+    const std::size_t distance = edit_distance(wanted, known);
     // Two edits make any short word out of any other.
-    if (distance < best_distance && distance < name.size()) {
+    if (distance < best_distance && distance < wanted.size()) {
       best = candidate;
       best_distance = distance;
     }
@@ -56,7 +60,8 @@ std::string suggest(std::string_view name, const std::vector<std::string>& candi
   constexpr std::size_t shown = 12;
   std::string list;
   for (std::size_t i = 0; i < std::min(shown, candidates.size()); ++i) {
-    if (candidates[i].size() <= kLongest) list += (list.empty() ? "" : ", ") + candidates[i];
+    if (code_points(candidates[i]).size() <= kLongest)
+      list += (list.empty() ? "" : ", ") + candidates[i];
   }
   if (candidates.size() > shown) list += ", …";
   if (candidates.empty()) return "there is none yet";

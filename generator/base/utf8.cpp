@@ -7,12 +7,10 @@
 #include <cwchar>
 #include <cwctype>
 
+#include "base/code_points.h"
+
 namespace mjcourse {
 namespace {
-
-bool is_continuation(char c) {
-  return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
-}
 
 // The code of the control character at `at`, or nothing. Those of two bytes, U+0080 to U+009F, a
 // terminal obeys as it does an escape: U+009B begins what U+001B and `[` do.
@@ -49,32 +47,6 @@ std::string escape_of(std::uint8_t control) {
   char text[8];
   std::snprintf(text, sizeof text, "\\x%02x", static_cast<unsigned>(control));
   return text;
-}
-
-// The length of the well-formed sequence at the start of `text`, or 0.
-std::size_t sequence_length(std::string_view text) {
-  const auto first = static_cast<std::uint8_t>(text[0]);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if (!is_continuation(text[i])) return 0;
-  }
-  const auto second = static_cast<std::uint8_t>(text[1]);
-  const bool overlong = (first == 0xE0 && second < 0xA0) || (first == 0xF0 && second < 0x90);
-  const bool surrogate = first == 0xED && second >= 0xA0;
-  const bool too_large = first == 0xF4 && second >= 0x90;
-  return overlong || surrogate || too_large ? 0 : length;
-}
-
-// Of one well-formed sequence.
-std::uint32_t code_point(std::string_view sequence) {
-  constexpr std::uint32_t first_bits[] = {0, 0x7F, 0x1F, 0x0F, 0x07};  // by the length
-  std::uint32_t point = static_cast<std::uint8_t>(sequence[0]) & first_bits[sequence.size()];
-  for (const char c : sequence.substr(1)) {
-    point = point << 6 | (static_cast<std::uint8_t>(c) & 0x3F);
-  }
-  return point;
 }
 
 // "\\u202e", of one well-formed sequence.

@@ -34,10 +34,18 @@ TEST(Nearest, DoesNotMakeOneShortWordOutOfAnother) {
   EXPECT_EQ(nearest("", {"a", "ab"}), "");
 }
 
+TEST(Nearest, CountsCharacters) {
+  EXPECT_EQ(nearest("Öffnüng", {"Offnung"}), "Offnung");  // two of seven
+  EXPECT_EQ(nearest("一", {"二"}), "");
+  EXPECT_EQ(nearest("\xFFqpos", {"qpos"}), "qpos");
+}
+
 TEST(Nearest, LooksForNoLongName) {
   const std::string name(80, 'a');
   EXPECT_EQ(nearest(name, {"b" + name}), "b" + name);
   EXPECT_EQ(nearest(name + "a", {"b" + name}), "");
+  const std::string umlauts = std::string(78, 'a') + "äö";  // 80 of them
+  EXPECT_EQ(nearest(umlauts, {"b" + umlauts}), "b" + umlauts);
 }
 
 // In a process of its own, which has nothing left for the other tests.
