@@ -1,7 +1,6 @@
 #include "evaluate/question.h"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <numeric>
 #include <string>
@@ -15,20 +14,6 @@
 
 namespace mjcourse {
 namespace {
-
-constexpr double kRounding = 1e-12;  // of a number's size
-
-// How far apart two of `values` are that only the rounding of doubles tells apart. Whole numbers
-// are held exactly, below 2^53.
-double rounding(const std::vector<double>& values) {
-  double largest = 0;
-  bool whole = true;
-  for (const double value : values) {
-    largest = std::max(largest, std::abs(value));
-    whole = whole && std::trunc(value) == value;
-  }
-  return whole && largest < 0x1p53 ? 0 : kRounding * largest;
-}
 
 class Examiner {
  public:
@@ -116,9 +101,7 @@ bool Examiner::prove_value(const Proof& proof, QuestionResult& result) {
   const std::optional<double> value = find_value(proof);
   if (!value) return false;
   const double expected = proof.equals.value_or(question_.answer);
-  const double allowed =
-      question_.tolerance.around(expected) * (1 + kRounding) + rounding({*value, expected});
-  if (!(std::abs(*value - expected) <= allowed)) {
+  if (!question_.tolerance.allows(*value, expected)) {
     const std::string stated = number_text(expected, *value), real = number_text(*value, expected);
     const std::string found = "`" + proof.value.text + "` is " + real + " for " + built_text(proof);
     if (proof.equals) {

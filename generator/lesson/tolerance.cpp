@@ -1,5 +1,6 @@
 #include "lesson/tolerance.h"
 
+#include <algorithm>
 #include <charconv>
 #include <optional>
 #include <string>
@@ -8,6 +9,8 @@
 
 namespace mjcourse {
 namespace {
+
+constexpr double kRounding = 1e-12;  // of a number's size
 
 // 0.01 for "1%" and "1 %".
 std::optional<double> read_percentage(const std::string& text) {
@@ -20,6 +23,20 @@ std::optional<double> read_percentage(const std::string& text) {
 }
 
 }  // namespace
+
+bool Tolerance::allows(double value, double right) const {
+  return std::abs(value - right) <= around(right) * (1 + kRounding) + rounding({value, right});
+}
+
+double rounding(const std::vector<double>& values) {
+  double largest = 0;
+  bool whole = true;
+  for (const double value : values) {
+    largest = std::max(largest, std::abs(value));
+    whole = whole && std::trunc(value) == value;
+  }
+  return whole && largest < 0x1p53 ? 0 : kRounding * largest;
+}
 
 Tolerance read_tolerance(JsonObject& object, Reading& reading) {
   const JsonValue* value = object.find("tol");

@@ -1,31 +1,18 @@
-// Which numbers of a reader are right.
+// Which numbers of a reader are right, in a question and in a lab. The generator is held against the
+// same table, by tests/generator/lesson/tolerance_test.cpp.
 //
 //   node --test tests/site/near.mjs
 
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
 import { isNear } from "../../site/client/quiz/near.ts";
 
-test("a tolerance is met at its end, whatever binary makes of decimals", () => {
-  assert.ok(isNear(1.1, 1, 0.1));
-  assert.ok(isNear(0.9, 1, 0.1));
-  assert.ok(!isNear(1.11, 1, 0.1));
-  assert.ok(isNear(31, 30, 1));
-});
+const table = JSON.parse(readFileSync(new URL("../near.json", import.meta.url), "utf8"));
 
-test("without one, only rounding is allowed for", () => {
-  assert.ok(isNear(0.1 + 0.2, 0.3, 0));
-  assert.ok(!isNear(0.3000001, 0.3, 0));
-});
-
-test("a small answer is as exact as any other", () => {
-  assert.ok(isNear(1.6e-19, 1.6e-19, 0));
-  assert.ok(!isNear(5e-19, 1.6e-19, 0));
-  assert.ok(!isNear(0, 1.6e-19, 0));
-});
-
-test("a whole number is right to its last digit", () => {
-  assert.ok(isNear(1000000000001, 1000000000001, 0));
-  assert.ok(!isNear(1000000000002, 1000000000001, 0));
-});
+for (const { given, right, tolerance, near } of table) {
+  test(`${given} is ${near ? "" : "not "}within ${tolerance} of ${right}`, () => {
+    assert.equal(isNear(given, right, tolerance), near);
+  });
+}

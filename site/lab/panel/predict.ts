@@ -1,9 +1,9 @@
 /** The reader guesses, then the run answers: guess and measured value stand side by side. */
+import { isNear } from "../../client/quiz/near.js";
 import { parseNumber } from "../../client/quiz/number.js";
 import type { Predict as PredictDescription } from "../lab-module.js";
 import { fromHtml, make, newId } from "../markup/element.js";
 import { fixed } from "../run/fixed.js";
-import { isRight } from "../run/judge.js";
 
 export class Predict {
   readonly element: HTMLElement;
@@ -38,7 +38,7 @@ export class Predict {
 
   answer(measured: number): void {
     const { tolerance, digits, unit, explanation } = this.#description;
-    const right = isRight(this.#guess, measured, tolerance);
+    const right = isNear(this.#guess, measured, tolerance);
     const rows = [
       ["Your guess", this.#field.value.trim()],
       ["Measured", fixed(measured, digits)],

@@ -11,6 +11,7 @@
  * Scripts and MuJoCo may fail: then `trouble` says so and nothing moves until the next reset, seek or
  * recompile. Only a model that does not load makes the constructor throw (LoadError).
  */
+import { isNear } from "../../client/quiz/near.js";
 import type { Engine, ModelFiles } from "../../engine/engine.js";
 import { LoadError } from "../../engine/errors.js";
 import type { Hold, Scene } from "../../engine/scene.js";
@@ -19,7 +20,6 @@ import type { LabDescription, LabModule, ScriptIndex } from "../lab-module.js";
 import { act, type ControlValue, fitting, initialValue } from "./controls.js";
 import { fixed } from "./fixed.js";
 import type { History } from "./history.js";
-import { isRight } from "./judge.js";
 import { Pair } from "./pair.js";
 import type { Samples } from "./samples.js";
 import { type Look, Stage } from "./stage.js";
@@ -269,7 +269,7 @@ export class Run {
   judgeTask(index: number, given: number): boolean | undefined {
     const task = this.lab.editable!.tasks[index]!;
     const right = this.#number(task.value);
-    return right === undefined ? undefined : isRight(given, right, task.tolerance);
+    return right === undefined ? undefined : isNear(given, right, task.tolerance);
   }
 
   // The edited model.

@@ -55,3 +55,16 @@ test("a goal once reached stays reached", async () => {
   assert.equal(run.judgeTask(0, 7), false);
   run.free();
 });
+
+test("a task's number is held to its own size, and a whole one to its last digit", async () => {
+  const task = (script) => ({ question: "", value: script, tolerance: 0, unit: "" });
+  const run = await openRun(engine, mjcfOf("free"), ({ value }) => ({
+    goal: { text: "", done: value("true") },
+    editable: { tasks: [task(value("1.6e-19")), task(value("1e12 + 1"))] },
+  }));
+  assert.equal(run.judgeTask(0, 1.6e-19), true);
+  assert.equal(run.judgeTask(0, 5e-19), false);
+  assert.equal(run.judgeTask(1, 1e12 + 1), true);
+  assert.equal(run.judgeTask(1, 1e12 + 2), false);
+  run.free();
+});
