@@ -15,17 +15,15 @@ std::optional<LessonName> read_lesson_name(const std::string& name) {
 }
 
 std::string slug_of(const std::string& title) {
-  std::string slug;
-  for (const char c : title) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x80) return "";
-    if (std::isalnum(byte) != 0) {
-      slug += static_cast<char>(std::tolower(byte));
-    } else if (c != '\'' && !slug.empty() && slug.back() != '-') {
-      slug += '-';  // "Newton's" is one word
-    }
-  }
+  static const RE2 apostrophe("['\u2019]"), between(R"([^\p{L}\p{M}\p{N}]+)"),
+      english("[A-Za-z0-9-]*");
+  std::string slug = title;
+  RE2::GlobalReplace(&slug, apostrophe, "");  // "Newton's" is one word
+  RE2::GlobalReplace(&slug, between, "-");
+  if (slug.starts_with('-')) slug.erase(0, 1);
   if (slug.ends_with('-')) slug.pop_back();
+  if (!RE2::FullMatch(slug, english)) return "";
+  for (char& c : slug) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return slug;
 }
 

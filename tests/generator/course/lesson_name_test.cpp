@@ -21,7 +21,12 @@ TEST(LessonName, HasItsParts) {
 TEST(LessonName, IsMadeOfATitleAndBack) {
   EXPECT_EQ(slug_of("Rigid bodies, 2"), "rigid-bodies-2");
   EXPECT_EQ(slug_of("Newton's laws!"), "newtons-laws");
+  EXPECT_EQ(slug_of("Newton’s laws – “first” steps…"), "newtons-laws-first-steps");
+  EXPECT_EQ(slug_of(" 'Tis_a/B.c "), "tis-a-b-c");
   EXPECT_EQ(slug_of("Kräfte"), "");
+  EXPECT_EQ(slug_of("Ärger"), "");
+  EXPECT_EQ(slug_of("r²"), "");
+  EXPECT_EQ(slug_of("caf\xE9"), "");
   EXPECT_EQ(slug_of("…"), "");
   EXPECT_EQ(title_of("rigid-bodies-2"), "Rigid bodies 2");
   EXPECT_EQ(title_of(""), "");
