@@ -47,7 +47,7 @@ std::vector<TestSuite> suites_of(const Verified& verified, const std::string& fo
     const std::string& title = page->front.title.text;
     const std::string number = page->number.empty() ? "" : page->number + " ";
     add(number + (title.empty() ? page->slug : title), page->source->path());
-    for (const Claim& claim : verified.evaluation.results_of(*verified.course, *page).claims) {
+    for (const Claim& claim : verified.evaluation.results_of(*page).claims) {
       if (claim.status != Claim::Status::failed) suites.back().cases.push_back(case_of(claim));
     }
   }

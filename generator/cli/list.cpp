@@ -101,8 +101,7 @@ int list(const Options& options) {
   const LastChanges changes = last_changed(options.course, "content").changes;
   std::vector<Row> rows{kHead};
   for (const Lesson& lesson : course.lessons) {
-    rows.push_back(
-        row_of(lesson, verified.evaluation.results_of(course, lesson).claims, files, changes));
+    rows.push_back(row_of(lesson, verified.evaluation.results_of(lesson).claims, files, changes));
   }
   print(rows);
   const std::ptrdiff_t errors = count_errors(verified.evaluation.diagnostics);

@@ -236,6 +236,7 @@ const Lesson* Course::find_lesson(const std::string& number) const {
 }
 
 void Course::add(Lesson lesson) {
+  lesson.index = lessons.size();
   by_number_.try_emplace(lesson.number, lessons.size());
   lessons.push_back(std::move(lesson));
 }

@@ -105,7 +105,7 @@ class Evaluator {
     evaluation_.times.insert(evaluation_.times.end(), headers.begin(), headers.end());
     for (std::size_t i = 0; i < course_.lessons.size(); ++i) finish(i);
     const auto results_of = [&](const Lesson& page) -> const auto& {
-      return evaluation_.results_of(course_, page);
+      return evaluation_.results_of(page);
     };
     evaluation_.api =
         evaluate_api(course_, results_of, installed_mujoco_api, evaluation_.diagnostics);

@@ -36,9 +36,13 @@ struct Evaluation {
   std::vector<TaskTime> times = {};  // of all tasks, as they began
   bool open = false;                 // something is still to be worked out
 
-  // Those of a page of `course` (Course::pages).
-  const LessonResults& results_of(const Course& course, const Lesson& page) const;
-  LessonResults& results_of(const Course& course, const Lesson& page);
+  // Those of a page of the course (Course::pages).
+  const LessonResults& results_of(const Lesson& page) const {
+    return page.index ? lessons.at(*page.index) : glossary;
+  }
+  LessonResults& results_of(const Lesson& page) {
+    return page.index ? lessons.at(*page.index) : glossary;
+  }
 };
 
 }  // namespace mjcourse

@@ -65,7 +65,8 @@ struct Lesson {
   std::unordered_map<const cmark_node*, std::size_t> block_of;  // nodes that a block stands for
   std::vector<Heading> headings;
   std::vector<Link> links;
-  bool sound = true;  // reading it found no mistake
+  bool sound = true;                      // reading it found no mistake
+  std::optional<std::size_t> index = {};  // in Course::lessons; nothing of a page beside them
 
   // How much of it is there (lesson/resting_lesson.h): all; all but its trees, which are
   // `document`, `block_of`, the nodes, and those of the front matter; or a card: where it is, its

@@ -71,6 +71,7 @@ Lesson wake(const Lesson& resting, const Files& files) {
   Diagnostics known;  // they were told when it was first read
   std::optional<Lesson> awake =
       read_lesson(resting.source->path(), bytes_of(resting, files), known, resting.typography);
+  awake->index = resting.index;
   return *std::move(awake);
 }
 

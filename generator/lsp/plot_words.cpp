@@ -20,7 +20,7 @@ const PlotState* behind(const PlotGrammar& grammar, const PlotState* object, con
 std::map<std::string, const Table*> tables_of(const Asked& asked) {
   std::map<std::string, const Table*> tables;
   for (const Lesson& lesson : asked.course().lessons) {
-    const LessonResults& results = asked.snapshot->evaluation->results_of(asked.course(), lesson);
+    const LessonResults& results = asked.snapshot->evaluation->results_of(lesson);
     for (const auto& [index, result] : results.of_block) {
       const auto* example = std::get_if<Example>(&lesson.blocks[index]);
       if (example == nullptr) continue;

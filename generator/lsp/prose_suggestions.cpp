@@ -18,7 +18,7 @@ using Kind = Suggestion::Kind;
 std::map<std::string, std::set<std::string>> results_of(const Asked& asked) {
   std::map<std::string, std::set<std::string>> all;
   for (const Lesson* page : asked.course().pages()) {
-    const LessonResults& results = asked.snapshot->evaluation->results_of(asked.course(), *page);
+    const LessonResults& results = asked.snapshot->evaluation->results_of(*page);
     for (const auto& [index, result] : results.of_block) {
       const auto* example = std::get_if<Example>(&page->blocks[index]);
       const auto* run = std::get_if<ExampleResult>(&result);

@@ -23,7 +23,7 @@ json sections_data(const ApiEntry& entry, const Course& course, const Evaluation
     if (use.lines.empty()) places.push_back({pages[use.page], use.place});
   }
   add_uses(uses, places, course);
-  return uses_data(uses, course, evaluation, "");
+  return uses_data(uses, evaluation, "");
 }
 
 json lines_data(const CodeUse& use) {

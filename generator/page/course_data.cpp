@@ -27,11 +27,16 @@ json lessons_data(const Course& course, const Level& level, const Lesson* curren
   return lessons;
 }
 
+// Which of the course's levels it is in.
+std::size_t level_index(const Course& course, const Lesson& lesson) {
+  const auto found = std::ranges::find(course.levels, lesson.folder, &Level::folder);
+  return static_cast<std::size_t>(found - course.levels.begin());
+}
+
 }  // namespace
 
 const Level& level_of(const Course& course, const Lesson& lesson) {
-  return *std::find_if(course.levels.begin(), course.levels.end(),
-                       [&](const Level& level) { return level.folder == lesson.folder; });
+  return course.levels.at(level_index(course, lesson));
 }
 
 std::string level_anchor(const Level& level) {
@@ -60,10 +65,7 @@ json reference_to(const Lesson& lesson) {
 
 json levels_data(const Course& course, const Lesson* current) {
   const bool few = course.lessons.size() <= kFewLessons;
-  const std::size_t own =
-      current == nullptr
-          ? 0
-          : static_cast<std::size_t>(&level_of(course, *current) - course.levels.data());
+  const std::size_t own = current == nullptr ? 0 : level_index(course, *current);
   json levels = json::array();
   for (std::size_t i = 0; i < course.levels.size(); ++i) {
     const Level& level = course.levels[i];

@@ -14,7 +14,7 @@ std::string gallery_page(const Course& course, const Evaluation& evaluation, con
   nlohmann::json models = nlohmann::json::array();
   for (const ModelPage& model : evaluation.models) {
     const nlohmann::json sizes = sizes_data(model);
-    nlohmann::json uses = uses_data(uses_of_model(course, model.name), course, evaluation, "");
+    nlohmann::json uses = uses_data(uses_of_model(course, model.name), evaluation, "");
     // The sections stand on the model's own page.
     for (nlohmann::json& page : uses) page["sections"] = nlohmann::json::array();
     const Loaded loaded = models.empty() ? Loaded::at_once : Loaded::when_near;

@@ -19,7 +19,7 @@ std::string glossary_page(const Course& course, const Evaluation& evaluation, co
     terms.push_back({{"id", term.id},
                      {"name", writer.children_html(term.heading.get())},
                      {"definition", writer.html(term.definition)},
-                     {"uses", uses_data(uses_of_term(course, term.key), course, evaluation, "")}});
+                     {"uses", uses_data(uses_of_term(course, term.key), evaluation, "")}});
   }
   return render_template(press.templates, "glossary",
                          {{"title", glossary.page.front.title.text},

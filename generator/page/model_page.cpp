@@ -101,17 +101,17 @@ ModelPageHtml model_page(const ModelPage& model, const Course& course, const Eva
                      {"unchecked", false},
                      {"output", nullptr}});
   }
-  page.body = render_template(
-      press.templates, "model",
-      {{"name", model.name},
-       {"root", root},
-       {"poster", poster_data(model, root, Loaded::at_once)},
-       {"lab", lab_data(model, course, press, page.lab_files)},
-       {"sizes", sizes_data(model)},
-       {"timestep", model.timestep},
-       {"tables", tables_of(model)},
-       {"files", std::move(files)},
-       {"uses", uses_data(uses_of_model(course, model.name), course, evaluation, root)}});
+  page.body =
+      render_template(press.templates, "model",
+                      {{"name", model.name},
+                       {"root", root},
+                       {"poster", poster_data(model, root, Loaded::at_once)},
+                       {"lab", lab_data(model, course, press, page.lab_files)},
+                       {"sizes", sizes_data(model)},
+                       {"timestep", model.timestep},
+                       {"tables", tables_of(model)},
+                       {"files", std::move(files)},
+                       {"uses", uses_data(uses_of_model(course, model.name), evaluation, root)}});
   return page;
 }
 

@@ -46,7 +46,7 @@ Findings findings_of(const Run& run) {
     bool shown = false;
     for (const Lesson* page : pages_of(run)) {
       const Lesson& lesson = *page;
-      const Claims& claims = run.evaluation.results_of(*run.course, lesson).claims;
+      const Claims& claims = run.evaluation.results_of(lesson).claims;
       for (std::size_t c = 0; c < claims.size(); ++c) {
         const Claim::Status status = claims[c].status;
         if (status == Claim::Status::proved || status == Claim::Status::cited) continue;
@@ -64,7 +64,7 @@ Findings findings_of(const Run& run) {
 std::vector<ShownPicture> write_pictures(const Run& run, SiteFiles& directory) {
   std::vector<ShownPicture> shown;
   for (const Lesson* page : pages_of(run)) {
-    for (const PinComparison* pin : pins_of(run.evaluation.results_of(*run.course, *page))) {
+    for (const PinComparison* pin : pins_of(run.evaluation.results_of(*page))) {
       const std::string name = page->number + "-" + pin->name;
       const auto write = [&](const std::string& which, const Blob& bytes) -> std::string {
         if (bytes.empty()) return "";

@@ -5,8 +5,8 @@
 
 namespace mjcourse {
 
-nlohmann::json uses_data(const std::vector<Use>& uses, const Course& course,
-                         const Evaluation& evaluation, const std::string& root) {
+nlohmann::json uses_data(const std::vector<Use>& uses, const Evaluation& evaluation,
+                         const std::string& root) {
   nlohmann::json pages = nlohmann::json::array();
   const Lesson* last = nullptr;
   for (const Use& use : uses) {
@@ -21,7 +21,7 @@ nlohmann::json uses_data(const std::vector<Use>& uses, const Course& course,
     last = use.page;
     if (use.section == nullptr) continue;
     pages.back()["sections"].push_back(
-        {{"title", reader_text(*use.section, evaluation.results_of(course, page))},
+        {{"title", reader_text(*use.section, evaluation.results_of(page))},
          {"href", href + "#" + use.section->id}});
   }
   return pages;

@@ -10,7 +10,7 @@
 namespace mjcourse {
 
 // As used-in.hbs wants it; `root` is the way from the page to the site's root.
-nlohmann::json uses_data(const std::vector<Use>& uses, const Course& course,
-                         const Evaluation& evaluation, const std::string& root);
+nlohmann::json uses_data(const std::vector<Use>& uses, const Evaluation& evaluation,
+                         const std::string& root);
 
 }  // namespace mjcourse

@@ -98,7 +98,7 @@ double rounded(double seconds) {
 // Every lesson, drafts too, with the times that were measured.
 void add_lessons(const Course& course, const Evaluation& evaluation, json& all) {
   for (const Lesson* page : course.pages()) {
-    const Claims& claims = evaluation.results_of(course, *page).claims;
+    const Claims& claims = evaluation.results_of(*page).claims;
     json& lesson = all["lessons"].emplace_back(verification_of(*page, claims));
     for (std::size_t c = 0; c < claims.size(); ++c) {
       lesson["claims"][c]["seconds"] = rounded(claims[c].seconds);
@@ -115,7 +115,7 @@ json published_verification(const Course& course, const Evaluation& evaluation) 
   json all = verification_of_none(course.title, evaluation.versions);
   for (const Lesson* page : course.pages()) {
     if (page->front.draft) continue;
-    const Claims& claims = evaluation.results_of(course, *page).claims;
+    const Claims& claims = evaluation.results_of(*page).claims;
     all["lessons"].push_back(verification_of(*page, claims));
     count(all["counts"], claims);
   }

@@ -86,7 +86,7 @@ void renew(const Lesson& young, LessonResults& results) {
 FormerResults::FormerResults(SnapshotPtr former) : former_(std::move(former)) {
   if (!former_) return;
   for (const Lesson* page : former_->course.pages()) {
-    const LessonResults& results = former_->evaluation->results_of(former_->course, *page);
+    const LessonResults& results = former_->evaluation->results_of(*page);
     for (const auto& [index, result] : results.of_block) {
       results_.try_emplace({page->source->path(), name_of(*page, index)}, &result);
     }
@@ -110,12 +110,12 @@ std::shared_ptr<const Evaluation> former_evaluation(const Snapshot& former, cons
   bool edited = false;
   for (std::size_t i = 0; i < old.size(); ++i) {
     if (has_same_text(*old[i], *young[i])) continue;
-    const LessonResults& results = known.results_of(former.course, *old[i]);
+    const LessonResults& results = known.results_of(*old[i]);
     if (!has_same_blocks(*old[i], *young[i], results)) return nullptr;
     edited = true;
     if (!has_other_programs(*young[i], results)) continue;
     if (!renewed) renewed = std::make_shared<Evaluation>(known);
-    renew(*young[i], renewed->results_of(course, *young[i]));
+    renew(*young[i], renewed->results_of(*young[i]));
     renewed->open = true;
   }
   if (renewed) return renewed;

@@ -41,7 +41,7 @@ Blocks open_blocks(const Snapshot& snapshot) {
   Blocks open;
   if (!snapshot.evaluation) return open;
   for (const Lesson* page : snapshot.course.pages()) {
-    for (const std::size_t block : snapshot.evaluation->results_of(snapshot.course, *page).open) {
+    for (const std::size_t block : snapshot.evaluation->results_of(*page).open) {
       open.emplace(page->source->path(), block);
     }
   }

@@ -91,6 +91,19 @@ std::string all_of(const Evaluation& evaluation, Store& store) {
   return sha256(all);
 }
 
+TEST(Evaluation, HasTheResultsOfEachPageWhereverItLies) {
+  Course course;
+  course.add({});
+  course.add({});
+  course.glossary.emplace();
+  Evaluation evaluation;
+  evaluation.lessons.resize(2);
+  const std::vector<Lesson> elsewhere = std::move(course.lessons);
+  EXPECT_EQ(&evaluation.results_of(elsewhere[0]), &evaluation.lessons[0]);
+  EXPECT_EQ(&evaluation.results_of(elsewhere[1]), &evaluation.lessons[1]);
+  EXPECT_EQ(&evaluation.results_of(course.glossary->page), &evaluation.glossary);
+}
+
 TEST(Evaluate, GivesWhatIsKeptAsItWasFound) {
   MemoryStore store, scratch;
   const EvaluationOf alone(kBody, kFiles);

@@ -70,9 +70,11 @@ TEST(RestingLesson, KeepsTheBlocksOfWhatIsEvaluated) {
 TEST(RestingLesson, IsAllThereOnceItIsWoken) {
   for (const Lesson::Kept kept : {Lesson::Kept::blocks, Lesson::Kept::card}) {
     Lesson lesson = prose();
+    lesson.index = 3;
     put_to_rest(lesson, kept);
     const Lesson awake = wake(lesson, files_with(kText));
     EXPECT_EQ(awake.kept, Lesson::Kept::all);
+    EXPECT_EQ(awake.index, 3U);
     EXPECT_EQ(awake.blocks.size(), 1U);
     EXPECT_EQ(awake.block_of.size(), 1U);
     EXPECT_EQ(plain_text(awake.front.summary.get()), "S");
