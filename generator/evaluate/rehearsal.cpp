@@ -62,8 +62,7 @@ bool check_slider(const LabBench& bench, const Lab::Slider& slider) {
                        "this is " + text_of(found) + " at rest, outside of the slider",
                        "widen \"min\" and \"max\", or give the slider a \"value\"");
   }
-  const double step = slider.step.value_or((slider.max - slider.min) / 200);
-  for (const double value : {slider.min, slider.min + step, slider.max}) {
+  for (const double value : {slider.min, slider.min + slider.step_size(), slider.max}) {
     if (!run->act(slider, value) || !run->number(slider.bind, found)) return false;
     if (std::abs(found - value) <= 1e-6 * std::max(slider.max - slider.min, std::abs(value))) {
       continue;

@@ -32,10 +32,13 @@ struct Lab {
     LocatedText label;
     LocatedText bind;  // something that can be assigned to: data.ctrl[0]
     double min = 0, max = 1;
-    std::optional<double> step;   // a two-hundredth of the way where it is not given
+    std::optional<double> step;
     std::optional<double> value;  // set at every reset; without one, what the model has
     int digits = 2;
     std::string unit;
+
+    // A two-hundredth of the way where it is not given.
+    double step_size() const { return step.value_or((max - min) / 200); }
   };
   struct Toggle {
     LocatedText label, on, off;

@@ -69,7 +69,6 @@ json LabDescription::control(const Lab::Button& button, std::size_t) {
 }
 
 json LabDescription::control(const Lab::Slider& slider, std::size_t) {
-  constexpr double steps = 200;  // of a slider whose author names none
   return {{"type", "slider"},
           {"label", slider.label.text},
           {"bind", slider.bind.text},
@@ -78,7 +77,7 @@ json LabDescription::control(const Lab::Slider& slider, std::size_t) {
                                         result_.script_names))},
           {"min", slider.min},
           {"max", slider.max},
-          {"step", slider.step.value_or((slider.max - slider.min) / steps)},
+          {"step", slider.step_size()},
           {"value", number_or_null(slider.value)},
           {"digits", slider.digits},
           {"unit", slider.unit}};

@@ -8,10 +8,11 @@ import type { ControlView, Operate } from "./control-view.js";
  * beyond the last step by less than this part of one would not be reached. */
 const hair = 1e-12;
 
-/** Is the end a whole number of steps away, but for rounding? */
-function dividesRange({ min, max, step }: Slider): boolean {
-  const steps = (max - min) / step;
-  return Math.abs(steps - Math.round(steps)) < 1e-9;
+/** The end is a whole number of steps away: the generator sees to it, but for a millionth of a step
+ * (generator/lesson/read_control.cpp). This is a step of which that is so but for rounding. */
+function wholeStep({ min, max, step }: Slider): number {
+  const way = max - min;
+  return (way / Math.round(way / step)) * (1 - hair);
 }
 
 function reachesEnd(input: HTMLInputElement, max: number): boolean {
@@ -23,8 +24,7 @@ export function sliderView(slider: Slider, operate: Operate): ControlView {
   const { label, min, max, step, digits, unit } = slider;
   const id = newId();
   const input = make("input", { type: "range", id, min, max, step });
-  const divided = dividesRange(slider);
-  if (divided && !reachesEnd(input, max)) input.step = String(step * (1 - hair));
+  if (!reachesEnd(input, max)) input.step = String(wholeStep(slider));
   const output = make("span", { class: "number" });
   const name = make("label", { for: id }, label);
   const element = make("div", { class: "lab-slider" }, name, output, input);
@@ -36,7 +36,7 @@ export function sliderView(slider: Slider, operate: Operate): ControlView {
   };
   input.addEventListener("input", () => {
     const chosen = input.valueAsNumber;
-    const value = divided && max - chosen < step / 2 ? max : chosen;
+    const value = [min, max].find((end) => Math.abs(end - chosen) < step / 2) ?? chosen;
     say(value);
     operate(value);
   });
