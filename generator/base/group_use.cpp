@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -13,6 +12,8 @@
 #include <string>
 #include <string_view>
 #include <utility>
+
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -129,7 +130,7 @@ GroupUse use_of_group(pid_t leader, const Sandbox& sandbox) {
   for (fs::directory_iterator process("/proc", none), end; !none && process != end;
        process.increment(none)) {
     const std::string name = process->path().filename().string();
-    if (!std::all_of(name.begin(), name.end(), [](unsigned char c) { return std::isdigit(c); })) {
+    if (!std::all_of(name.begin(), name.end(), is_digit)) {
       continue;
     }
     const ProcessState state = state_of(process->path());

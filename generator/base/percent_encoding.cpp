@@ -2,12 +2,12 @@
 
 #include <charconv>
 
+#include "base/utf8.h"
+
 namespace mjcourse {
 
-// The user's language must not matter, so the C library is not asked.
 bool is_unreserved(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-         std::string_view("-._~").find(c) != std::string_view::npos;
+  return is_letter_or_digit(c) || std::string_view("-._~").find(c) != std::string_view::npos;
 }
 
 std::string percent_encoded(std::string_view text, const std::function<bool(char)>& plain) {

@@ -104,6 +104,16 @@ int count_columns(std::string_view text) {
   return columns;
 }
 
+std::vector<std::string_view> characters_of(std::string_view text) {
+  std::vector<std::string_view> characters;
+  for (std::size_t begin = 0, at = 1; at <= text.size(); ++at) {
+    if (at < text.size() && is_continuation(text[at])) continue;
+    characters.push_back(text.substr(begin, at - begin));
+    begin = at;
+  }
+  return characters;
+}
+
 std::size_t character_start(std::string_view text, std::size_t at) {
   while (at > 0 && at < text.size() && is_continuation(text[at])) --at;
   return std::min(at, text.size());

@@ -1,11 +1,11 @@
 // UTF-8: what the lesson language is written in.
 #pragma once
 
-#include <cctype>
 #include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mjcourse {
 
@@ -15,6 +15,9 @@ int count_characters(std::string_view text);
 // How many columns of a terminal `text` takes, which is valid UTF-8: two for an ideograph, none for
 // an accent that goes onto the letter before it.
 int count_columns(std::string_view text);
+
+// The characters of `text`, which is valid UTF-8.
+std::vector<std::string_view> characters_of(std::string_view text);
 
 // Where the character begins that byte `at` of `text` belongs to; the end of `text` for its end.
 std::size_t character_start(std::string_view text, std::size_t at);
@@ -28,9 +31,19 @@ std::optional<std::size_t> find_invalid_utf8(std::string_view text);
 // bytes.
 std::optional<std::size_t> find_control_character(std::string_view text);
 
-// Is it an ASCII letter, a digit or `_`: a word character, as regular expressions have them (`\w`)?
-inline bool is_word_character(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+// As ASCII has them: the user's language must not matter.
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+constexpr bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+constexpr bool is_letter_or_digit(char c) {
+  return is_letter(c) || is_digit(c);
+}
+// A letter, a digit or `_`, as regular expressions have them (`\w`).
+constexpr bool is_word_character(char c) {
+  return is_letter_or_digit(c) || c == '_';
 }
 
 // `text` as one line that any terminal shows, and in the order it has: control characters as C has

@@ -1,7 +1,8 @@
 #include "cli/log_guard.h"
 
-#include <cctype>
 #include <cstdlib>
+
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -27,7 +28,7 @@ PlainLog::int_type PlainLog::overflow(int_type given) {
   } else if (c == '#') {
     at_ = at_ == At::hash || at_ == At::command ? At::command : At::hash;
   } else if (at_ == At::command) {
-    if (std::isalpha(static_cast<unsigned char>(c)) == 0) at_ = At::inside;
+    if (!is_letter(c)) at_ = At::inside;
   } else if (at_ != At::begin || !blank) {
     at_ = At::inside;
   }

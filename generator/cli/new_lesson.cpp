@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/our_command.h"
+#include "base/utf8.h"
 #include "cli/lesson_address.h"
 #include "cli/new_part.h"
 #include "cli/skeleton.h"
@@ -20,7 +21,7 @@ std::string with_underscores(std::string slug) {
 
 // Values in the text call a model by a name that begins with a letter.
 std::string model_name(const std::string& slug) {
-  const bool digit = std::isdigit(static_cast<unsigned char>(slug[0])) != 0;
+  const bool digit = is_digit(slug[0]);
   return (digit ? "model_" : "") + with_underscores(slug);
 }
 

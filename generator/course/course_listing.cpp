@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/utf8.h"
 #include "course/lesson_name.h"
 #include "course/yaml_insertion.h"
 #include "course/yaml_tree.h"
@@ -22,12 +23,12 @@ std::optional<YAML::Node> parse(const std::string& yaml) {
 
 // A text as YAML reads it: plain where nothing in it means anything, else in quotes as JSON's.
 std::string yaml_text(const std::string& text) {
-  const bool plain = std::all_of(text.begin(), text.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == ' ' || c == '-';
+  const bool plain = std::all_of(text.begin(), text.end(), [](char c) {
+    return is_letter_or_digit(c) || c == ' ' || c == '-';
   });
   bool truth = false;  // "yes", "off"
-  const bool word = plain && std::isalpha(static_cast<unsigned char>(text[0])) != 0 &&
-                    text.back() != ' ' && YAML::Load(text).IsScalar() &&
+  const bool word = plain && is_letter(text[0]) && text.back() != ' ' &&
+                    YAML::Load(text).IsScalar() &&
                     !YAML::convert<bool>::decode(YAML::Node(text), truth);
   return word ? text : nlohmann::json(text).dump();
 }

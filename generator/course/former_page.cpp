@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/utf8.h"
+
 namespace mjcourse {
 namespace {
 
@@ -10,10 +12,7 @@ constexpr std::string_view kEnd = ".html";
 
 // A folder's or a file's name that an address has as it is, and that hides nothing.
 bool is_name(std::string_view text) {
-  const auto plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' ||
-           c == '_' || c == '.';
-  };
+  const auto plain = [](char c) { return is_word_character(c) || c == '-' || c == '.'; };
   return !text.empty() && text.front() != '.' && std::ranges::all_of(text, plain);
 }
 

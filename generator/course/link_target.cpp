@@ -1,18 +1,17 @@
 #include "course/link_target.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
 #include "base/nearest.h"
+#include "base/utf8.h"
 #include "course/web_address.h"
 
 namespace mjcourse {
 namespace {
 
 bool are_digits(std::string_view text) {
-  return !text.empty() && std::all_of(text.begin(), text.end(),
-                                      [](unsigned char c) { return std::isdigit(c) != 0; });
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_digit);
 }
 
 // "1.12", "A.2"

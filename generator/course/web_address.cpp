@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "base/percent_encoding.h"
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -13,11 +14,6 @@ constexpr const char* kForm = "write it whole: `https://example.org/course/`";
 
 bool is_one_of(char c, std::string_view some) {
   return some.find(c) != some.npos;
-}
-
-// As ASCII has them: the user's language must not matter.
-bool is_plain(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
 }
 
 // Where the host begins; 0 where `url` is no address of the web.
@@ -48,7 +44,7 @@ bool is_host(std::string_view text) {
   const std::string_view name = text.substr(0, colon);
   const bool named =
       !name.empty() && name.front() != '.' && name.front() != '-' && name.find("..") == name.npos &&
-      std::ranges::all_of(name, [](char c) { return is_plain(c) || is_one_of(c, ".-"); });
+      std::ranges::all_of(name, [](char c) { return is_letter_or_digit(c) || is_one_of(c, ".-"); });
   return named && (colon == text.size() || is_port(text.substr(colon + 1)));
 }
 

@@ -44,7 +44,7 @@ class Tokens {
     if (is_word_character(rest[0])) {
       while (size < rest.size() && is_word_character(rest[size])) ++size;
       // 1'000'000 is no string.
-      while (std::isdigit(static_cast<unsigned char>(rest[0])) != 0 && size + 1 < rest.size() &&
+      while (is_digit(rest[0]) && size + 1 < rest.size() &&
              (is_word_character(rest[size]) ||
               (rest[size] == '\'' && is_word_character(rest[size + 1])))) {
         ++size;

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <utility>
 
+#include "base/utf8.h"
+
 namespace mjcourse {
 
 Decimal::Decimal(bool negative, std::string digits, int whole, int exponent)
@@ -17,7 +19,7 @@ Decimal::Decimal(double value) : negative_(value < 0) {
   const std::string_view text(buffer, static_cast<std::size_t>(written.ptr - buffer));
   const std::size_t e = text.find('e');  // d.ddde±XX, or de±XX
   std::copy_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(e),
-               std::back_inserter(digits_), [](char c) { return c >= '0' && c <= '9'; });
+               std::back_inserter(digits_), is_digit);
   const std::string_view exponent = text.substr(e + (text[e + 1] == '+' ? 2 : 1));
   std::from_chars(exponent.data(), exponent.data() + exponent.size(), first_);
 }

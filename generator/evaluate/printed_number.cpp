@@ -12,10 +12,6 @@ namespace {
 constexpr std::size_t kMostExponentDigits = 3;  // no double has more
 constexpr std::string_view kMinus = "\u2212";
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 bool is_name_letter(char c) {
   return is_word_character(c) && !is_digit(c);
 }

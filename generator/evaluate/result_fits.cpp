@@ -35,7 +35,7 @@ bool has_parts_of(const Lab& lab, const LabResult& result) {
 // Which become names of a page's script.
 bool are_names(const std::vector<std::string>& names) {
   return std::ranges::all_of(names, [](const std::string& name) {
-    return !name.empty() && (name[0] < '0' || name[0] > '9') &&
+    return !name.empty() && !is_digit(name[0]) &&
            std::ranges::all_of(name, [](char c) { return is_word_character(c) || c == '$'; });
   });
 }

@@ -29,7 +29,7 @@ constexpr std::array kFunctions{
     "skewY", "translate", "translateX",   "translateY",  "var",  "drop-shadow", "blur"};
 
 bool is_ident(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+  return is_letter_or_digit(c) || c == '-';
 }
 
 // Why this CSS may lead out of the drawing; "" where it cannot.

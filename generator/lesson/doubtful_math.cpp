@@ -3,7 +3,8 @@
 #include <re2/re2.h>
 
 #include <algorithm>
-#include <cctype>
+
+#include "base/utf8.h"
 
 namespace mjcourse {
 
@@ -27,11 +28,10 @@ bool is_doubtful_math(char before, std::string_view tex, std::string_view behind
   if (RE2::FullMatch(formula, words)) return true;
   if (RE2::FullMatch(formula, money)) return true;
   // `US$5–$7; (5$ each)`. Half an interval, `$[0, 1)$`, begins with its bracket.
-  const bool begins_with_digit =
-      !tex.empty() && std::isdigit(static_cast<unsigned char>(tex[0])) != 0;
+  const bool begins_with_digit = !tex.empty() && is_digit(tex[0]);
   if (begins_with_digit && std::ranges::count(tex, '(') != std::ranges::count(tex, ')'))
     return true;
-  if (std::isalnum(static_cast<unsigned char>(before)) != 0) return true;
+  if (is_letter_or_digit(before)) return true;
   const bool ends_in_word = RE2::Consume(&rest, word);
   rest.set(behind.data(), behind.size());
   return ends_in_word && !RE2::Consume(&rest, ending);

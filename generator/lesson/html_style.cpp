@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/nearest.h"
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -85,7 +86,7 @@ constexpr std::array kFunctions{"calc", "clamp",  "fit-content", "hsl", "max",
 constexpr const char* kPlain = "name colours and lengths by words and numbers";
 
 bool is_ident(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-';
+  return is_letter_or_digit(c) || c == '-';
 }
 
 // Nothing that begins a text, an escape, a comment, a rule or an address.

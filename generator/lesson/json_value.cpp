@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "base/utf8.h"
+
 namespace mjcourse {
 namespace {
 
@@ -197,8 +199,9 @@ LocatedText TreeBuilder::decoded(const std::string& value) const {
   return result;
 }
 
+// Of a number or a literal, as JSON has them.
 bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '+' || c == '-';
+  return is_letter_or_digit(c) || c == '.' || c == '+' || c == '-';
 }
 
 // Where the word that ends before `end` begins: a string, a number, a literal, one other character.

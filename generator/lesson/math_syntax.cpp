@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/utf8.h"
 #include "lesson/inline_length.h"
 #include "lesson/markdown.h"
 
@@ -79,8 +80,7 @@ std::optional<InlineMath> scan_inline(std::string_view text) {
   if (text.size() < 2 || is_space(text[1])) return std::nullopt;
   const std::size_t close = find_closing_dollar(text);
   if (close == text.npos || is_space(text[close - 1])) return std::nullopt;
-  const bool digit_follows =
-      close + 1 < text.size() && text[close + 1] >= '0' && text[close + 1] <= '9';
+  const bool digit_follows = close + 1 < text.size() && is_digit(text[close + 1]);
   if (digit_follows) return std::nullopt;
   return InlineMath{{std::string(text.substr(1, close - 1))}, close + 1};
 }

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/nearest.h"
+#include "base/utf8.h"
 #include "lesson/html_style.h"
 
 namespace mjcourse {
@@ -117,12 +118,8 @@ constexpr Words kUnclosed{"this comment is never closed",
 constexpr Words kEndsEarly{"to a browser, this comment ends before its `-->`",
                            "begin it with a blank, and write no `--!>` in it"};
 
-bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 bool is_name_character(char c) {
-  return is_letter(c) || (c >= '0' && c <= '9') || c == '-' || c == ':' || c == '_';
+  return is_word_character(c) || c == '-' || c == ':';
 }
 
 bool is_in(char c, std::string_view characters) {

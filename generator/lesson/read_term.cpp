@@ -1,6 +1,5 @@
 // Texts of a lesson, and the glossary terms in them.
 #include <algorithm>
-#include <cctype>
 
 #include "base/utf8.h"
 #include "lesson/lesson_reader.h"
@@ -12,8 +11,7 @@ namespace {
 // Was a term meant by the `[[` at `at` of a text, whose `]]` is missing? Only a word follows it
 // then.
 bool looks_like_term(cmark_node* text, const std::string& literal, std::size_t at) {
-  if (at + 2 < literal.size())
-    return std::isalpha(static_cast<unsigned char>(literal[at + 2])) != 0;
+  if (at + 2 < literal.size()) return is_letter(literal[at + 2]);
   cmark_node* next = cmark_node_next(text);
   return next != nullptr && cmark_node_get_type(next) == CMARK_NODE_CODE;
 }

@@ -1,8 +1,8 @@
 #include "lesson/table_row.h"
 
 #include <algorithm>
-#include <cctype>
 
+#include "base/utf8.h"
 #include "lesson/inline_length.h"
 
 namespace mjcourse {
@@ -48,8 +48,7 @@ std::optional<CuttingBar> cutting_bar(std::string_view row) {
     const std::size_t bar = next_bar(row, at);
     const std::size_t behind = at + whole;
     // Of `|$HOME|$PATH|`, no dollar closes a formula.
-    const bool word_follows =
-        !code && behind < row.size() && std::isalnum(static_cast<unsigned char>(row[behind])) != 0;
+    const bool word_follows = !code && behind < row.size() && is_letter_or_digit(row[behind]);
     if (bar < behind && word_follows) continue;
     if (bar < behind) return CuttingBar{bar, code ? "code" : "a formula"};
     length = whole;

@@ -1,7 +1,8 @@
 #include "page/anchors.h"
 
-#include <cctype>
 #include <string_view>
+
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -18,7 +19,7 @@ std::string heading_above(const Lesson& lesson, int line) {
 
 std::string as_id(std::string text) {
   for (char& c : text) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '-';
+    if (!is_letter_or_digit(c)) c = '-';
   }
   return text;
 }

@@ -57,17 +57,6 @@ constexpr std::array<std::string_view, 20> kRelations{"=", "≠", "<", ">", "≤
                                                       "↦", "∈", "∉", "≪", "≫", "≔"};
 constexpr std::array<std::string_view, 9> kOperators{"+", "−", "±", "×", "⋅", "∘", "∧", "∨", "∖"};
 
-std::vector<std::string> characters_of(const std::string& text) {
-  std::vector<std::string> characters;
-  for (std::size_t at = 0; at < text.size();) {
-    std::size_t end = at + 1;
-    while (end < text.size() && character_start(text, end) != end) ++end;
-    characters.push_back(text.substr(at, end - at));
-    at = end;
-  }
-  return characters;
-}
-
 // In parentheses where it is more than a word.
 std::string grouped(const std::string& text) {
   return text.find(' ') == text.npos ? text : "(" + text + ")";
@@ -76,9 +65,9 @@ std::string grouped(const std::string& text) {
 // `text` in these letters, or behind `mark` where one of its characters is none of them.
 std::string raised(const std::string& text, const Letters& letters, const std::string& mark) {
   std::string written;
-  for (const std::string& character : characters_of(text)) {
+  for (const std::string_view character : characters_of(text)) {
     if (character == " ") continue;
-    const auto letter = letters.find(character);
+    const auto letter = letters.find(std::string(character));
     if (letter == letters.end()) return mark + grouped(text);
     written += letter->second;
   }

@@ -1,7 +1,8 @@
 #include "page/html_tag.h"
 
 #include <algorithm>
-#include <cctype>
+
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -67,7 +68,7 @@ std::string with_tags(const std::string& html,
     const std::string_view text = rest.substr(0, rest.find('<'));
     changed += text;
     rest.remove_prefix(text.size());
-    const bool opens = rest.size() > 1 && std::isalpha(static_cast<unsigned char>(rest[1])) != 0;
+    const bool opens = rest.size() > 1 && is_letter(rest[1]);
     if (opens) {
       changed += change(take_tag(rest));
     } else {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/utf8.h"
+
 namespace mjcourse {
 namespace {
 
@@ -24,7 +26,7 @@ std::size_t unit_length(std::string_view text) {
 std::size_t next_unit(std::string_view text, std::size_t begin) {
   for (std::size_t i = text.find(' ', begin); i != std::string_view::npos;
        i = text.find(' ', i + 1)) {
-    const bool ends_number = i > 0 && text[i - 1] >= '0' && text[i - 1] <= '9';
+    const bool ends_number = i > 0 && is_digit(text[i - 1]);
     if (ends_number && unit_length(text.substr(i)) > 0) return i;
   }
   return std::string_view::npos;

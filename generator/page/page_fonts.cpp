@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "base/utf8.h"
+
 namespace mjcourse {
 namespace {
 
@@ -37,9 +39,8 @@ std::string shown_at_once(std::string_view body) {
   }
 }
 
-bool is_letter(std::string_view text) {
-  const char first = text.empty() ? '\0' : text.front();
-  return (first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z');
+bool begins_with_letter(std::string_view text) {
+  return !text.empty() && is_letter(text.front());
 }
 
 // U+0370 to U+03FF, in UTF-8.
@@ -61,10 +62,10 @@ struct FormulaFont {
 };
 
 constexpr FormulaFont kFormulaFonts[] = {
-    {"letters.woff2", "mord mathnormal", is_letter},
+    {"letters.woff2", "mord mathnormal", begins_with_letter},
     {"greek.woff2", "mord mathnormal", is_greek},
-    {"upright-bold.woff2", "mord mathbf", is_letter},
-    {"bold-letters.woff2", "mord boldsymbol", is_letter},
+    {"upright-bold.woff2", "mord mathbf", begins_with_letter},
+    {"bold-letters.woff2", "mord boldsymbol", begins_with_letter},
     {"bold-greek.woff2", "mord boldsymbol", is_greek},
     {"large.woff2", "op-symbol small-op", is_large},
     {"large.woff2", "delimsizing size1", is_large},

@@ -1,10 +1,10 @@
 #include "page/site_paths.h"
 
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 
 #include "base/percent_encoding.h"
+#include "base/utf8.h"
 #include "course/web_address.h"
 
 namespace mjcourse {
@@ -33,7 +33,7 @@ std::string image_path(const Lesson& lesson, const Image& image, const ImageResu
   const std::filesystem::path file(image.file.text);
   std::string name = file.stem().string();
   for (char& c : name) {
-    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
+    const bool plain = is_word_character(c) || c == '-';
     if (!plain) c = '-';  // what an address would have to escape
   }
   const std::string page = page_path(lesson);

@@ -61,17 +61,6 @@ class DiagnosticWriter {
   int column_ = 0;  // of the line that is being written
 };
 
-// The characters of `text`.
-std::vector<std::string_view> characters_of(std::string_view text) {
-  std::vector<std::string_view> characters;
-  for (std::size_t begin = 0, at = 1; at <= text.size(); ++at) {
-    if (at < text.size() && count_characters(text.substr(at, 1)) == 0) continue;
-    characters.push_back(text.substr(begin, at - begin));
-    begin = at;
-  }
-  return characters;
-}
-
 // The line of `place`; where `room` columns cannot hold it, only what is around the caret: a third
 // of the room before it, the rest behind.
 Shown shown(const Place& place, int room) {

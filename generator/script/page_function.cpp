@@ -1,17 +1,17 @@
 #include "script/page_function.h"
 
 #include <algorithm>
-#include <cctype>
 #include <set>
 #include <string_view>
+
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
 
 // Part of a JavaScript name; what is not ASCII may be one.
 bool is_name_part(char c) {
-  const auto byte = static_cast<unsigned char>(c);
-  return std::isalnum(byte) != 0 || c == '_' || c == '$' || byte >= 0x80;
+  return is_word_character(c) || c == '$' || static_cast<unsigned char>(c) >= 0x80;
 }
 
 // All words of `text` but the members that follow a dot: not the `qvel` of `data.qvel`.

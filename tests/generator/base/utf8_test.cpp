@@ -22,6 +22,25 @@ TEST(Utf8, CountsCodePoints) {
   EXPECT_EQ(count_characters("é→𝄞"), 3);
 }
 
+TEST(Utf8, IsTakenApartIntoCharacters) {
+  EXPECT_EQ(characters_of("aé→𝄞"), (std::vector<std::string_view>{"a", "é", "→", "𝄞"}));
+  EXPECT_TRUE(characters_of("").empty());
+}
+
+TEST(Utf8, HasTheLettersAndDigitsOfAscii) {
+  std::string letters, digits, words;
+  for (int c = -128; c < 128; ++c) {
+    if (is_letter(static_cast<char>(c))) letters += static_cast<char>(c);
+    if (is_digit(static_cast<char>(c))) digits += static_cast<char>(c);
+    if (is_word_character(static_cast<char>(c))) words += static_cast<char>(c);
+    EXPECT_EQ(is_letter_or_digit(static_cast<char>(c)),
+              is_letter(static_cast<char>(c)) || is_digit(static_cast<char>(c)));
+  }
+  EXPECT_EQ(digits, "0123456789");
+  EXPECT_EQ(letters, "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz");
+  EXPECT_EQ(words, "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ_abcdefghijklmnopqrstuvwxyz");
+}
+
 TEST(Utf8, AcceptsTheEdgesOfEveryLength) {
   for (const char* text :
        {"\x7F", "\xC2\x80", "\xDF\xBF", "\xE0\xA0\x80", "\xED\x9F\xBF", "\xEE\x80\x80",
