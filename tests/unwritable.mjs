@@ -81,7 +81,7 @@ for (const [command, option, value] of options) {
   for (const words of [[option, ""], [`${option}=`]]) {
     expectRefused(
       [command, ...words],
-      `mjcourse: ${option} needs ${what}, and has ""\n\`mjcourse --help\` shows the commands\n`,
+      `mjcourse: ${option} needs ${what}, and has ""\n\`mjcourse ${command} --help\` shows what it takes\n`,
     );
   }
 }

@@ -25,7 +25,7 @@ namespace {
 
 class Acceptance {
  public:
-  Acceptance(const Options& options, const Verified& verified, std::vector<Where> where)
+  Acceptance(const AcceptOptions& options, const Verified& verified, std::vector<Where> where)
       : options_(options), verified_(verified), where_(std::move(where)) {}
 
   int run() {
@@ -128,7 +128,7 @@ class Acceptance {
     return errors > 0 || (options_.dry_run && files_ > 0) ? kCourseErrors : kClean;
   }
 
-  const Options& options_;
+  const AcceptOptions& options_;
   const Verified& verified_;
   std::vector<Where> where_;
   std::vector<RefusedEdit> refused_;
@@ -137,7 +137,7 @@ class Acceptance {
 
 }  // namespace
 
-int accept(const Options& options) {
+int accept(const AcceptOptions& options) {
   Verified verified = read_course_of(options);
   std::vector<Where> where;
   for (const std::string& text : options.where) {

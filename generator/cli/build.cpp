@@ -14,7 +14,7 @@
 
 namespace mjcourse {
 
-int build(const Options& options) {
+int build(const BuildOptions& options) {
   Verified verified = verify_course(options);
   if (verified.failed) {
     std::cout << "no site was written: mend the errors first\n";

@@ -7,7 +7,7 @@
 
 namespace mjcourse {
 
-int check(const Options& options) {
+int check(const CheckOptions& options) {
   const Verified verified = verify_course(options);
   std::cout << document_of(verified, options);
   return verified.failed ? kCourseErrors : kClean;

@@ -1,4 +1,4 @@
-// The commands: each takes its options and gives the exit code.
+// The commands: each takes its own options and gives the exit code.
 #pragma once
 
 #include <cstdint>
@@ -15,52 +15,94 @@ namespace mjcourse {
 // How `check` says on stdout what it found.
 enum class Format { text, json, github, sarif, junit };
 
-struct Options {
+// What the commands that evaluate a course have in common.
+struct CourseOptions {
   std::filesystem::path course = ".";
-  bool course_named = false;  // by --course
-  std::filesystem::path out;
-  std::string base_url;            // of build: where its site is published; "" as course.yaml says
-  std::vector<std::string> where;  // lessons, or lines of them; none: all. Of `new`: what, and how
-                                   // it is called
-  bool dry_run = false;
-  std::filesystem::path report;  // a folder for the report; empty for none
-  bool compress = false;         // the site's files also as servers send them
-  bool strict = false;           // nothing without proof or reason, and no warnings
-  std::filesystem::path store;   // of results; empty for the user's
+  std::filesystem::path store;  // of results; empty for the user's
   std::size_t jobs = core_count();
+  bool without_landlock = false;  // run a course's programs where the kernel has none
+};
+
+// Those of them that tell what they verified.
+struct VerifyOptions : CourseOptions {
+  std::filesystem::path report;  // a folder for the report; empty for none
+  bool strict = false;           // nothing without proof or reason, and no warnings
   Format format = Format::text;
   bool timings = false;
-  std::filesystem::path trace;      // a file for them; empty for none
-  std::uintmax_t keep = kMostKept;  // bytes that a pruned store keeps
-  std::optional<int> port;          // of the preview; nothing: the first that is free
-  bool open = false;                // the preview in a browser
-  bool without_landlock = false;    // run a course's programs where the kernel has none
+  std::filesystem::path trace;  // a file for them; empty for none
+};
+
+struct AcceptOptions : CourseOptions {
+  std::vector<std::string> where;  // lessons, or lines of them; none: all
+  bool dry_run = false;
+};
+
+struct BuildOptions : VerifyOptions {
+  std::filesystem::path out;
+  std::string base_url;   // where the site is published; "" as course.yaml says
+  bool compress = false;  // the site's files also as servers send them
+};
+
+struct CheckOptions : VerifyOptions {};
+
+struct DoctorOptions {
+  std::filesystem::path store;
+};
+
+struct ExplainOptions : CourseOptions {
+  std::vector<std::string> where;  // as of accept, or messages' names
+};
+
+struct InitOptions {
+  std::vector<std::string> words;  // the folder and the title
+};
+
+struct ListOptions : CourseOptions {};
+
+struct LspOptions : CourseOptions {
+  bool course_named = false;  // by --course
+};
+
+struct NewOptions {
+  std::filesystem::path course = ".";
+  std::vector<std::string> words;  // what, and how it is called
+};
+
+struct PreviewOptions : CourseOptions {
+  std::optional<int> port;                                   // nothing: the first that is free
+  bool open = false;                                         // in a browser
   std::string link = "vscode://file{file}:{line}:{column}";  // how a page opens an editor
 };
 
+struct StoreOptions {
+  std::vector<std::string> words;  // "prune"
+  std::filesystem::path store;
+  std::uintmax_t keep = kMostKept;  // bytes that a pruned store keeps
+};
+
 // Evaluate the course and replace the site; with errors the old site stays.
-int build(const Options& options);
+int build(const BuildOptions& options);
 // Show the course in a browser while it is being written, until Ctrl-C.
-int preview(const Options& options);
+int preview(const PreviewOptions& options);
 // Answer an editor that speaks the Language Server Protocol, until it ends.
-int lsp(const Options& options);
+int lsp(const LspOptions& options);
 // Evaluate the course and report.
-int check(const Options& options);
+int check(const CheckOptions& options);
 
 // Say what results depend on, and whether they would be used again. Works nothing out.
-int explain(const Options& options);
+int explain(const ExplainOptions& options);
 // Begin a level, a lesson, a model or an example of the course: `new KIND NAME`.
-int make_new(const Options& options);
+int make_new(const NewOptions& options);
 // Begin a course: `init DIR`.
-int init(const Options& options);
+int init(const InitOptions& options);
 // Say how each lesson stands: its words, minutes, claims, and when it was changed.
-int list(const Options& options);
+int list(const ListOptions& options);
 // Say what this machine has of all that courses need.
-int doctor(const Options& options);
+int doctor(const DoctorOptions& options);
 // `store prune`.
-int store(const Options& options);
+int store(const StoreOptions& options);
 
 // Evaluate the course and write what was computed where something else is committed.
-int accept(const Options& options);
+int accept(const AcceptOptions& options);
 
 }  // namespace mjcourse

@@ -18,7 +18,7 @@ const char* word_for(Sign::Grade grade) {
 
 }  // namespace
 
-int doctor(const Options& options) {
+int doctor(const DoctorOptions& options) {
   const std::vector<Sign> signs = examine(assets_folder(), store_folder(options.store));
   std::ptrdiff_t missing = 0;
   std::cout << "mjcourse " MJCOURSE_VERSION "\n";

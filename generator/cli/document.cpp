@@ -14,7 +14,7 @@ namespace mjcourse {
 namespace {
 
 // The course's folder as those see it who check it from outside: relative to where they are.
-std::string folder_of(const Options& options) {
+std::string folder_of(const CheckOptions& options) {
   return options.course.lexically_relative(std::filesystem::current_path()).string();
 }
 
@@ -62,7 +62,7 @@ std::vector<TestSuite> suites_of(const Verified& verified, const std::string& fo
 
 }  // namespace
 
-std::string document_of(const Verified& verified, const Options& options) {
+std::string document_of(const Verified& verified, const CheckOptions& options) {
   const Evaluation& evaluation = verified.evaluation;
   const std::string folder = folder_of(options);
   switch (options.format) {

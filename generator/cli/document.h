@@ -10,6 +10,6 @@
 namespace mjcourse {
 
 // "" for Format::text.
-std::string document_of(const Verified& verified, const Options& options);
+std::string document_of(const Verified& verified, const CheckOptions& options);
 
 }  // namespace mjcourse

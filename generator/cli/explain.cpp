@@ -88,7 +88,7 @@ int explain_ids(const std::vector<std::string>& ids) {
 
 }  // namespace
 
-int explain(const Options& options) {
+int explain(const ExplainOptions& options) {
   const auto ids = static_cast<std::size_t>(
       std::count_if(options.where.begin(), options.where.end(), is_like_id));
   if (ids > 0 && ids < options.where.size()) {

@@ -81,8 +81,8 @@ tl::expected<void, Refusal> look_at(const fs::path& folder, const std::string& n
 
 }  // namespace
 
-int init(const Options& options) {
-  const std::vector<std::string>& words = options.where;
+int init(const InitOptions& options) {
+  const std::vector<std::string>& words = options.words;
   const std::string form = our_command("init my-course \"My course\"");
   if (words.empty()) return tell({kWrongUsage, "init needs a folder", "as in " + form});
   if (words.size() > 2) {

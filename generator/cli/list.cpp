@@ -89,7 +89,7 @@ void print(const std::vector<Row>& rows) {
 
 }  // namespace
 
-int list(const Options& options) {
+int list(const ListOptions& options) {
   Verified verified = read_course_of(options);
   evaluate_course(options, verified, true);
   if (!verified.course) {

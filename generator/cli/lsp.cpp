@@ -18,7 +18,7 @@ constexpr int kLeftAlone = 1;
 
 }  // namespace
 
-int lsp(const Options& options) {
+int lsp(const LspOptions& options) {
   KeptResults kept(options.store);
   QuickStore store(kept.store());
   const DiskFiles assets(assets_folder());

@@ -28,9 +28,9 @@ NewPartOrRefusal new_part(const Files& course, const Files& assets,
   return wrong_words("there is no new " + words[0], suggest(words[0], kinds));
 }
 
-int make_new(const Options& options) {
+int make_new(const NewOptions& options) {
   const DiskFiles course(options.course);
-  const auto part = new_part(course, DiskFiles(assets_folder()), options.where);
+  const auto part = new_part(course, DiskFiles(assets_folder()), options.words);
   if (!part) return tell(part.error());
   // A model in a folder that is no course would be lost there.
   if (const auto yaml = course.read(kCoursePath); !yaml) return tell(no_course(yaml.error()));

@@ -53,27 +53,27 @@ std::optional<Refusal> refused_folder(const fs::path& course, const fs::path& pl
 
 }  // namespace
 
-std::optional<Refusal> refused_out(const Options& options, std::string_view command) {
+std::optional<Refusal> refused_out(const OutPlaces& places) {
   std::optional<Refusal> refused;
-  if (command == "build") {
-    refused = refused_folder(options.course, options.out, "--out DIR");
+  if (!places.site.empty()) {
+    refused = refused_folder(places.course, places.site, "--out DIR");
   }
-  if (!refused && !options.report.empty()) {
-    refused = refused_folder(options.course, options.report, "--report DIR");
+  if (!refused && !places.report.empty()) {
+    refused = refused_folder(places.course, places.report, "--report DIR");
   }
-  if (!refused && !options.trace.empty()) {
-    refused = refused_place(options.course, options.trace, "--trace FILE");
-    if (!refused && fs::exists(options.trace) && !fs::is_regular_file(options.trace)) {
-      refused = Refusal{kWrongUsage, options.trace.string() + " is not a file",
+  if (!refused && !places.trace.empty()) {
+    refused = refused_place(places.course, places.trace, "--trace FILE");
+    if (!refused && fs::exists(places.trace) && !fs::is_regular_file(places.trace)) {
+      refused = Refusal{kWrongUsage, places.trace.string() + " is not a file",
                         "name a file: `--trace FILE`"};
     }
-    if (!refused) refused = refused_by_system(options.trace, "--trace FILE");
+    if (!refused) refused = refused_by_system(places.trace, "--trace FILE");
   }
-  if (!refused && !options.store.empty()) {
-    refused = refused_place(options.course, options.store, "--store DIR");
+  if (!refused && !places.store.empty()) {
+    refused = refused_place(places.course, places.store, "--store DIR");
     // One that is there may be there to be read.
-    if (!refused && !fs::exists(options.store)) {
-      refused = refused_by_system(options.store, "--store DIR");
+    if (!refused && !fs::exists(places.store)) {
+      refused = refused_by_system(places.store, "--store DIR");
     }
   }
   return refused;

@@ -91,7 +91,7 @@ void open_browser(const std::string& address) {
 
 }  // namespace
 
-int preview(const Options& options) {
+int preview(const PreviewOptions& options) {
   const Interrupt interrupt;
   KeptResults kept(options.store);
   QuickStore store(kept.store());

@@ -1,22 +1,20 @@
 #include "cli/run.h"
 
-#include <algorithm>
-#include <array>
-#include <charconv>
 #include <exception>
+#include <functional>
 #include <iostream>
-#include <string_view>
 #include <system_error>
+#include <type_traits>
 #include <utility>
 
 #include "base/cache_folder.h"
 #include "base/nearest.h"
 #include "base/our_command.h"
+#include "cli/command_line.h"
+#include "cli/command_options.h"
 #include "cli/commands.h"
 #include "cli/log_guard.h"
 #include "cli/out_place.h"
-#include "cli/size.h"
-#include "course/web_address.h"
 #include "evaluate/work_loop.h"
 #include "evaluate/worker.h"
 #include "page/course_data.h"
@@ -26,208 +24,13 @@
 namespace mjcourse {
 namespace {
 
-constexpr std::size_t kMostJobs = 1024;
-
-struct CommandOption {
-  std::string_view name;
-  std::string_view value;  // what must follow it: "a folder"; empty where nothing may
-  bool (*take)(Options&, const std::string& value);  // false where the value is no such thing
-};
-
-constexpr CommandOption kCourse{"--course", "a folder",
-                                [](Options& options, const std::string& value) {
-                                  options.course = value;
-                                  options.course_named = true;
-                                  return true;
-                                }};
-constexpr CommandOption kOut{"--out", "a folder", [](Options& options, const std::string& value) {
-                               options.out = value;
-                               return true;
-                             }};
-
-constexpr CommandOption kBaseUrl{"--base-url",
-                                 "the address of a site, as https://example.org/course/",
-                                 [](Options& options, const std::string& value) {
-                                   options.base_url = site_root(value);
-                                   return !site_address_fault(value);
-                                 }};
-constexpr CommandOption kDryRun{"--dry-run", "", [](Options& options, const std::string&) {
-                                  options.dry_run = true;
-                                  return true;
-                                }};
-
-constexpr CommandOption kReport{"--report", "a folder",
-                                [](Options& options, const std::string& value) {
-                                  options.report = value;
-                                  return true;
-                                }};
-constexpr CommandOption kCompress{"--compress", "", [](Options& options, const std::string&) {
-                                    options.compress = true;
-                                    return true;
-                                  }};
-constexpr CommandOption kStrict{"--strict", "", [](Options& options, const std::string&) {
-                                  options.strict = true;
-                                  return true;
-                                }};
-
-constexpr CommandOption kFormat{
-    "--format", "text, json, github, sarif or junit",
-    [](Options& options, const std::string& value) {
-      constexpr std::array<std::pair<std::string_view, Format>, 5> known{
-          {{"text", Format::text},
-           {"json", Format::json},
-           {"github", Format::github},
-           {"sarif", Format::sarif},
-           {"junit", Format::junit}}};
-      const auto named = std::find_if(known.begin(), known.end(),
-                                      [&](const auto& one) { return one.first == value; });
-      if (named == known.end()) return false;
-      options.format = named->second;
-      return true;
-    }};
-
-constexpr CommandOption kStore{"--store", "a folder",
-                               [](Options& options, const std::string& value) {
-                                 options.store = value;
-                                 return true;
-                               }};
-constexpr CommandOption kJobs{
-    "--jobs", "a number of threads", [](Options& options, const std::string& value) {
-      const char* end = value.data() + value.size();
-      const auto read = std::from_chars(value.data(), end, options.jobs);
-      return read.ptr == end && options.jobs > 0 && options.jobs <= kMostJobs;
-    }};
-constexpr CommandOption kTimings{"--timings", "", [](Options& options, const std::string&) {
-                                   options.timings = true;
-                                   return true;
-                                 }};
-constexpr CommandOption kTrace{"--trace", "a file", [](Options& options, const std::string& value) {
-                                 options.trace = value;
-                                 return true;
-                               }};
-constexpr CommandOption kKeep{"--keep", "a size, as 2GB",
-                              [](Options& options, const std::string& value) {
-                                const auto bytes = read_size(value);
-                                options.keep = bytes.value_or(0);
-                                return bytes.has_value();
-                              }};
-
-constexpr int kLastPort = 65535;
-constexpr CommandOption kPort{"--port", "a port from 1 to 65535",
-                              [](Options& options, const std::string& value) {
-                                int port = 0;
-                                const char* end = value.data() + value.size();
-                                const auto read = std::from_chars(value.data(), end, port);
-                                options.port = port;
-                                return read.ptr == end && port > 0 && port <= kLastPort;
-                              }};
-constexpr CommandOption kOpen{"--open", "", [](Options& options, const std::string&) {
-                                options.open = true;
-                                return true;
-                              }};
-constexpr CommandOption kLink{"--link", "an address with {file} in it",
-                              [](Options& options, const std::string& value) {
-                                options.link = value;
-                                return value.find("{file}") != value.npos;
-                              }};
-
-constexpr CommandOption kWithoutLandlock{"--unsafe-without-landlock", "",
-                                         [](Options& options, const std::string&) {
-                                           options.without_landlock = true;
-                                           return true;
-                                         }};
-
-struct NamedCommand {
-  std::string_view name;
-  int (*command)(const Options&);
-  std::vector<CommandOption> options;
-  bool takes_words = false;  // that are no options
-};
-
-const std::vector<NamedCommand>& commands() {
-  static const std::vector<NamedCommand> all{
-      {"accept", accept, {kCourse, kDryRun, kStore, kJobs, kWithoutLandlock}, true},
-      {"build",
-       build,
-       {kCourse, kOut, kBaseUrl, kCompress, kReport, kStore, kJobs, kTimings, kTrace,
-        kWithoutLandlock}},
-      {"check",
-       check,
-       {kCourse, kReport, kStrict, kFormat, kStore, kJobs, kTimings, kTrace, kWithoutLandlock}},
-      {"doctor", doctor, {kStore}},
-      {"explain", explain, {kCourse, kStore}, true},
-      {"init", init, {}, true},
-      {"list", list, {kCourse, kStore, kJobs}},
-      {"lsp", lsp, {kCourse, kStore, kJobs, kWithoutLandlock}},
-      {"new", make_new, {kCourse}, true},
-      {"preview", preview, {kCourse, kPort, kOpen, kLink, kStore, kJobs, kWithoutLandlock}},
-      {"store", store, {kStore, kKeep}, true}};
-  return all;
-}
-
-constexpr std::string_view kHelp =
-    " COMMAND [OPTIONS]\n"
-    "\n"
-    "  build              evaluate the course and write its site\n"
-    "  preview            show the course in a browser while it is being written\n"
-    "  lsp                answer an editor: mistakes, completion and more while you write\n"
-    "  check              evaluate the course and write nothing\n"
-    "  accept [WHERE...]  evaluate the course, show where it differs from what is committed, and\n"
-    "                     write what was computed: outputs, programs, regions, pictures\n"
-    "  explain [WHERE...] what each block depends on, and whether its result would be used again\n"
-    "  explain ID         what a message means and how it is cured, by its name: E-output-differs\n"
-    "  list               the lessons, and how each of them stands\n"
-    "  new KIND NAME      begin a level, a lesson, a model or an example of the course\n"
-    "  init DIR [TITLE]   begin a course in a new folder\n"
-    "  doctor             try out what this machine has of all that courses need\n"
-    "  store prune        forget the results that were not used for longest\n"
-    "  --version          which version this is\n"
-    "\n"
-    "  WHERE          a lesson (1.2, its slug or its path), or the block at one of its lines\n"
-    "                 (1.2:210); none means all\n"
-    "  NAME           of a level or a lesson, then its title: new level 2-dynamics \"Dynamics\",\n"
-    "                 new lesson 2-dynamics \"Forces\"; of a model: new model pendulum; of an\n"
-    "                 example, then its model: new example l2_1_forces pendulum\n"
-    "  --course DIR   the course: a folder with content/, models/ and examples/ (default: .; of\n"
-    "                 lsp, the folder that is open in the editor)\n"
-    "  --out DIR      where build puts the site (default: build/site in the course)\n"
-    "  --base-url URL build: where the site is published, whatever course.yaml says\n"
-    "  --compress     build: each file of text also as NAME.br and NAME.gz, for servers that send "
-    "these\n"
-    "  --report DIR   write what was verified, and how, to DIR/index.html and verification.json\n"
-    "  --strict       check: no warnings, and a reason for all that was not proved\n"
-    "  --format NAME  check: say it to another tool on stdout, and to you on stderr: json, "
-    "github,\n"
-    "                 sarif or junit (default: text)\n"
-    "  --dry-run      accept shows the differences and writes nothing; the exit code is 1 if "
-    "there\n"
-    "                 are any\n"
-    "  --store DIR    where results are kept (default: the user's cache)\n"
-    "  --jobs N       how many threads work (default: one for each core)\n"
-    "  --timings      build, check: print what took longest\n"
-    "  --trace FILE   build, check: write when everything was worked on, for a browser's trace\n"
-    "                 viewer\n"
-    "  --port N       where preview answers (default: the first that is free from 8000 on)\n"
-    "  --open         preview opens a browser\n"
-    "  --link FORM    how a previewed page opens your editor, with {file}, {line}, {column}\n"
-    "                 (default: vscode://file{file}:{line}:{column})\n"
-    "  --unsafe-without-landlock\n"
-    "                 run a course's programs where the kernel has no Landlock to keep them from\n"
-    "                 your files: for courses whose every program you trust\n"
-    "  --keep SIZE    how much store prune leaves, as 500MB (default: 2GB)\n"
-    "\n"
-    "Exit code: 0 clean, 1 the course has errors (after accept: those that it cannot mend),\n"
-    "2 wrong usage, 3 our fault.\n";
-
-int wrong_usage(const std::string& message) {
-  std::cerr << "mjcourse: " << message << "\n" << our_command("--help") << " shows the commands\n";
+// Of the command line of `command`, where one is named.
+int wrong_usage(const std::string& message, const std::string& command = "") {
+  std::cerr << "mjcourse: " << message << '\n'
+            << (command.empty() ? our_command("--help") + " shows the commands"
+                                : our_command(command + " --help") + " shows what it takes")
+            << '\n';
   return kWrongUsage;
-}
-
-std::string no_option(const NamedCommand& named, const std::string& argument) {
-  std::vector<std::string> known;
-  for (const CommandOption& option : named.options) known.emplace_back(option.name);
-  return std::string(named.name) + " has no option " + argument + "; " + suggest(argument, known);
 }
 
 // Absolute and without `.`, as the paths are that are compared with it; tools run in folders of
@@ -237,56 +40,130 @@ std::filesystem::path whole_path(const std::filesystem::path& path) {
   return whole.has_filename() ? whole : whole.parent_path();
 }
 
-int run_named(const NamedCommand& named, const std::vector<std::string>& arguments) {
-  Options options;
-  for (std::size_t i = 1; i < arguments.size(); ++i) {
-    // `--format=json` is `--format json`.
-    const std::size_t equals = arguments[i].find('=');
-    const bool joined = arguments[i].starts_with("--") && equals != std::string::npos;
-    const std::string argument = joined ? arguments[i].substr(0, equals) : arguments[i];
-    if (argument == "--help") {
-      std::cout << "usage: " << called_as() << kHelp;
-      return kClean;
-    }
-    const auto option =
-        std::find_if(named.options.begin(), named.options.end(),
-                     [&](const CommandOption& known) { return known.name == argument; });
-    if (option == named.options.end() && named.takes_words && !argument.starts_with('-')) {
-      options.where.push_back(argument);
-      continue;
-    }
-    if (option == named.options.end()) return wrong_usage(no_option(named, argument));
-    const bool needs_value = !option->value.empty();
-    if (joined && !needs_value) return wrong_usage(argument + " takes no value");
-    if (needs_value && !joined && i + 1 == arguments.size()) {
-      return wrong_usage(argument + " needs " + std::string(option->value));
-    }
-    const std::string value = joined        ? arguments[i].substr(equals + 1)
-                              : needs_value ? arguments[++i]
-                                            : "";
-    // An unset variable in somebody's script, and not a wish for what is usual.
-    if (needs_value && value.empty()) {
-      return wrong_usage(argument + " needs " + std::string(option->value) + ", and has \"\"");
-    }
-    if (!option->take(options, value)) {
-      return wrong_usage(argument + " takes " + std::string(option->value) + ", and not " + value);
-    }
+// Where a command of these options writes.
+template <typename Options>
+OutPlaces out_places(const Options& options) {
+  OutPlaces places;
+  if constexpr (requires { options.course; }) places.course = options.course;
+  if constexpr (requires { options.out; }) places.site = options.out;
+  if constexpr (requires { options.store; }) places.store = options.store;
+  if constexpr (requires { options.report; }) places.report = options.report;
+  if constexpr (requires { options.trace; }) places.trace = options.trace;
+  return places;
+}
+
+// What other programs read is whole as it is.
+template <typename Options>
+bool people_read(const Options& options) {
+  if constexpr (requires { options.format; }) return options.format == Format::text;
+  return !std::is_same_v<Options, LspOptions>;
+}
+
+template <typename Options>
+int run_with(Options options, int (*command)(const Options&)) {
+  if constexpr (requires { options.out; }) {
+    if (options.out.empty()) options.out = options.course / "build" / "site";
   }
-  if (options.out.empty()) options.out = options.course / "build" / "site";
-  options.course = whole_path(options.course);
-  if (const auto refused = refused_out(options, named.name)) return tell(*refused);
+  if constexpr (requires { options.course; }) options.course = whole_path(options.course);
+  if (const auto refused = refused_out(out_places(options))) return tell(*refused);
   set_up_mesa(user_cache_folder());
-  // What other programs read is whole as it is.
-  const LogGuard guard(options.format == Format::text && named.command != lsp);
-  return named.command(options);
+  const LogGuard guard(people_read(options));
+  return command(options);
+}
+
+struct NamedCommand {
+  std::string name, summary;
+  CommandLine line;  // for what it takes; each run reads one of its own
+  std::function<int(const std::vector<std::string>& arguments)> run;
+};
+
+const std::vector<NamedCommand>& commands();
+
+// "build, check"
+std::string names_of_those_with(const std::string& option) {
+  std::string names;
+  for (const NamedCommand& one : commands()) {
+    if (one.line.has(option)) names += (names.empty() ? "" : ", ") + one.name;
+  }
+  return names;
+}
+
+template <typename Options>
+CommandLine line_into(Options& options, const std::string& name) {
+  CommandLine line(name);
+  declare(line, options);
+  return line;
+}
+
+template <typename Options>
+int run_line(const std::string& name, const std::string& summary, int (*command)(const Options&),
+             const std::vector<std::string>& arguments) {
+  Options options;
+  CommandLine line = line_into(options, name);
+  try {
+    if (line.read(arguments)) return run_with(std::move(options), command);
+  } catch (const UnknownOption& unknown) {
+    const std::string others = names_of_those_with(unknown.name);
+    if (others.empty()) return wrong_usage(unknown.what(), name);
+    return wrong_usage(name + " has no option " + unknown.name + "; it belongs to " + others, name);
+  } catch (const WrongUsage& wrong) {
+    return wrong_usage(wrong.what(), name);
+  }
+  std::cout << line.help(summary);
+  return kClean;
+}
+
+template <typename Options>
+NamedCommand named(const std::string& name, int (*command)(const Options&),
+                   const std::string& summary) {
+  static Options unread;
+  return {name, summary, line_into(unread, name), [=](const std::vector<std::string>& arguments) {
+            return run_line(name, summary, command, arguments);
+          }};
+}
+
+const std::vector<NamedCommand>& commands() {
+  static const std::vector<NamedCommand> all{
+      named("build", build, "evaluate the course and write its site"),
+      named("preview", preview, "show the course in a browser while it is being written"),
+      named("lsp", lsp, "answer an editor: mistakes, completion and more while you write"),
+      named("check", check, "evaluate the course and write nothing"),
+      named("accept", accept,
+            "evaluate the course, show where it differs from what is committed, and write what was "
+            "computed: outputs, programs, regions, pictures"),
+      named("explain", explain,
+            "what each block depends on, and whether its result would be used again; or, by a "
+            "message's "
+            "name (E-output-differs), what it means and how it is cured"),
+      named("list", list, "the lessons, and how each of them stands"),
+      named("new", make_new, "begin a level, a lesson, a model or an example of the course"),
+      named("init", init, "begin a course in a new folder"),
+      named("doctor", doctor, "try out what this machine has of all that courses need"),
+      named("store", store, "forget the results that were not used for longest")};
+  return all;
+}
+
+std::string help() {
+  constexpr std::size_t indent = 21;
+  std::string text = "usage: " + called_as() + " COMMAND [OPTIONS]\n\n";
+  for (const NamedCommand& one : commands())
+    text += help_line(one.line.form(), one.summary, indent);
+  return text + help_line("--version", "which version this is", indent) + "\n" +
+         our_command("COMMAND --help") +
+         " shows what a command takes.\n"
+         "\n"
+         "Exit code: 0 clean, 1 the course has errors (after accept: those that it cannot mend),\n"
+         "2 wrong usage, 3 our fault.\n";
 }
 
 }  // namespace
 
 int run_command(const std::vector<std::string>& arguments) {
   if (arguments.empty()) return wrong_usage("which command?");
-  if (arguments[0] == "--help" || arguments[0] == "help") {
-    std::cout << "usage: " << called_as() << kHelp;
+  const bool asks = arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help";
+  if (asks && arguments.size() > 1) return run_command({arguments[1], "--help"});
+  if (asks) {
+    std::cout << help();
     return kClean;
   }
   if (arguments[0] == "--version") {
@@ -299,9 +176,10 @@ int run_command(const std::vector<std::string>& arguments) {
       return kClean;
     }
     std::vector<std::string> names;
-    for (const NamedCommand& named : commands()) {
-      if (arguments[0] == named.name) return run_named(named, arguments);
-      names.emplace_back(named.name);
+    for (const NamedCommand& command : commands()) {
+      if (arguments[0] == command.name)
+        return command.run({arguments.begin() + 1, arguments.end()});
+      names.push_back(command.name);
     }
     return wrong_usage("there is no command " + arguments[0] + "; " + suggest(arguments[0], names));
   } catch (const FolderRefused& refused) {

@@ -23,10 +23,10 @@ std::string in_words(const Pruned::Count& count) {
 
 }  // namespace
 
-int store(const Options& options) {
-  if (options.where != std::vector<std::string>{"prune"}) {
+int store(const StoreOptions& options) {
+  if (options.words != std::vector<std::string>{"prune"}) {
     std::cerr << "mjcourse: store what? " << our_command("store prune") << " forgets old results\n"
-              << our_command("--help") << " shows the commands\n";
+              << our_command("store --help") << " shows what it takes\n";
     return kWrongUsage;
   }
   const std::filesystem::path folder = store_folder(options.store);

@@ -37,6 +37,7 @@ void apply_strictly(Verified& verified) {
     all.insert(all.end(), found.begin(), found.end());
   }
   for (Diagnostic& diagnostic : all) diagnostic.severity = Severity::error;
+  sort_by_place(all);
 }
 
 // Those that concern `file`; all where that is "".
@@ -81,7 +82,7 @@ std::filesystem::path assets_folder() {
   return std::filesystem::exists(built / "manifest.json") ? built : prefix / "share" / "mjcourse";
 }
 
-Workplace workplace_of(const Options& options, const Files& assets, Store* store) {
+Workplace workplace_of(const CourseOptions& options, const Files& assets, Store* store) {
   Workplace workplace{options.course, assets, store, options.jobs,
                       assets_folder() / "examples" / "include"};
   workplace.without_landlock = options.without_landlock;
@@ -100,7 +101,7 @@ std::ptrdiff_t count_errors(const Diagnostics& diagnostics) {
   return errors_in(diagnostics, "");
 }
 
-Verified read_course_of(const Options& options) {
+Verified read_course_of(const CourseOptions& options) {
   Verified verified;
   verified.kept = std::make_unique<KeptResults>(options.store);
   verified.course =
@@ -108,7 +109,7 @@ Verified read_course_of(const Options& options) {
   return verified;
 }
 
-void evaluate_course(const Options& options, Verified& verified, bool all_claims) {
+void evaluate_course(const CourseOptions& options, Verified& verified, bool all_claims) {
   Diagnostics reading = std::move(verified.evaluation.diagnostics);
   if (verified.course) {
     ProgressBar progress;
@@ -125,17 +126,17 @@ void evaluate_course(const Options& options, Verified& verified, bool all_claims
   if (verified.course && all_claims) {
     claim_prose(*verified.course, DiskFiles(options.course), verified.evaluation);
   }
-  if (options.strict) apply_strictly(verified);
   sort_by_place(verified.evaluation.diagnostics);
 }
 
-Verified verify_course(const Options& options) {
+Verified verify_course(const VerifyOptions& options) {
   const Stopwatch stopwatch;
   Verified verified = read_course_of(options);
   // Who looks at all that every lesson states.
   const bool all_claims = options.strict || !options.report.empty() ||
                           options.format == Format::json || options.format == Format::junit;
   evaluate_course(options, verified, all_claims);
+  if (options.strict) apply_strictly(verified);
   const Diagnostics& all = verified.evaluation.diagnostics;
   print_diagnostics(all);
 

@@ -20,16 +20,16 @@ struct Verified {
 };
 
 // The steps one by one, none of which prints: read the course, then evaluate it, if there is one.
-Verified read_course_of(const Options& options);
+Verified read_course_of(const CourseOptions& options);
 // `all_claims`: also those of lessons that state nothing but what nobody runs.
-void evaluate_course(const Options& options, Verified& verified, bool all_claims);
+void evaluate_course(const CourseOptions& options, Verified& verified, bool all_claims);
 std::ptrdiff_t count_errors(const Diagnostics& diagnostics);
 // To stderr.
 void print_diagnostics(const Diagnostics& diagnostics);
 
 // All of it. Prints every diagnostic to stderr; a line for each lesson and a summary to stdout, or
 // to stderr too where stdout is for another format.
-Verified verify_course(const Options& options);
+Verified verify_course(const VerifyOptions& options);
 
 // What the generator needs beside itself, made by the build: scripts and templates of the site,
 // skeletons, the helper header. The environment's MJCOURSE_ASSETS, else as seen from this program's
@@ -37,6 +37,6 @@ Verified verify_course(const Options& options);
 std::filesystem::path assets_folder();
 
 // Of a course, for evaluating it; `store` may be null.
-Workplace workplace_of(const Options& options, const Files& assets, Store* store);
+Workplace workplace_of(const CourseOptions& options, const Files& assets, Store* store);
 
 }  // namespace mjcourse

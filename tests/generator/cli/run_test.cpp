@@ -26,22 +26,55 @@ Ran ran(const std::vector<std::string>& arguments) {
 }
 
 // What a wrong command line is answered with.
-std::string usage_error(const std::vector<std::string>& arguments) {
+std::string usage_error(const std::vector<std::string>& arguments,
+                        const std::string& help = "--help` shows the commands") {
   const Ran result = ran(arguments);
   EXPECT_EQ(result.code, kWrongUsage);
   EXPECT_EQ(result.out, "");
-  const std::string end = "\n`mjcourse --help` shows the commands\n";
+  const std::string end = "\n`mjcourse " + help + "\n";
   EXPECT_TRUE(result.err.ends_with(end)) << result.err;
   return result.err.substr(0, result.err.size() - end.size());
 }
 
+std::string error_of(const std::vector<std::string>& arguments) {
+  return usage_error(arguments, arguments[0] + " --help` shows what it takes");
+}
+
 TEST(Run, HelpsOnStdout) {
-  for (const char* word : {"--help", "help"}) {
+  for (const char* word : {"--help", "-h", "help"}) {
     const Ran result = ran({word});
     EXPECT_EQ(result.code, kClean);
     EXPECT_TRUE(result.out.starts_with("usage: mjcourse COMMAND [OPTIONS]\n")) << result.out;
     EXPECT_NE(result.out.find("\n  --version          which version this is\n"), std::string::npos);
     EXPECT_EQ(result.err, "");
+  }
+}
+
+TEST(Run, HelpsWithOneCommand) {
+  const std::string help =
+      "usage: mjcourse store [OPTIONS] prune\n"
+      "\n"
+      "forget the results that were not used for longest\n"
+      "\n"
+      "  prune          until no more than SIZE is left\n"
+      "  --store DIR    where results are kept (default: the user's cache)\n"
+      "  --keep SIZE    how much that is, as 500MB (default: 2GB)\n";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"store", "--help"}, {"store", "prune", "-h"}, {"help", "store"}}) {
+    const Ran result = ran(arguments);
+    EXPECT_EQ(result.code, kClean);
+    EXPECT_EQ(result.out, help);
+    EXPECT_EQ(result.err, "");
+  }
+}
+
+TEST(Run, HelpsWithEveryCommand) {
+  for (const std::string command : {"accept", "build", "check", "doctor", "explain", "init", "list",
+                                    "lsp", "new", "preview", "store"}) {
+    const Ran result = ran({command, "--help"});
+    EXPECT_EQ(result.code, kClean);
+    EXPECT_TRUE(result.out.starts_with("usage: mjcourse " + command + " [OPTIONS]")) << result.out;
+    EXPECT_NE(ran({"--help"}).out.find("\n  " + command + " "), std::string::npos);
   }
 }
 
@@ -109,41 +142,48 @@ TEST(Run, NeedsACommandThatThereIs) {
   EXPECT_EQ(usage_error({}), "mjcourse: which command?");
   EXPECT_EQ(usage_error({"biuld"}), "mjcourse: there is no command biuld; did you mean `build`?");
   EXPECT_EQ(usage_error({"frobnicate"}),
-            "mjcourse: there is no command frobnicate; known: accept, build, check, doctor, "
-            "explain, init, list, lsp, new, preview, store");
+            "mjcourse: there is no command frobnicate; known: build, preview, lsp, check, "
+            "accept, explain, list, new, init, doctor, store");
 }
 
 TEST(Run, NeedsOptionsThatThereAre) {
-  EXPECT_EQ(usage_error({"check", "--corse", "x"}),
+  EXPECT_EQ(error_of({"check", "--corse", "x"}),
             "mjcourse: check has no option --corse; did you mean `--course`?");
-  EXPECT_EQ(usage_error({"check", "--out", "x"}),
-            "mjcourse: check has no option --out; known: --course, --report, --strict, --format, "
-            "--store, --jobs, --timings, --trace, --unsafe-without-landlock");
-  EXPECT_EQ(usage_error({"build", "--outt", "x"}),
+  EXPECT_EQ(error_of({"build", "--outt", "x"}),
             "mjcourse: build has no option --outt; did you mean `--out`?");
-  EXPECT_EQ(
-      usage_error({"check", "1.2"}),
-      "mjcourse: check has no option 1.2; known: --course, --report, --strict, --format, --store, "
-      "--jobs, --timings, --trace, --unsafe-without-landlock");
-  EXPECT_EQ(usage_error({"accept", "1.2", "--dry-runn"}),
+  EXPECT_EQ(error_of({"accept", "1.2", "--dry-runn"}),
             "mjcourse: accept has no option --dry-runn; did you mean `--dry-run`?");
-  EXPECT_EQ(usage_error({"build", "--strict"}),
-            "mjcourse: build has no option --strict; known: --course, --out, --base-url, "
-            "--compress, --report, --store, --jobs, --timings, --trace, "
-            "--unsafe-without-landlock");
-  EXPECT_EQ(usage_error({"check", "--course"}), "mjcourse: --course needs a folder");
-  EXPECT_EQ(usage_error({"build", "--course", "x", "--out"}), "mjcourse: --out needs a folder");
-  EXPECT_EQ(usage_error({"check", "--jobs", "0"}),
-            "mjcourse: --jobs takes a number of threads, and not 0");
-  EXPECT_EQ(usage_error({"check", "--jobs", "2x"}),
-            "mjcourse: --jobs takes a number of threads, and not 2x");
-  EXPECT_EQ(usage_error({"check", "--format=xml"}),
-            "mjcourse: --format takes text, json, github, sarif or junit, and not xml");
-  EXPECT_EQ(usage_error({"check", "--strict=yes"}), "mjcourse: --strict takes no value");
-  EXPECT_EQ(usage_error({"store", "prune", "--keep", "much"}),
-            "mjcourse: --keep takes a size, as 2GB, and not much");
-  EXPECT_EQ(usage_error({"store"}),
+  EXPECT_EQ(error_of({"explain", "-s"}),
+            "mjcourse: explain has no option -s; known: --course, --store");
+  EXPECT_EQ(error_of({"check", "--out", "x"}),
+            "mjcourse: check has no option --out; it belongs to build");
+  EXPECT_EQ(error_of({"accept", "--timings"}),
+            "mjcourse: accept has no option --timings; it belongs to build, check");
+  EXPECT_EQ(error_of({"check", "1.2"}), "mjcourse: check takes only options, and not 1.2");
+  EXPECT_EQ(error_of({"store"}),
             "mjcourse: store what? `mjcourse store prune` forgets old results");
+}
+
+TEST(Run, NeedsValuesOfTheirKind) {
+  EXPECT_EQ(error_of({"check", "--course"}), "mjcourse: --course needs a folder");
+  EXPECT_EQ(error_of({"build", "--course", "x", "--out"}), "mjcourse: --out needs a folder");
+  EXPECT_EQ(error_of({"check", "--strict=yes"}), "mjcourse: --strict takes no value");
+  for (const std::string number : {"0", "-1", "2x", "1025", "99999999999999999999"}) {
+    EXPECT_EQ(error_of({"check", "--jobs", number}),
+              "mjcourse: --jobs takes a number of threads, and not " + number);
+  }
+  EXPECT_EQ(error_of({"preview", "--port=65536"}),
+            "mjcourse: --port takes a port from 1 to 65535, and not 65536");
+  EXPECT_EQ(error_of({"preview", "--link", "vscode://"}),
+            "mjcourse: --link takes an address with {file} in it, and not vscode://");
+  EXPECT_EQ(error_of({"build", "--base-url", "example.org"}),
+            "mjcourse: --base-url takes the address of a site, as https://example.org/course/, and "
+            "not example.org");
+  EXPECT_EQ(error_of({"check", "--format=xml"}),
+            "mjcourse: --format takes text, json, github, sarif or junit, and not xml");
+  EXPECT_EQ(error_of({"store", "prune", "--keep", "much"}),
+            "mjcourse: --keep takes a size, as 2GB, and not much");
+  EXPECT_EQ(error_of({"accept", ""}), "mjcourse: accept takes [WHERE...], and not \"\"");
 }
 
 class RunOnACourse : public testing::Test {

@@ -1,0 +1,184 @@
+#include "cli/command_options.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string_view>
+#include <utility>
+
+#include "cli/size.h"
+#include "course/web_address.h"
+
+namespace mjcourse {
+namespace {
+
+constexpr std::size_t kMostJobs = 1024;
+constexpr int kLastPort = 65535;
+
+constexpr const char* kWhereHelp =
+    "a lesson (1.2, its slug or its path), or the block at one of its lines (1.2:210); none "
+    "means all";
+
+// A whole number from 1 to `last`.
+template <typename Number>
+bool take_number(const std::string& text, Number last, Number& to) {
+  const char* end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, to);
+  return read.ec == std::errc() && read.ptr == end && to > 0 && to <= last;
+}
+
+bool take_format(const std::string& name, Format& to) {
+  constexpr std::array<std::pair<std::string_view, Format>, 5> known{{{"text", Format::text},
+                                                                      {"json", Format::json},
+                                                                      {"github", Format::github},
+                                                                      {"sarif", Format::sarif},
+                                                                      {"junit", Format::junit}}};
+  const auto named =
+      std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.first == name; });
+  if (named != known.end()) to = named->second;
+  return named != known.end();
+}
+
+void add_course(CommandLine& line, std::filesystem::path& course) {
+  line.path("--course", kFolder, "a folder with content/, models/ and examples/ (default: .)",
+            course);
+}
+
+void add_store(CommandLine& line, std::filesystem::path& store) {
+  line.path("--store", kFolder, "where results are kept (default: the user's cache)", store);
+}
+
+void add_jobs(CommandLine& line, std::size_t& jobs) {
+  line.value("--jobs", {"N", "a number of threads"},
+             "how many threads work (default: one for each core)",
+             [&](const std::string& value) { return take_number(value, kMostJobs, jobs); });
+}
+
+void add_evaluation(CommandLine& line, CourseOptions& options) {
+  add_store(line, options.store);
+  add_jobs(line, options.jobs);
+  line.flag("--unsafe-without-landlock",
+            "run a course's programs where the kernel has no Landlock to keep them from your "
+            "files: for courses whose every program you trust",
+            options.without_landlock);
+}
+
+void add_report(CommandLine& line, VerifyOptions& options) {
+  line.path("--report", kFolder,
+            "write what was verified, and how, to DIR/index.html and verification.json",
+            options.report);
+  line.flag("--timings", "print what took longest", options.timings);
+  line.path("--trace", kFile, "write when everything was worked on, for a browser's trace viewer",
+            options.trace);
+}
+
+}  // namespace
+
+void declare(CommandLine& line, AcceptOptions& options) {
+  line.words("[WHERE...]", kWhereHelp, options.where);
+  add_course(line, options.course);
+  line.flag("--dry-run",
+            "show the differences and write nothing; the exit code is 1 if there are any",
+            options.dry_run);
+  add_evaluation(line, options);
+}
+
+void declare(CommandLine& line, BuildOptions& options) {
+  add_course(line, options.course);
+  line.path("--out", kFolder, "where the site comes (default: build/site in the course)",
+            options.out);
+  line.value("--base-url", {"URL", "the address of a site, as https://example.org/course/"},
+             "where the site is published, whatever course.yaml says",
+             [&](const std::string& value) {
+               options.base_url = site_root(value);
+               return !site_address_fault(value);
+             });
+  line.flag("--compress",
+            "each file of text also as NAME.br and NAME.gz, for servers that send these",
+            options.compress);
+  add_report(line, options);
+  add_evaluation(line, options);
+}
+
+void declare(CommandLine& line, CheckOptions& options) {
+  add_course(line, options.course);
+  line.flag("--strict", "no warnings, and a reason for all that was not proved", options.strict);
+  line.value("--format", {"NAME", "text, json, github, sarif or junit"},
+             "say it to another tool on stdout, and to you on stderr: json, github, sarif or junit "
+             "(default: text)",
+             [&](const std::string& value) { return take_format(value, options.format); });
+  add_report(line, options);
+  add_evaluation(line, options);
+}
+
+void declare(CommandLine& line, DoctorOptions& options) {
+  add_store(line, options.store);
+}
+
+void declare(CommandLine& line, ExplainOptions& options) {
+  line.words("[WHERE...]", std::string(kWhereHelp) + "; or a message's name, as E-output-differs",
+             options.where);
+  add_course(line, options.course);
+  add_store(line, options.store);
+}
+
+void declare(CommandLine& line, InitOptions& options) {
+  line.words("DIR [TITLE]", "a new or an empty folder, and the course's title in quotes",
+             options.words);
+}
+
+void declare(CommandLine& line, ListOptions& options) {
+  add_course(line, options.course);
+  add_store(line, options.store);
+  add_jobs(line, options.jobs);
+}
+
+void declare(CommandLine& line, LspOptions& options) {
+  line.value("--course", kFolder, "the course (default: the folder that is open in the editor)",
+             [&](const std::string& value) {
+               options.course = value;
+               options.course_named = true;
+               return true;
+             });
+  add_evaluation(line, options);
+}
+
+void declare(CommandLine& line, NewOptions& options) {
+  line.words("KIND NAME",
+             "of a level or a lesson, then its title: `level 2-dynamics \"Dynamics\"`, "
+             "`lesson 2-dynamics \"Forces\"`; of a model: `model pendulum`; of an example, then "
+             "its model: `example l2_1_forces pendulum`",
+             options.words);
+  add_course(line, options.course);
+}
+
+void declare(CommandLine& line, PreviewOptions& options) {
+  add_course(line, options.course);
+  line.value("--port", {"N", "a port from 1 to 65535"},
+             "where it answers (default: the first that is free from 8000 on)",
+             [&](const std::string& value) {
+               return take_number(value, kLastPort, options.port.emplace());
+             });
+  line.flag("--open", "open a browser", options.open);
+  line.value(
+      "--link", {"FORM", "an address with {file} in it"},
+      "how a page opens your editor, with {file}, {line}, {column} (default: " + options.link + ")",
+      [&](const std::string& value) {
+        options.link = value;
+        return value.find("{file}") != value.npos;
+      });
+  add_evaluation(line, options);
+}
+
+void declare(CommandLine& line, StoreOptions& options) {
+  line.words("prune", "until no more than SIZE is left", options.words);
+  add_store(line, options.store);
+  line.value("--keep", {"SIZE", "a size, as 2GB"}, "how much that is, as 500MB (default: 2GB)",
+             [&](const std::string& value) {
+               const auto bytes = read_size(value);
+               options.keep = bytes.value_or(0);
+               return bytes.has_value();
+             });
+}
+
+}  // namespace mjcourse

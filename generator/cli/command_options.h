@@ -1,0 +1,21 @@
+// What each command takes on its command line.
+#pragma once
+
+#include "cli/command_line.h"
+#include "cli/commands.h"
+
+namespace mjcourse {
+
+void declare(CommandLine& line, AcceptOptions& options);
+void declare(CommandLine& line, BuildOptions& options);
+void declare(CommandLine& line, CheckOptions& options);
+void declare(CommandLine& line, DoctorOptions& options);
+void declare(CommandLine& line, ExplainOptions& options);
+void declare(CommandLine& line, InitOptions& options);
+void declare(CommandLine& line, ListOptions& options);
+void declare(CommandLine& line, LspOptions& options);
+void declare(CommandLine& line, NewOptions& options);
+void declare(CommandLine& line, PreviewOptions& options);
+void declare(CommandLine& line, StoreOptions& options);
+
+}  // namespace mjcourse
