@@ -1,83 +1,71 @@
 #include "base/utf8.h"
 
+#include <unicase.h>
+#include <unistr.h>
+#include <uniwidth.h>
+
 #include <algorithm>
-#include <clocale>
+#include <array>
 #include <cstdint>
 #include <cstdio>
-#include <cwchar>
-#include <cwctype>
+#include <cstdlib>
+#include <memory>
 
 #include "base/code_points.h"
 
 namespace mjcourse {
 namespace {
 
-// The code of the control character at `at`, or nothing. Those of two bytes, U+0080 to U+009F, a
-// terminal obeys as it does an escape: U+009B begins what U+001B and `[` do.
-std::optional<std::uint8_t> control_at(std::string_view text, std::size_t at) {
-  const auto byte = static_cast<std::uint8_t>(text[at]);
-  if (byte < 0x20 || byte == 0x7F) return byte;
-  if (byte != 0xC2 || at + 1 == text.size()) return std::nullopt;
-  const auto second = static_cast<std::uint8_t>(text[at + 1]);
-  return second >= 0x80 && second < 0xA0 ? std::optional(second) : std::nullopt;
+const std::uint8_t* bytes_of(std::string_view text) {
+  return reinterpret_cast<const std::uint8_t*>(text.data());
 }
 
-// Does what stands at `at` have a line shown in another order than it has, or broken in two: U+2028
-// to U+202E, U+2066 to U+2069? All of these have three bytes.
-bool is_layout_at(std::string_view text, std::size_t at) {
-  if (text.size() < at + 3 || text[at] != '\xE2') return false;
-  const auto second = static_cast<std::uint8_t>(text[at + 1]);
-  const auto third = static_cast<std::uint8_t>(text[at + 2]);
-  return (second == 0x80 && third >= 0xA8 && third <= 0xAE) ||
-         (second == 0x81 && third >= 0xA6 && third <= 0xA9);
+struct Character {
+  std::size_t length;  // in bytes
+  bool well_formed;    // else it is a single byte
+  ucs4_t point;
+};
+
+Character character_at(std::string_view text, std::size_t at) {
+  const std::uint8_t first = bytes_of(text)[at];
+  if (first < 0x80) return {1, true, first};
+  ucs4_t point = 0;
+  const int length = u8_mbtoucr(&point, bytes_of(text) + at, text.size() - at);
+  if (length < 0) return {1, false, point};
+  return {static_cast<std::size_t>(length), true, point};
 }
 
-bool has_unreadable(std::string_view text) {
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    if (control_at(text, at) || is_layout_at(text, at)) return true;
+// Where the first is of which `is` says so.
+template <typename Is>
+std::optional<std::size_t> find_character(std::string_view text, Is is) {
+  for (std::size_t at = 0; at < text.size();) {
+    const Character c = character_at(text, at);
+    if (is(c, at)) return at;
+    at += c.length;
   }
-  return false;
+  return std::nullopt;
 }
 
-// "\\n", "\\x1b".
-std::string escape_of(std::uint8_t control) {
-  if (control == '\n') return "\\n";
-  if (control == '\r') return "\\r";
-  if (control == '\t') return "\\t";
-  char text[8];
-  std::snprintf(text, sizeof text, "\\x%02x", static_cast<unsigned>(control));
-  return text;
+// A terminal obeys U+0080 to U+009F as it does an escape: U+009B begins what U+001B and `[` do.
+bool is_control(const Character& c) {
+  return c.well_formed && (c.point < 0x20 || (c.point >= 0x7F && c.point < 0xA0));
 }
 
-// "\\u202e", of one well-formed sequence.
-std::string escape_of_point(std::uint32_t point) {
+// Does it have a line shown in another order than it has, or broken in two?
+bool is_layout(const Character& c) {
+  return c.well_formed &&
+         ((c.point >= 0x2028 && c.point <= 0x202E) || (c.point >= 0x2066 && c.point <= 0x2069));
+}
+
+// "\\n", "\\x1b", "\\u202e".
+std::string escape_of(ucs4_t point) {
+  if (point == '\n') return "\\n";
+  if (point == '\r') return "\\r";
+  if (point == '\t') return "\\t";
   char text[12];
-  std::snprintf(text, sizeof text, "\\u%04x", static_cast<unsigned>(point));
+  std::snprintf(text, sizeof text, point < 0x100 ? "\\x%02x" : "\\u%04x",
+                static_cast<unsigned>(point));
   return text;
-}
-
-// The C library's own locale, which needs no file and knows the letters of every language; null
-// where there is none.
-locale_t unicode_locale() {
-  static const locale_t unicode = newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
-  return unicode;
-}
-
-void append_utf8(std::string& text, std::uint32_t point) {
-  const auto add = [&](std::uint32_t byte) { text += static_cast<char>(byte); };
-  if (point < 0x80) return add(point);
-  if (point < 0x800) {
-    add(0xC0 | point >> 6);
-  } else {
-    if (point < 0x10000) {
-      add(0xE0 | point >> 12);
-    } else {
-      add(0xF0 | point >> 18);
-      add(0x80 | (point >> 12 & 0x3F));
-    }
-    add(0x80 | (point >> 6 & 0x3F));
-  }
-  add(0x80 | (point & 0x3F));
 }
 
 }  // namespace
@@ -88,28 +76,22 @@ int count_characters(std::string_view text) {
 }
 
 int count_columns(std::string_view text) {
-  const auto plain = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
-  if (std::all_of(text.begin(), text.end(), plain) || unicode_locale() == nullptr) {
-    return count_characters(text);
-  }
-  const locale_t before = uselocale(unicode_locale());  // of this thread
   int columns = 0;
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = std::max<std::size_t>(1, sequence_length(text.substr(at)));
-    const int width = wcwidth(static_cast<wchar_t>(code_point(text.substr(at, length))));
+    const Character c = character_at(text, at);
+    const int width = c.well_formed ? uc_width(c.point, "UTF-8") : -1;
     columns += width < 0 ? 1 : width;
-    at += length;
+    at += c.length;
   }
-  uselocale(before);
   return columns;
 }
 
 std::vector<std::string_view> characters_of(std::string_view text) {
   std::vector<std::string_view> characters;
-  for (std::size_t begin = 0, at = 1; at <= text.size(); ++at) {
-    if (at < text.size() && is_continuation(text[at])) continue;
-    characters.push_back(text.substr(begin, at - begin));
-    begin = at;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = character_end(text, at);
+    characters.push_back(text.substr(at, end - at));
+    at = end;
   }
   return characters;
 }
@@ -119,90 +101,85 @@ std::size_t character_start(std::string_view text, std::size_t at) {
   return std::min(at, text.size());
 }
 
+std::size_t character_end(std::string_view text, std::size_t at) {
+  do ++at;
+  while (at < text.size() && is_continuation(text[at]));
+  return at;
+}
+
 std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = sequence_length(text.substr(at));
-    if (length == 0) return at;
-    at += length;
-  }
-  return std::nullopt;
+  const std::uint8_t* invalid = u8_check(bytes_of(text), text.size());
+  if (invalid == nullptr) return std::nullopt;
+  return static_cast<std::size_t>(invalid - bytes_of(text));
 }
 
 std::optional<std::size_t> find_control_character(std::string_view text) {
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    const bool ends_line = text[at] == '\r' && (at + 1 == text.size() || text[at + 1] == '\n');
-    if (control_at(text, at) && text[at] != '\n' && text[at] != '\t' && !ends_line) return at;
-  }
-  return std::nullopt;
+  return find_character(text, [&](const Character& c, std::size_t at) {
+    const bool ends_line = c.point == '\r' && (at + 1 == text.size() || text[at + 1] == '\n');
+    return is_control(c) && c.point != '\n' && c.point != '\t' && !ends_line;
+  });
 }
 
 std::string readable(std::string text) {
-  if (!has_unreadable(text) && !find_invalid_utf8(text)) return text;
   std::string line;
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = sequence_length(std::string_view(text).substr(at));
-    if (length == 0) {
+    const Character c = character_at(text, at);
+    if (!c.well_formed) {
       line += "\uFFFD";
-    } else if (const auto control = control_at(text, at)) {
-      line += escape_of(*control);
-    } else if (is_layout_at(text, at)) {
-      line += escape_of_point(code_point(std::string_view(text).substr(at, length)));
+    } else if (is_control(c) || is_layout(c)) {
+      line += escape_of(c.point);
     } else {
-      line.append(text, at, length);
+      line.append(text, at, c.length);
     }
-    at += std::max<std::size_t>(1, length);
+    at += c.length;
   }
   return line;
 }
 
 std::string readable_output(std::string_view line) {
-  bool plain = !find_control_character(line) && !find_invalid_utf8(line);
-  for (std::size_t at = 0; plain && at < line.size(); ++at) plain = !is_layout_at(line, at);
+  const bool plain =
+      !find_control_character(line) && !find_character(line, [](const Character& c, std::size_t) {
+        return !c.well_formed || is_layout(c);
+      });
   return plain ? std::string(line) : readable(std::string(line));
 }
 
 std::string with_marks_for_unreadable(std::string_view line) {
   std::string text;
-  for (std::size_t at = 0; at < line.size(); ++at) {
-    const bool is_layout = is_layout_at(line, at);
-    if (const auto control = control_at(line, at)) {
-      text += line[at] == '\t' ? ' ' : '?';
-      at += *control >= 0x80 ? 1 : 0;
+  for (std::size_t at = 0; at < line.size();) {
+    const Character c = character_at(line, at);
+    if (is_control(c) || is_layout(c)) {
+      text += c.point == '\t' ? ' ' : '?';
     } else {
-      text += is_layout ? '?' : line[at];
-      at += is_layout ? 2 : 0;
+      text.append(line, at, c.length);
     }
+    at += c.length;
   }
   return text;
 }
 
 std::string utf8_of(std::u16string_view text) {
-  const auto is_half = [&](std::size_t at, char16_t first) {
-    return at < text.size() && (text[at] & 0xFC00) == first;
-  };
+  const auto* units = reinterpret_cast<const std::uint16_t*>(text.data());
   std::string result;
-  for (std::size_t at = 0; at < text.size(); ++at) {
-    std::uint32_t point = text[at];
-    if (is_half(at, 0xD800) && is_half(at + 1, 0xDC00)) {
-      point = 0x10000 + ((point - 0xD800) << 10) + (text[++at] - 0xDC00u);
-    } else if (is_half(at, 0xD800) || is_half(at, 0xDC00)) {
-      point = 0xFFFD;
+  for (std::size_t at = 0; at < text.size();) {
+    if (text[at] < 0x80) {
+      result += static_cast<char>(text[at++]);
+      continue;
     }
-    append_utf8(result, point);
+    ucs4_t point = 0;  // U+FFFD of what is no character
+    at += static_cast<std::size_t>(u16_mbtouc(&point, units + at, text.size() - at));
+    std::array<std::uint8_t, 6> bytes{};
+    const int length = u8_uctomb(bytes.data(), point, bytes.size());
+    result.append(bytes.begin(), bytes.begin() + length);
   }
   return result;
 }
 
 std::string lower_case_utf8(std::string_view text) {
-  const locale_t unicode = unicode_locale();
-  std::string lower;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = std::max<std::size_t>(1, sequence_length(text.substr(at)));
-    const std::uint32_t letter = code_point(text.substr(at, length));
-    append_utf8(lower, unicode == nullptr ? letter : towlower_l(letter, unicode));
-    at += length;
-  }
-  return lower;
+  std::size_t length = 0;
+  const std::unique_ptr<std::uint8_t, decltype(&std::free)> lower(
+      u8_tolower(bytes_of(text), text.size(), "", nullptr, nullptr, &length), &std::free);
+  return lower ? std::string(lower.get(), lower.get() + length) : std::string(text);
 }
 
 }  // namespace mjcourse

@@ -22,6 +22,9 @@ std::vector<std::string_view> characters_of(std::string_view text);
 // Where the character begins that byte `at` of `text` belongs to; the end of `text` for its end.
 std::size_t character_start(std::string_view text, std::size_t at);
 
+// Where the character ends that byte `at` of `text` belongs to.
+std::size_t character_end(std::string_view text, std::size_t at);
+
 // The offset of the first byte that is not well-formed UTF-8 (RFC 3629: no overlong forms, no
 // surrogates, nothing past U+10FFFF), or nothing when all of `text` is.
 std::optional<std::size_t> find_invalid_utf8(std::string_view text);
@@ -61,7 +64,8 @@ std::string with_marks_for_unreadable(std::string_view line);
 // UTF-16 as UTF-8, with U+FFFD for each half of a surrogate pair that stands alone.
 std::string utf8_of(std::u16string_view text);
 
-// `text`, which is valid UTF-8, in small letters: what matches whatever its case.
+// `text`, which is valid UTF-8, in small letters, whatever the user's language: what matches
+// whatever its case.
 std::string lower_case_utf8(std::string_view text);
 
 }  // namespace mjcourse

@@ -2,7 +2,6 @@
 
 #include <cctype>
 #include <cmath>
-#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string_view>
@@ -56,11 +55,6 @@ std::size_t opening_quote(std::string_view text, std::size_t end) {
 
 // What reads it goes down into it; no lesson needs a tenth of this.
 constexpr std::size_t kDeepestJson = 200;
-
-int utf8_length(char first) {
-  const auto byte = static_cast<std::uint8_t>(first);
-  return byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
-}
 
 class TreeBuilder {
  public:
@@ -189,11 +183,11 @@ LocatedText TreeBuilder::decoded(const std::string& value) const {
   std::size_t raw = opening_quote(text_.text, read_) + 1;
   for (std::size_t i = 0; i < value.size();) {
     const bool escape = text_.text[raw] == '\\';
-    const int bytes = escape ? utf8_length(value[i]) : 1;
-    for (int b = 0; b < bytes; ++b) result.offsets.push_back(text_.span(raw, raw).begin);
+    const std::size_t bytes = escape ? character_end(value, i) - i : 1;
+    for (std::size_t b = 0; b < bytes; ++b) result.offsets.push_back(text_.span(raw, raw).begin);
     // A character outside the basic plane takes two \uXXXX.
     raw += !escape ? 1 : text_.text[raw + 1] != 'u' ? 2 : bytes == 4 ? 12 : 6;
-    i += static_cast<std::size_t>(bytes);
+    i += bytes;
   }
   result.offsets.push_back(text_.span(raw, raw).begin);
   return result;

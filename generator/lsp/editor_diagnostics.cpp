@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "base/utf8.h"
 #include "course/course.h"
 
 namespace mjcourse {
@@ -14,11 +15,7 @@ using nlohmann::json;
 // The bytes of the first `count` characters.
 std::size_t bytes_of_characters(std::string_view text, int count) {
   std::size_t at = 0;
-  for (; count > 0 && at < text.size(); --count) {
-    do {
-      ++at;
-    } while (at < text.size() && (static_cast<unsigned char>(text[at]) & 0xc0U) == 0x80);
-  }
+  for (; count > 0 && at < text.size(); --count) at = character_end(text, at);
   return at;
 }
 

@@ -5,16 +5,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/utf8.h"
+
 namespace mjcourse {
 namespace {
 
 using nlohmann::json;
-
-// Of the character that begins with this byte.
-std::size_t bytes_of(char first) {
-  const auto byte = static_cast<unsigned char>(first);
-  return byte < 0x80 ? 1 : byte < 0xe0 ? 2 : byte < 0xf0 ? 3 : 4;
-}
 
 // UTF-16 has two units for what UTF-8 has four bytes for.
 int units_of(std::size_t bytes, Units units) {
@@ -30,8 +26,10 @@ int number(const json& value) {
 
 int count_units(std::string_view text, Units units) {
   int count = 0;
-  for (std::size_t i = 0; i < text.size(); i += bytes_of(text[i])) {
-    count += units_of(bytes_of(text[i]), units);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = character_end(text, at);
+    count += units_of(end - at, units);
+    at = end;
   }
   return count;
 }
@@ -40,11 +38,13 @@ std::size_t offset_of(const SourceText& text, TextPoint point, Units units) {
   if (point.line >= text.line_count()) return text.text().size();
   const std::string_view line = text.line(point.line + 1);
   std::size_t at = 0;
-  for (int left = point.unit; at < line.size(); at += bytes_of(line[at])) {
-    left -= units_of(bytes_of(line[at]), units);
+  for (int left = point.unit; at < line.size();) {
+    const std::size_t end = character_end(line, at);
+    left -= units_of(end - at, units);
     if (left < 0) break;
+    at = end;
   }
-  return text.line_start(point.line + 1) + std::min(at, line.size());
+  return text.line_start(point.line + 1) + at;
 }
 
 TextPoint point_of(const SourceText& text, std::size_t offset, Units units) {

@@ -16,10 +16,9 @@ std::size_t bytes_before(std::string_view line, int column) {
   std::size_t at = 0;
   int units = 1;
   while (at < line.size() && units < column) {
-    const auto lead = static_cast<unsigned char>(line[at]);
-    units += lead >= 0xF0 ? 2 : 1;  // what takes four bytes takes two units
-    ++at;
-    while (at < line.size() && (static_cast<unsigned char>(line[at]) & 0xC0) == 0x80) ++at;
+    const std::size_t end = character_end(line, at);
+    units += end - at == 4 ? 2 : 1;  // what takes four bytes takes two units
+    at = end;
   }
   return at;
 }

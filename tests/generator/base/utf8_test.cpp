@@ -106,6 +106,8 @@ TEST(Utf8, SmallLettersAreThoseOfEveryLanguage) {
   EXPECT_EQ(lower_case_utf8("Free JOINT 2"), "free joint 2");
   EXPECT_EQ(lower_case_utf8("ÉCOLE Straße ΩΜΕΓΑ ЖУК"), "école straße ωμεγα жук");
   EXPECT_EQ(lower_case_utf8("𝔘 漢字 𐐀"), "𝔘 漢字 𐐨");
+  EXPECT_EQ(lower_case_utf8("ΛΟΓΟΣ, λόγος"), "λογος, λόγος");  // a sigma at a word's end
+  EXPECT_EQ(lower_case_utf8(""), "");
 }
 
 TEST(Utf8, IsWholeWhateverUtf16Holds) {
@@ -114,6 +116,14 @@ TEST(Utf8, IsWholeWhateverUtf16Holds) {
   EXPECT_EQ(utf8_of(std::u16string{high}), "\uFFFD");
   EXPECT_EQ(utf8_of(std::u16string{'a', low, high, 'b'}), "a\uFFFD\uFFFDb");
   EXPECT_EQ(utf8_of(std::u16string{high, high, low}), "\uFFFD😀");
+}
+
+TEST(Utf8, KnowsWhereACharacterEnds) {
+  const std::string text = "a漢é𝄞";
+  EXPECT_EQ(character_end(text, 0), 1u);
+  for (const std::size_t at : {1u, 2u, 3u}) EXPECT_EQ(character_end(text, at), 4u);
+  EXPECT_EQ(character_end(text, 4), 6u);
+  EXPECT_EQ(character_end(text, 6), 10u);
 }
 
 TEST(Utf8, KnowsWhereACharacterBegins) {
