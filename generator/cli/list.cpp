@@ -72,13 +72,13 @@ void print(const std::vector<Row>& rows) {
   std::array<int, kHead.size()> widths{};
   for (const Row& row : rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
-      widths.at(c) = std::max(widths.at(c), count_characters(row.at(c)));
+      widths.at(c) = std::max(widths.at(c), count_columns(row.at(c)));
     }
   }
   for (const Row& row : rows) {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c) {
-      const int missing = widths.at(c) - count_characters(row.at(c));
+      const int missing = widths.at(c) - count_columns(row.at(c));
       const std::string gap(static_cast<std::size_t>(missing), ' ');
       const bool is_number = c >= 2 && c <= 6;
       line += (c == 0 ? "" : "  ") + (is_number ? gap + row.at(c) : row.at(c) + gap);

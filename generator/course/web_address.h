@@ -2,7 +2,8 @@
 // of links.
 //
 // An address of course.yaml goes into pages, the sitemap and the feed as it stands, so it must be
-// one to the letter: absolute, of the web, and with whatever is no plain character escaped.
+// one to the letter: absolute, of the web, and with whatever is no plain character escaped. For a
+// library's grammar (liburiparser), `example.org` and `https://:80/` are addresses too.
 #pragma once
 
 #include <cstddef>

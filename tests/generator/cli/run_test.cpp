@@ -242,7 +242,8 @@ TEST_F(RunOnACourse, TellsAnotherToolOnStdoutAndAPersonOnStderr) {
 
 TEST_F(RunOnACourse, ListsHowLessonsStand) {
   write("content/course.yaml",
-        "title: C\nlevels: [{folder: 1-a, title: A, lessons: [1.1-x, 1.2-y]}]\n");
+        "title: C\nlevels: [{folder: 1-a, title: A, lessons: [1.1-x, 1.2-y, 1.3-z]}]\n");
+  write("content/1-a/1.3-z.md", "---\ntitle: 物理\ndraft: true\n---\nText.\n");
   write("content/1-a/1.1-x.md",
         "---\ntitle: Äpfel\nminutes: 7\n---\nTwo *words*, and $x$.\n\n"
         "```sh unchecked because=\"b\"\nx\n```\n");
@@ -253,6 +254,7 @@ TEST_F(RunOnACourse, ListsHowLessonsStand) {
             "     lesson          words  minutes  proved  asserted  open  changed\n"
             "1.1  Äpfel               4        7       1               1\n"
             "1.2  Second (draft)      2\n"
+            "1.3  物理 (draft)        1\n"
             "1 error; `mjcourse check` shows them\n");
 }
 
