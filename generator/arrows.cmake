@@ -1,25 +1,58 @@
-# The arrows between the folders of the generator, stated once: what each may reach by its includes,
-# its own and those of the headers that it includes. generator/CMakeLists.txt links along them,
+# The arrows between the rooms of the generator, stated once: which others the files of each may
+# include. A room comes after all that it includes. generator/CMakeLists.txt links along the arrows;
 # tests/lint/arrows.mjs holds every include and the table of generator/README.md against them.
-set(folders base report lesson course findings physics script evaluate session page preview lsp cli)
+set(rooms base process report lesson/syntax lesson/json lesson/blocks lesson course findings
+    physics/mistakes physics script cache toolchain evaluate/context evaluate/programs
+    evaluate/scenes evaluate/answers evaluate/claims evaluate session page/html page/blocks page
+    preview lsp cli)
 
-set(base_reaches)
-set(report_reaches base)
-set(lesson_reaches report base)
-set(course_reaches lesson report base)
-set(findings_reaches course lesson report base)
-set(physics_reaches report base)
-set(script_reaches findings physics report base)
-set(evaluate_reaches script physics findings course lesson report base)
-set(session_reaches evaluate script physics findings course lesson report base)
-set(page_reaches script findings course lesson report base)
-set(preview_reaches page session evaluate script physics findings course lesson report base)
-set(lsp_reaches session evaluate script physics findings course lesson report base)
-set(cli_reaches lsp preview page session evaluate script physics findings course lesson report base)
+set(base_includes)
+set(process_includes base)
+set(report_includes process base)
+set(lesson/syntax_includes report base)
+set(lesson/json_includes lesson/syntax base)
+set(lesson/blocks_includes lesson/json lesson/syntax base)
+set(lesson_includes lesson/blocks lesson/json lesson/syntax report base)
+set(course_includes lesson lesson/blocks lesson/json lesson/syntax report process base)
+set(findings_includes course lesson lesson/blocks report base)
+set(physics/mistakes_includes base)
+set(physics_includes physics/mistakes process base)
+set(script_includes physics findings base)
+set(cache_includes findings base)
+set(toolchain_includes cache lesson/syntax report process base)
+set(evaluate/context_includes toolchain cache script physics findings course lesson/syntax report
+    process base)
+set(evaluate/programs_includes evaluate/context toolchain cache physics findings lesson/blocks
+    lesson/syntax report process base)
+set(evaluate/scenes_includes evaluate/context script physics findings course lesson lesson/blocks
+    lesson/syntax report process base)
+set(evaluate/answers_includes evaluate/context script physics findings lesson/blocks lesson/syntax
+    base)
+set(evaluate/claims_includes evaluate/answers toolchain cache physics findings lesson
+    lesson/blocks base)
+set(evaluate_includes evaluate/claims evaluate/answers evaluate/scenes evaluate/programs
+    evaluate/context toolchain cache script physics findings course lesson lesson/blocks report
+    process base)
+set(session_includes evaluate course base)
+set(page/html_includes findings course lesson/blocks lesson/syntax report base)
+set(page/blocks_includes page/html script findings course lesson/blocks report base)
+set(page_includes page/blocks page/html script findings course lesson lesson/json lesson/syntax
+    report base)
+set(preview_includes page page/blocks page/html session report process base)
+set(lsp_includes session evaluate physics course lesson lesson/blocks lesson/json report base)
+set(cli_includes lsp preview page page/blocks page/html session evaluate evaluate/claims toolchain
+    physics findings course lesson report process base)
 
-# What is data knows neither of those who find it out, and what shows it computes no physics.
-set(findings_never mujoco JavaScriptCore)
+# What a room does not reach through headers of others either, of rooms and of libraries: data knows
+# nothing of those who find it out, and what shows it computes no physics.
 set(report_never mujoco JavaScriptCore)
+set(lesson/syntax_never mujoco JavaScriptCore)
+set(lesson/json_never mujoco JavaScriptCore)
+set(lesson/blocks_never mujoco JavaScriptCore)
 set(lesson_never mujoco JavaScriptCore)
 set(course_never mujoco JavaScriptCore)
-set(page_never mujoco)
+set(findings_never mujoco JavaScriptCore)
+set(page/html_never physics mujoco JavaScriptCore)
+set(page/blocks_never physics evaluate mujoco)
+set(page_never physics evaluate mujoco)
+set(lsp_never page)

@@ -1,7 +1,7 @@
 #include <csignal>
 
-#include "base/guardian.h"
 #include "cli/run.h"
+#include "process/guardian.h"
 
 // Read by jemalloc before main(). In large pages, memory that is new costs a short run less; what
 // is large itself, a shadow map of 64 MB, jemalloc would give back at once, for the next one to be

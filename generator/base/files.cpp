@@ -24,7 +24,7 @@ namespace {
 constexpr std::size_t kPiece = 1 << 12;
 
 // Of what is read into memory. GitHub takes no file of 100 MB.
-constexpr off_t kMostBytes = 256 << 20;
+constexpr off_t kMostOfAFile = 256 << 20;
 constexpr const char* kTooLarge = "is larger than 256 MiB";
 
 tl::expected<std::string, std::string> bytes_of(const Descriptor& file, const struct stat& status,
@@ -85,7 +85,7 @@ tl::expected<std::string, std::string> DiskFiles::read(const std::string& path) 
   const auto because = [&](const std::string& why) { return tl::unexpected(path + ": " + why); };
   const tl::expected<Beneath::File, Unopened> file = beneath_.file(path);
   if (!file) return because(file.error().why);
-  auto bytes = bytes_of(file->descriptor, file->status, kMostBytes);
+  auto bytes = bytes_of(file->descriptor, file->status, kMostOfAFile);
   if (!bytes) return because(bytes.error());
   return *std::move(bytes);
 }
@@ -105,7 +105,7 @@ std::string DiskFiles::refusal(const std::string& path) const {
   if (!status) return status.error().is_refused() ? status.error().why : "";
   if (S_ISDIR(status->st_mode)) return "";
   if (!S_ISREG(status->st_mode)) return "is not a file";
-  return status->st_size > kMostBytes ? kTooLarge : "";
+  return status->st_size > kMostOfAFile ? kTooLarge : "";
 }
 
 std::vector<std::string> DiskFiles::list(const std::string& folder) const {

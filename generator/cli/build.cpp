@@ -7,10 +7,10 @@
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "course/last_changed.h"
-#include "evaluate/claims.h"
+#include "evaluate/claims/claims.h"
+#include "page/blocks/themed_assets.h"
 #include "page/foreign_files.h"
 #include "page/site.h"
-#include "page/themed_assets.h"
 
 namespace mjcourse {
 

@@ -8,18 +8,18 @@
 #include <utility>
 
 #include "base/files.h"
-#include "base/find_program.h"
 #include "base/folder_size.h"
-#include "base/our_command.h"
-#include "base/sandbox.h"
-#include "base/subprocess.h"
 #include "base/temporary_folder.h"
 #include "cli/size.h"
-#include "evaluate/compiler.h"
-#include "evaluate/containment.h"
-#include "evaluate/toolchain.h"
 #include "evaluate/versions.h"
 #include "physics/renderer.h"
+#include "process/find_program.h"
+#include "process/our_command.h"
+#include "process/sandbox.h"
+#include "process/subprocess.h"
+#include "toolchain/compiler.h"
+#include "toolchain/containment.h"
+#include "toolchain/toolchain.h"
 
 namespace mjcourse {
 namespace {

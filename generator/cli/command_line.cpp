@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/nearest.h"
-#include "base/our_command.h"
+#include "process/our_command.h"
 #include "report/terminal_style.h"
 #include "report/wrapped.h"
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "base/our_command.h"
 #include "base/utf8.h"
 #include "cli/run.h"
+#include "process/our_command.h"
 
 namespace mjcourse {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "page/verification.h"
+#include "page/html/verification.h"
 #include "report/github.h"
 #include "report/junit.h"
 #include "report/other_tools.h"

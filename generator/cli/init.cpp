@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "base/our_command.h"
 #include "cli/commands.h"
 #include "cli/course_file.h"
 #include "cli/new_files.h"
@@ -14,6 +13,7 @@
 #include "cli/skeleton.h"
 #include "cli/verify.h"
 #include "course/lesson_name.h"
+#include "process/our_command.h"
 
 namespace mjcourse {
 namespace {

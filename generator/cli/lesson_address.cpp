@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "base/nearest.h"
-#include "base/our_command.h"
 #include "page/course_data.h"
+#include "process/our_command.h"
 
 namespace mjcourse {
 namespace {

@@ -9,14 +9,14 @@
 #include <vector>
 
 #include "base/counted.h"
-#include "base/our_command.h"
 #include "base/utf8.h"
 #include "cli/commands.h"
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "course/last_changed.h"
 #include "lesson/resting_lesson.h"
-#include "page/verification.h"
+#include "page/html/verification.h"
+#include "process/our_command.h"
 
 namespace mjcourse {
 namespace {

@@ -4,12 +4,12 @@
 
 #include "base/beneath.h"
 #include "base/nearest.h"
-#include "base/our_command.h"
 #include "cli/commands.h"
 #include "cli/course_file.h"
 #include "cli/new_part.h"
 #include "cli/run.h"
 #include "cli/verify.h"
+#include "process/our_command.h"
 
 namespace mjcourse {
 

@@ -4,11 +4,11 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
-#include "base/our_command.h"
 #include "base/utf8.h"
 #include "cli/lesson_address.h"
 #include "cli/new_part.h"
 #include "cli/skeleton.h"
+#include "process/our_command.h"
 
 namespace mjcourse {
 namespace {

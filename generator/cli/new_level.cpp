@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "base/our_command.h"
 #include "cli/course_file.h"
 #include "cli/new_part.h"
 #include "course/lesson_name.h"
+#include "process/our_command.h"
 
 namespace mjcourse {
 namespace {

@@ -5,11 +5,11 @@
 #include <cctype>
 
 #include "base/nearest.h"
-#include "base/our_command.h"
 #include "cli/new_part.h"
 #include "cli/skeleton.h"
 #include "course/course.h"
 #include "course/lesson_name.h"
+#include "process/our_command.h"
 
 namespace mjcourse {
 namespace {

@@ -16,11 +16,11 @@
 
 #include "base/counted.h"
 #include "base/descriptor.h"
-#include "base/subprocess.h"
 #include "cli/commands.h"
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "preview/preview_server.h"
+#include "process/subprocess.h"
 #include "session/quick_store.h"
 
 namespace mjcourse {

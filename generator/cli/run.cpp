@@ -9,7 +9,6 @@
 
 #include "base/cache_folder.h"
 #include "base/nearest.h"
-#include "base/our_command.h"
 #include "cli/command_line.h"
 #include "cli/command_options.h"
 #include "cli/commands.h"
@@ -20,6 +19,7 @@
 #include "page/course_data.h"
 #include "page/foreign_files.h"
 #include "physics/mesa.h"
+#include "process/our_command.h"
 
 namespace mjcourse {
 namespace {

@@ -4,12 +4,12 @@
 
 #include "base/counted.h"
 #include "base/disk_store.h"
-#include "base/our_command.h"
 #include "cli/commands.h"
 #include "cli/kept_results.h"
 #include "cli/new_files.h"
 #include "cli/run.h"
 #include "cli/size.h"
+#include "process/our_command.h"
 
 namespace mjcourse {
 namespace {

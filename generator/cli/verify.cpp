@@ -10,16 +10,16 @@
 #include <utility>
 
 #include "base/counted.h"
-#include "base/sandbox.h"
 #include "base/stopwatch.h"
 #include "base/utf8.h"
 #include "cli/progress_bar.h"
 #include "cli/tally_text.h"
 #include "cli/timings.h"
-#include "evaluate/claims.h"
-#include "evaluate/strict.h"
+#include "evaluate/claims/claims.h"
+#include "evaluate/claims/strict.h"
 #include "evaluate/versions.h"
 #include "page/report.h"
+#include "process/sandbox.h"
 #include "report/terminal.h"
 #include "session/examine.h"
 

@@ -12,8 +12,8 @@
 
 #include "base/files.h"
 #include "base/parallel.h"
+#include "lesson/blocks/lesson.h"
 #include "lesson/glossary.h"
-#include "lesson/lesson.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "base/files.h"
-#include "base/subprocess.h"
 #include "base/utf8.h"
+#include "process/subprocess.h"
 
 namespace mjcourse {
 namespace {

@@ -20,7 +20,8 @@ std::optional<LessonName> read_lesson_name(const std::string& name);
 
 // What a title is called in a file's name: "Rigid bodies, 2" is "rigid-bodies-2". Empty where it
 // has letters that are not English, or none at all. A heading's id is made otherwise
-// (lesson/heading_id.h): links from elsewhere lead to it, so it is what other tools make of it.
+// (lesson/syntax/heading_id.h): links from elsewhere lead to it, so it is what other tools make of
+// it.
 std::string slug_of(const std::string& title);
 
 // "Rigid bodies 2" of "rigid-bodies-2".

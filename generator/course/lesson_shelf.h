@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "lesson/lesson.h"
+#include "lesson/blocks/lesson.h"
 
 namespace mjcourse {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "course/course.h"
-#include "lesson/reading.h"
+#include "lesson/syntax/reading.h"
 
 namespace mjcourse {
 

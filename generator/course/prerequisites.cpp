@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "lesson/reading.h"
+#include "lesson/syntax/reading.h"
 
 namespace mjcourse {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lesson/typography.h"
+#include "lesson/syntax/typography.h"
 
 namespace mjcourse {
 

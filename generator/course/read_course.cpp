@@ -12,12 +12,12 @@
 #include "course/quotation_marks.h"
 #include "course/reference_picture.h"
 #include "course/web_address.h"
-#include "lesson/is_text.h"
+#include "lesson/json/yaml_map.h"
 #include "lesson/read_glossary.h"
 #include "lesson/read_lesson.h"
-#include "lesson/reading.h"
 #include "lesson/resting_lesson.h"
-#include "lesson/yaml_map.h"
+#include "lesson/syntax/is_text.h"
+#include "lesson/syntax/reading.h"
 #include "report/refused_file.h"
 
 namespace mjcourse {

@@ -3,7 +3,7 @@
 #include <set>
 #include <utility>
 
-#include "lesson/read_view.h"
+#include "lesson/blocks/read_view.h"
 
 namespace mjcourse {
 

@@ -9,7 +9,7 @@
 
 #include "base/nearest.h"
 #include "evaluate/code_names.h"
-#include "lesson/block_scripts.h"
+#include "lesson/blocks/block_scripts.h"
 #include "physics/mujoco_api.h"
 
 namespace mjcourse {

@@ -4,9 +4,9 @@
 #include <chrono>
 #include <optional>
 
+#include "cache/result_codec.h"
+#include "cache/result_store.h"
 #include "evaluate/last_results.h"
-#include "evaluate/result_codec.h"
-#include "evaluate/result_store.h"
 #include "evaluate/task.h"
 
 namespace mjcourse {

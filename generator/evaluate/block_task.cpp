@@ -7,16 +7,16 @@
 #include <variant>
 
 #include "base/stopwatch.h"
-#include "evaluate/chart.h"
-#include "evaluate/fence_extent.h"
-#include "evaluate/figure.h"
-#include "evaluate/image.h"
-#include "evaluate/inline_value.h"
-#include "evaluate/lab.h"
-#include "evaluate/lab_scripts.h"
-#include "evaluate/model_listing.h"
-#include "evaluate/question.h"
-#include "evaluate/recipe.h"
+#include "evaluate/answers/inline_value.h"
+#include "evaluate/answers/question.h"
+#include "evaluate/claims/fence_extent.h"
+#include "evaluate/context/recipe.h"
+#include "evaluate/scenes/chart.h"
+#include "evaluate/scenes/figure.h"
+#include "evaluate/scenes/image.h"
+#include "evaluate/scenes/lab.h"
+#include "evaluate/scenes/lab_scripts.h"
+#include "evaluate/scenes/model_listing.h"
 
 namespace mjcourse {
 namespace {
@@ -90,7 +90,7 @@ Known known_of(const Lesson& lesson, std::size_t index) {
   return std::visit(KnownOf{lesson, index}, lesson.blocks[index]);
 }
 
-struct Worker {
+struct BlockWorker {
   const Lesson& lesson;
   std::size_t index;
   Workshop& workshop;
@@ -210,7 +210,7 @@ bool BlockTask::work(Workshop& workshop, Finding& finding) {
 bool BlockTask::find_out(Workshop& workshop, Finding& finding) const {
   const Stopwatch stopwatch;
   std::optional<Result> result =
-      std::visit(Worker{lesson(), block(), workshop, finding.diagnostics}, block_);
+      std::visit(BlockWorker{lesson(), block(), workshop, finding.diagnostics}, block_);
   if (!result) return false;
   const bool whole = is_whole(*result);
   finding.results[block()] = *std::move(result);

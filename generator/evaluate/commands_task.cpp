@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "base/stopwatch.h"
-#include "evaluate/commands.h"
-#include "evaluate/recipe.h"
+#include "evaluate/context/recipe.h"
+#include "evaluate/programs/commands.h"
 
 namespace mjcourse {
 

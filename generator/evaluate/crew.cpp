@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "base/cancellation.h"
-#include "base/machine_memory.h"
 #include "base/parallel.h"
 #include "evaluate/crew_size.h"
 #include "evaluate/shared_headers.h"
+#include "process/machine_memory.h"
 #include "script/known_scripts.h"
 
 namespace mjcourse {

@@ -5,22 +5,22 @@
 #include <optional>
 #include <utility>
 
-#include "base/sandbox.h"
+#include "cache/fingerprints.h"
 #include "evaluate/api_reference.h"
 #include "evaluate/archive.h"
-#include "evaluate/claims.h"
+#include "evaluate/claims/claims.h"
 #include "evaluate/commands_task.h"
 #include "evaluate/crew.h"
-#include "evaluate/fingerprints.h"
 #include "evaluate/gather_diagnostics.h"
-#include "evaluate/output.h"
 #include "evaluate/plan.h"
 #include "evaluate/program_task.h"
+#include "evaluate/programs/output.h"
+#include "evaluate/programs/region.h"
 #include "evaluate/publish.h"
-#include "evaluate/region.h"
 #include "evaluate/snippets_task.h"
 #include "evaluate/versions.h"
 #include "physics/mujoco_api.h"
+#include "process/sandbox.h"
 
 namespace mjcourse {
 namespace {

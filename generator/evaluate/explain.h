@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "cache/dependency.h"
 #include "course/course.h"
-#include "evaluate/dependency.h"
 #include "evaluate/evaluate.h"
 
 namespace mjcourse {

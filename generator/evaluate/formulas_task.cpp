@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/stopwatch.h"
-#include "evaluate/formula.h"
-#include "evaluate/recipe.h"
+#include "evaluate/answers/formula.h"
+#include "evaluate/context/recipe.h"
 
 namespace mjcourse {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "base/sha256.h"
-#include "evaluate/stored_json.h"
+#include "cache/stored_json.h"
 
 namespace mjcourse {
 namespace {

@@ -3,9 +3,10 @@
 #include <stdexcept>
 #include <variant>
 
-#include "evaluate/bench.h"
-#include "evaluate/lab_scripts.h"
-#include "evaluate/recipe.h"
+#include "evaluate/context/bench.h"
+#include "evaluate/context/recipe.h"
+#include "evaluate/scenes/lab_scripts.h"
+#include "evaluate/scenes/model_page.h"
 #include "findings/model_page.h"
 
 namespace mjcourse {

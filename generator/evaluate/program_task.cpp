@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "base/stopwatch.h"
-#include "evaluate/compiled_recipe.h"
-#include "evaluate/example.h"
-#include "evaluate/warm_header.h"
+#include "evaluate/programs/compiled_recipe.h"
+#include "evaluate/programs/example.h"
 #include "report/refused_file.h"
+#include "toolchain/warm_header.h"
 
 namespace mjcourse {
 

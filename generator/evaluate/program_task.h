@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "evaluate/example_code.h"
+#include "evaluate/programs/example_code.h"
 #include "evaluate/task.h"
 
 namespace mjcourse {

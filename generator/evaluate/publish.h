@@ -1,9 +1,9 @@
 // Publishing: what programs reported, for those who quote it.
 #pragma once
 
+#include "cache/fingerprints.h"
+#include "evaluate/context/reports.h"
 #include "evaluate/crew.h"
-#include "evaluate/fingerprints.h"
-#include "evaluate/reports.h"
 
 namespace mjcourse {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "evaluate/compiler.h"
 #include "evaluate/task.h"
+#include "toolchain/compiler.h"
 
 namespace mjcourse {
 

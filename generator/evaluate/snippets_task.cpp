@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "evaluate/compiled_recipe.h"
-#include "evaluate/snippets.h"
-#include "evaluate/warm_header.h"
+#include "evaluate/programs/compiled_recipe.h"
+#include "evaluate/programs/snippets.h"
+#include "toolchain/warm_header.h"
 
 namespace mjcourse {
 

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "evaluate/dependency.h"
-#include "evaluate/finding.h"
-#include "evaluate/workshop.h"
-#include "lesson/lesson.h"
+#include "cache/dependency.h"
+#include "evaluate/context/workshop.h"
+#include "findings/finding.h"
+#include "lesson/blocks/lesson.h"
 
 namespace mjcourse {
 

@@ -5,10 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "base/sandbox.h"
-#include "evaluate/compiler.h"
-#include "evaluate/include_folders.h"
-#include "evaluate/warm_header.h"
+#include "process/sandbox.h"
+#include "toolchain/compiler.h"
+#include "toolchain/include_folders.h"
+#include "toolchain/warm_header.h"
 
 namespace mjcourse {
 

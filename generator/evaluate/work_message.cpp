@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "evaluate/blobs_of.h"
-#include "evaluate/cbor.h"
+#include "cache/blobs_of.h"
+#include "cache/cbor.h"
+#include "cache/result_json.h"
 #include "evaluate/result_fits.h"
-#include "evaluate/result_json.h"
 
 namespace mjcourse {
 

@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
-#include "base/keeper.h"
-#include "base/open_to_all.h"
 #include "base/temporary_folder.h"
 #include "evaluate/work_message.h"
 #include "physics/mesa.h"
+#include "process/keeper.h"
+#include "process/open_to_all.h"
 
 namespace mjcourse {
 namespace {

@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "evaluate/setting.h"
+#include "evaluate/context/setting.h"
 #include "evaluate/task.h"
 
 namespace mjcourse {

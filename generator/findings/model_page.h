@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "findings/result.h"
-#include "lesson/lesson.h"
+#include "lesson/blocks/lesson.h"
 
 namespace mjcourse {
 
@@ -47,7 +47,7 @@ struct ModelPage {
   std::vector<Keyframe> keyframes;
   std::vector<File> files;  // its own first, then those it is made of
   Poster poster;
-  // A lab with this model (evaluate/model_lab.h).
+  // A lab with this model (evaluate/scenes/model_lab.h).
   struct LiveLab {
     std::string fence;  // as it would stand in a lesson
     LabResult result;   // without a poster, which is the page's

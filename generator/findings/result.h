@@ -15,7 +15,7 @@
 
 #include "base/blob.h"
 #include "findings/chart_drawing.h"
-#include "lesson/lab.h"
+#include "lesson/blocks/lab.h"
 
 namespace mjcourse {
 

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "lesson/yaml_map.h"
+#include "lesson/json/yaml_map.h"
 
 namespace mjcourse {
 namespace {

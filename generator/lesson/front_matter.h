@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "lesson/lesson.h"
-#include "lesson/lesson_reader.h"
+#include "lesson/blocks/lesson.h"
+#include "lesson/blocks/lesson_reader.h"
 
 namespace mjcourse {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "lesson/lesson.h"
+#include "lesson/blocks/lesson.h"
 
 namespace mjcourse {
 
@@ -16,7 +16,7 @@ inline constexpr const char* kGlossaryPath = "content/glossary.md";
 struct Glossary {
   struct Term {
     std::string name;     // as its heading has it, without markup
-    std::string key;      // what uses are matched by (lesson/term_syntax.h)
+    std::string key;      // what uses are matched by (lesson/syntax/term_syntax.h)
     std::string id;       // on the glossary's page
     Document heading;     // its inlines
     Document definition;  // blocks

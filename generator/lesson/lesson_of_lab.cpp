@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "lesson/lesson_reader.h"
+#include "lesson/blocks/lesson_reader.h"
 
 namespace mjcourse {
 

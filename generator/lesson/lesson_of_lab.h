@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "lesson/lesson.h"
+#include "lesson/blocks/lesson.h"
 
 namespace mjcourse {
 

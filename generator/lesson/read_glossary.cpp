@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "lesson/blocks/lesson_reader.h"
 #include "lesson/front_matter.h"
-#include "lesson/lesson_reader.h"
 #include "lesson/read_lesson.h"
-#include "lesson/term_syntax.h"
+#include "lesson/syntax/term_syntax.h"
 
 namespace mjcourse {
 namespace {

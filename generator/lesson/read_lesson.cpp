@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
+#include "lesson/blocks/lesson_reader.h"
 #include "lesson/front_matter.h"
-#include "lesson/is_text.h"
-#include "lesson/lesson_reader.h"
+#include "lesson/syntax/is_text.h"
 
 namespace mjcourse {
 

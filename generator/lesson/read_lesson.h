@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "lesson/lesson.h"
+#include "lesson/blocks/lesson.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {

@@ -8,7 +8,7 @@
 #pragma once
 
 #include "base/files.h"
-#include "lesson/lesson.h"
+#include "lesson/blocks/lesson.h"
 
 namespace mjcourse {
 

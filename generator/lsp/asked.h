@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "lesson/plot_grammar.h"
+#include "lesson/json/plot_grammar.h"
 #include "lsp/model_names.h"
 #include "lsp/open_documents.h"
 #include "session/snapshot.h"

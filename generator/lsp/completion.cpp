@@ -1,6 +1,6 @@
 #include "lsp/completion.h"
 
-#include "lesson/json_fences.h"
+#include "lesson/json/json_fences.h"
 #include "lsp/json_suggestions.h"
 #include "lsp/prose_suggestions.h"
 

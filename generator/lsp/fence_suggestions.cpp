@@ -5,7 +5,7 @@
 #include <sstream>
 #include <vector>
 
-#include "lesson/fence_kinds.h"
+#include "lesson/blocks/fence_kinds.h"
 
 namespace mjcourse {
 namespace {

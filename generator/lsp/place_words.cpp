@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "lesson/json_fences.h"
+#include "lesson/json/json_fences.h"
 
 namespace mjcourse {
 namespace {

@@ -1,9 +1,9 @@
-// What the vocabulary has for a place in a fence's JSON (lesson/vocabulary.h).
+// What the vocabulary has for a place in a fence's JSON (lesson/json/vocabulary.h).
 #pragma once
 
 #include <string_view>
 
-#include "lesson/vocabulary.h"
+#include "lesson/json/vocabulary.h"
 #include "lsp/json_place.h"
 
 namespace mjcourse {

@@ -1,7 +1,7 @@
 // What Vega-Lite has for a place in a plot's JSON, and what the plot's table has.
 #pragma once
 
-#include "lesson/plot_grammar.h"
+#include "lesson/json/plot_grammar.h"
 #include "lsp/asked.h"
 #include "lsp/json_place.h"
 #include "lsp/json_writing.h"

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "lesson/callout.h"
+#include "lesson/blocks/callout.h"
 #include "lsp/fence_suggestions.h"
 #include "lsp/json_suggestions.h"
 #include "physics/mujoco_api.h"

@@ -2,9 +2,9 @@
 
 #include "course/link_target.h"
 #include "course/uses.h"
-#include "page/anchors.h"
-#include "page/site_paths.h"
-#include "page/uses_data.h"
+#include "page/html/anchors.h"
+#include "page/html/site_paths.h"
+#include "page/html/uses_data.h"
 
 namespace mjcourse {
 namespace {

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "course/link_target.h"
-#include "page/anchors.h"
-#include "page/site_paths.h"
+#include "page/html/anchors.h"
+#include "page/html/site_paths.h"
 
 namespace mjcourse {
 

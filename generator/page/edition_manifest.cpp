@@ -11,7 +11,7 @@
 #include "base/content_hash.h"
 #include "base/parallel.h"
 #include "base/sha256.h"
-#include "page/site_paths.h"
+#include "page/html/site_paths.h"
 
 namespace mjcourse {
 namespace {

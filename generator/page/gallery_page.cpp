@@ -4,9 +4,9 @@
 
 #include "course/link_target.h"
 #include "course/uses.h"
+#include "page/html/site_paths.h"
+#include "page/html/uses_data.h"
 #include "page/model_page.h"
-#include "page/site_paths.h"
-#include "page/uses_data.h"
 
 namespace mjcourse {
 

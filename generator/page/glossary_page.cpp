@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "course/uses.h"
-#include "page/reader_text.h"
-#include "page/uses_data.h"
+#include "page/html/reader_text.h"
+#include "page/html/uses_data.h"
 #include "script/collation.h"
 
 namespace mjcourse {

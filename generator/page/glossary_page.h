@@ -5,7 +5,7 @@
 #include <string>
 
 #include "findings/evaluation.h"
-#include "page/page_writer.h"
+#include "page/blocks/page_writer.h"
 
 namespace mjcourse {
 

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "lesson/json_fences.h"
+#include "lesson/json/json_fences.h"
 #include "page/plot_schema.h"
 
 namespace mjcourse {

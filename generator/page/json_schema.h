@@ -1,16 +1,16 @@
 // The JSON that fences hold, as JSON Schemas, which editors read.
 //
-// They are made of the vocabularies that the generator reads by (lesson/vocabulary.h), and that of
-// plots of Vega-Lite's, too (lesson/plot_grammar.h). A schema knows what one value may be, and not
-// what several say together, such as a slider's `min` below its `max`: so what a schema refuses the
-// generator refuses too, and the generator looks at more.
+// They are made of the vocabularies that the generator reads by (lesson/json/vocabulary.h), and
+// that of plots of Vega-Lite's, too (lesson/json/plot_grammar.h). A schema knows what one value may
+// be, and not what several say together, such as a slider's `min` below its `max`: so what a schema
+// refuses the generator refuses too, and the generator looks at more.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "lesson/plot_grammar.h"
-#include "lesson/json_fences.h"
+#include "lesson/json/json_fences.h"
+#include "lesson/json/plot_grammar.h"
 
 namespace mjcourse {
 

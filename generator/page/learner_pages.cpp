@@ -5,9 +5,9 @@
 
 #include "base/content_hash.h"
 #include "page/course_data.h"
-#include "page/placeholder.h"
+#include "page/html/placeholder.h"
+#include "page/html/site_paths.h"
 #include "page/site_data.h"
-#include "page/site_paths.h"
 
 namespace mjcourse {
 namespace {

@@ -5,13 +5,13 @@
 
 #include "lesson/resting_lesson.h"
 #include "page/course_data.h"
-#include "page/csv.h"
+#include "page/html/csv.h"
+#include "page/html/lesson_pictures.h"
+#include "page/html/site_paths.h"
 #include "page/lesson_page.h"
-#include "page/lesson_pictures.h"
 #include "page/printed_course.h"
 #include "page/search_index.h"
 #include "page/site_data.h"
-#include "page/site_paths.h"
 #include "page/web_files.h"
 
 namespace mjcourse {

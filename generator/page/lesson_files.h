@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "page/lab_module.h"
+#include "page/blocks/lab_module.h"
 #include "page/lesson_parts.h"
 #include "page/page_press.h"
 #include "page/printed_course.h"

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <string>
 
-#include "page/page_writer.h"
+#include "page/blocks/page_writer.h"
 #include "page/site_data.h"
 
 namespace mjcourse {

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "page/course_data.h"
-#include "page/lesson_pictures.h"
-#include "page/site_paths.h"
-#include "page/still_data.h"
+#include "page/html/lesson_pictures.h"
+#include "page/html/site_paths.h"
+#include "page/html/still_data.h"
 #include "page/verification_page.h"
 
 namespace mjcourse {

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "base/spool.h"
-#include "page/lesson_pictures.h"
-#include "page/page_writer.h"
-#include "page/verification.h"
+#include "page/blocks/page_writer.h"
+#include "page/html/lesson_pictures.h"
+#include "page/html/verification.h"
 
 namespace mjcourse {
 

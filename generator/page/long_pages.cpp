@@ -6,10 +6,10 @@
 #include <utility>
 
 #include "page/course_data.h"
-#include "page/placeholder.h"
+#include "page/html/placeholder.h"
+#include "page/html/site_paths.h"
+#include "page/html/verification.h"
 #include "page/site_data.h"
-#include "page/site_paths.h"
-#include "page/verification.h"
 #include "page/verification_page.h"
 
 namespace mjcourse {

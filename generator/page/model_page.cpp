@@ -2,8 +2,8 @@
 
 #include "course/uses.h"
 #include "findings/model_page.h"
-#include "page/site_paths.h"
-#include "page/uses_data.h"
+#include "page/html/site_paths.h"
+#include "page/html/uses_data.h"
 
 namespace mjcourse {
 namespace {

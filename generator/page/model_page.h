@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "findings/evaluation.h"
-#include "page/page_writer.h"
-#include "page/still_data.h"
+#include "page/blocks/page_writer.h"
+#include "page/html/still_data.h"
 
 namespace mjcourse {
 

@@ -5,8 +5,8 @@
 
 #include "course/former_page.h"
 #include "course/language.h"
+#include "page/html/site_paths.h"
 #include "page/site_data.h"
-#include "page/site_paths.h"
 
 namespace mjcourse {
 namespace {

@@ -16,10 +16,10 @@
 #include "course/course.h"
 #include "course/last_changed.h"
 #include "findings/evaluation.h"
-#include "page/lesson_pictures.h"
-#include "page/page_writer.h"
+#include "page/blocks/page_writer.h"
+#include "page/html/lesson_pictures.h"
+#include "page/html/site_files.h"
 #include "page/site_data.h"
-#include "page/site_files.h"
 
 namespace mjcourse {
 

@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "lesson/plot_grammar.h"
+#include "lesson/json/plot_grammar.h"
 
 namespace mjcourse {
 

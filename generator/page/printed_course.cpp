@@ -6,13 +6,13 @@
 
 #include "base/content_hash.h"
 #include "course/link_target.h"
-#include "page/anchors.h"
 #include "page/course_data.h"
+#include "page/html/anchors.h"
+#include "page/html/moved_html.h"
+#include "page/html/placeholder.h"
+#include "page/html/site_paths.h"
 #include "page/lesson_history.h"
-#include "page/moved_html.h"
-#include "page/placeholder.h"
 #include "page/site_data.h"
-#include "page/site_paths.h"
 
 namespace mjcourse {
 namespace {

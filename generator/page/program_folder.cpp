@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lesson/linked_libraries.h"
+#include "lesson/syntax/linked_libraries.h"
 #include "page/site_data.h"
 
 namespace mjcourse {

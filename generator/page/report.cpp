@@ -5,11 +5,11 @@
 
 #include "course/language.h"
 #include "findings/lesson_results.h"
-#include "page/anchors.h"
-#include "page/page_writer.h"
+#include "page/blocks/page_writer.h"
+#include "page/html/anchors.h"
+#include "page/html/site_paths.h"
+#include "page/html/verification.h"
 #include "page/site_directory.h"
-#include "page/site_paths.h"
-#include "page/verification.h"
 #include "page/verification_page.h"
 #include "report/terminal.h"
 

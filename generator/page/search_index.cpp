@@ -8,9 +8,9 @@
 #include "base/content_hash.h"
 #include "base/running_text.h"
 #include "course/link_target.h"
-#include "page/search_text.h"
+#include "page/html/search_text.h"
+#include "page/html/site_paths.h"
 #include "page/site_data.h"
-#include "page/site_paths.h"
 
 namespace mjcourse {
 namespace {

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "base/parallel.h"
+#include "page/blocks/themed_assets.h"
 #include "page/edition_manifest.h"
 #include "page/precompressed.h"
 #include "page/site_data.h"
 #include "page/site_directory.h"
 #include "page/site_pages.h"
-#include "page/themed_assets.h"
 
 namespace mjcourse {
 

@@ -12,7 +12,7 @@
 #include "course/last_changed.h"
 #include "findings/evaluation.h"
 #include "page/course_data.h"
-#include "page/lesson_pictures.h"
+#include "page/html/lesson_pictures.h"
 
 namespace mjcourse {
 

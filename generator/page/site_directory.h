@@ -16,7 +16,7 @@
 #include <string_view>
 
 #include "base/descriptor.h"
-#include "page/site_files.h"
+#include "page/html/site_files.h"
 
 namespace mjcourse {
 

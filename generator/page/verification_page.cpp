@@ -4,8 +4,8 @@
 #include <string_view>
 #include <utility>
 
-#include "page/site_paths.h"
-#include "page/verification.h"
+#include "page/html/site_paths.h"
+#include "page/html/verification.h"
 
 namespace mjcourse {
 namespace {

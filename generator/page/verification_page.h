@@ -24,8 +24,8 @@ struct Findings {
   std::vector<ShownPicture> pictures;
 };
 
-// `verification` as in page/verification.h. Claims lead to the pages of their lessons only where
-// these are, which `links` says.
+// `verification` as in page/html/verification.h. Claims lead to the pages of their lessons only
+// where these are, which `links` says.
 nlohmann::json verification_data(const nlohmann::json& verification, bool links,
                                  const Findings& findings);
 

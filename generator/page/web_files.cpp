@@ -5,10 +5,10 @@
 
 #include "base/running_text.h"
 #include "course/link_target.h"
+#include "page/html/site_paths.h"
+#include "page/html/verification.h"
 #include "page/lesson_history.h"
 #include "page/site_data.h"
-#include "page/site_paths.h"
-#include "page/verification.h"
 
 namespace mjcourse {
 namespace {

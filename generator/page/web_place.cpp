@@ -1,7 +1,7 @@
 #include "page/web_place.h"
 
+#include "page/html/site_paths.h"
 #include "page/lesson_history.h"
-#include "page/site_paths.h"
 
 namespace mjcourse {
 

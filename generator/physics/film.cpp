@@ -4,8 +4,8 @@
 #include <system_error>
 
 #include "base/files.h"
-#include "base/open_to_all.h"
-#include "base/subprocess.h"
+#include "process/open_to_all.h"
+#include "process/subprocess.h"
 
 namespace mjcourse {
 namespace {

@@ -14,7 +14,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "physics/model_error.h"
+#include "physics/mistakes/model_error.h"
 
 namespace mjcourse {
 

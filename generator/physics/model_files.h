@@ -11,7 +11,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
-#include "physics/model_error.h"
+#include "physics/mistakes/model_error.h"
 
 namespace mjcourse {
 

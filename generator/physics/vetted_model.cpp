@@ -12,15 +12,15 @@
 #include <utility>
 #include <vector>
 
-#include "base/attempt.h"
 #include "base/content_hash.h"
 #include "base/files.h"
 #include "physics/data.h"
 #include "physics/infinite_field.h"
-#include "physics/lost_line.h"
+#include "physics/mistakes/lost_line.h"
+#include "physics/mistakes/mujoco_cures.h"
 #include "physics/model_files.h"
-#include "physics/mujoco_cures.h"
 #include "physics/mujoco_guard.h"
+#include "process/attempt.h"
 
 namespace mjcourse {
 namespace {

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <optional>
 
-#include "page/site_files.h"
+#include "page/html/site_files.h"
 
 namespace mjcourse {
 

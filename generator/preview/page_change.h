@@ -1,5 +1,5 @@
 // A page in preview, which says of which lines of its lesson each part of its text is made
-// (page/place_marks.h); and of two such pages, what differs.
+// (page/html/place_marks.h); and of two such pages, what differs.
 #pragma once
 
 #include <cstddef>

@@ -5,7 +5,7 @@
 #include <future>
 #include <utility>
 
-#include "page/site_paths.h"
+#include "page/html/site_paths.h"
 #include "preview/inside.h"
 
 namespace mjcourse {

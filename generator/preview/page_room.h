@@ -17,8 +17,8 @@
 #include <string>
 #include <thread>
 
+#include "page/blocks/themed_assets.h"
 #include "page/site_pages.h"
-#include "page/themed_assets.h"
 #include "preview/memory_site.h"
 #include "session/snapshot.h"
 

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "page/site_paths.h"
+#include "page/html/site_paths.h"
 #include "preview/inside.h"
 #include "preview/page_change.h"
 #include "report/diagnostic_json.h"

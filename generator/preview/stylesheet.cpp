@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "base/guardian.h"
+#include "process/guardian.h"
 
 namespace mjcourse {
 namespace {

@@ -11,8 +11,8 @@
 #include <optional>
 #include <string>
 
-#include "base/child_process.h"
 #include "base/temporary_folder.h"
+#include "process/child_process.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {

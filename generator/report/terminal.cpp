@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "base/our_command.h"
 #include "base/utf8.h"
+#include "process/our_command.h"
 #include "report/colours.h"
 #include "report/wrapped.h"
 

@@ -18,7 +18,7 @@
 namespace mjcourse {
 namespace {
 
-// What is worked out of a file sooner after it was saved is not kept (evaluate/fingerprints.h).
+// What is worked out of a file sooner after it was saved is not kept (cache/fingerprints.h).
 constexpr std::chrono::milliseconds kFresh{15};
 
 // Who shows a guess has the processor for itself so long.

@@ -35,7 +35,7 @@ export function pageBuild(site, out) {
   };
 }
 
-// The pieces of fonts that many pages are set in, under names for the generator (page/page_fonts.cpp):
+// The pieces of fonts that many pages are set in, under names for the generator (page/html/page_fonts.cpp):
 // a page asks for its own before any line is laid out.
 const namedFonts = {
   "serif.woff2": "source-serif-4-latin-wght-normal-400-650-1.woff2",

@@ -1,6 +1,6 @@
 /**
  * What passes from the generator to the page: the module that it writes for each lab
- * (generator/page/lab_module.cpp), and the marks that it leaves in the lesson for the script to find.
+ * (generator/page/blocks/lab_module.cpp), and the marks that it leaves in the lesson for the script to find.
  *
  * The module is `labs/NUMBER-INDEX-HASH.js`. Its `lab` is JSON; wherever an author's script or
  * expression belongs, there is its index in `scripts`. So the page evaluates no text.

@@ -1,5 +1,5 @@
 /**
- * The JSON of what was verified. The generator writes it (generator/page/verification.cpp), tools
+ * The JSON of what was verified. The generator writes it (generator/page/html/verification.cpp), tools
  * read it, and tests/site/verification.mjs holds what it wrote against these types.
  *
  * `Verification` is `verification.json` of a site: the same bytes for the same course. `Report` is

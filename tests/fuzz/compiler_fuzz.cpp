@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "diagnostic_check.h"
-#include "evaluate/compile_errors.h"
+#include "evaluate/programs/compile_errors.h"
 #include "fuzz.h"
 #include "lesson/read_lesson.h"
 #include "require.h"

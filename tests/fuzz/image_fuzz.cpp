@@ -1,7 +1,7 @@
 // A picture's file of any bytes: how large it is. The input's first line is the file's name.
 #include <algorithm>
 
-#include "evaluate/image_size.h"
+#include "evaluate/scenes/image_size.h"
 #include "fuzz.h"
 #include "require.h"
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "lesson/lesson.h"
+#include "lesson/blocks/lesson.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "lesson/block.h"
+#include "lesson/blocks/block.h"
 
 namespace mjcourse {
 

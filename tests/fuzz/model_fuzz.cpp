@@ -7,7 +7,7 @@
 #include "base/files.h"
 #include "base/temporary_folder.h"
 #include "fuzz.h"
-#include "physics/model_error.h"
+#include "physics/mistakes/model_error.h"
 #include "physics/model_files.h"
 #include "require.h"
 

@@ -8,8 +8,8 @@
 
 #include "base/text_lines.h"
 #include "base/utf8.h"
-#include "evaluate/output_diff.h"
-#include "evaluate/output_edit.h"
+#include "evaluate/programs/output_diff.h"
+#include "evaluate/programs/output_edit.h"
 #include "fuzz.h"
 #include "lesson/read_lesson.h"
 #include "report/diff_text.h"

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/utf8.h"
-#include "evaluate/records.h"
+#include "evaluate/programs/records.h"
 #include "fuzz.h"
 #include "report/diagnostic.h"
 #include "require.h"

@@ -2,7 +2,7 @@
 //
 // The input: a line that nobody reads, then what is thrown, as JSON.
 #include "diagnostic_check.h"
-#include "evaluate/script_place.h"
+#include "evaluate/context/script_place.h"
 #include "fuzz.h"
 #include "require.h"
 #include "script/author_text.h"

@@ -2,7 +2,7 @@
 #include "base/utf8.h"
 #include "diagnostic_check.h"
 #include "fuzz.h"
-#include "lesson/read_value.h"
+#include "lesson/blocks/read_value.h"
 #include "require.h"
 
 namespace mjcourse {

@@ -1,37 +1,39 @@
-// The arrows between the folders of the generator run one way (generator/arrows.cmake): no header that
-// a file includes, directly or through others, lies in a folder that its own may not reach.
+// The arrows between the rooms of the generator run one way (generator/arrows.cmake): no file includes
+// a room that is not named for its own, and none reaches, through however many headers, what is
+// forbidden to it.
 //
 //   node tests/lint/arrows.mjs GENERATOR [README]
 //
-// With README, the last column of its table of folders is held against the arrows too.
+// With README, the last column of its table of rooms is held against the arrows too.
 
 import { globSync, readFileSync } from "node:fs";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 
 const [generator, readme] = process.argv.slice(2);
 const arrows = readFileSync(join(import.meta.dirname, "../../generator/arrows.cmake"), "utf8");
 const listed = new Map(
-  [...arrows.matchAll(/^set\((\w+) ?([^)]*)\)/gm)].map(([, name, words]) => [
+  [...arrows.matchAll(/^set\(([\w/]+)\s*([^)]*)\)/gm)].map(([, name, words]) => [
     name,
-    words.split(" ").filter(Boolean),
+    words.split(/\s+/).filter(Boolean),
   ]),
 );
-const folders = listed.get("folders");
+const rooms = listed.get("rooms");
 const problems = [];
 
 const files = new Map(
-  globSync("**/*.{h,cpp,c}", { cwd: generator }).map((file) => {
+  globSync("**/*.{h,cpp,c}", { cwd: generator, exclude: ["cli/skeleton/**"] }).map((file) => {
     const text = readFileSync(join(generator, file), "utf8");
     const includes = [...text.matchAll(/^ *# *include *[<"]([^>"]+)[>"]/gm)].map(([, to]) => to);
     return [file, includes];
   }),
 );
-const folderOf = (file) => file.split("/", 1)[0];
+// "evaluate/scenes", or a library's "mujoco".
+const roomOf = (file) => (rooms.includes(dirname(file)) ? dirname(file) : file.split("/", 1)[0]);
 
 // What `file` includes, each header with the way to it.
 function reached(file) {
   const ways = new Map();
-  const next = [[file, [file]]];
+  const next = [[file, []]];
   for (const [from, way] of next) {
     for (const to of files.get(from) ?? []) {
       if (ways.has(to)) continue;
@@ -42,35 +44,45 @@ function reached(file) {
   return ways;
 }
 
+rooms.forEach((room, i) => {
+  for (const included of listed.get(`${room}_includes`)) {
+    const place = rooms.indexOf(included);
+    if (place < 0 || place >= i) problems.push(`arrows.cmake: ${included} is not before ${room}`);
+  }
+});
+
 let checked = 0;
 for (const file of files.keys()) {
-  const folder = folderOf(file);
-  if (folder === file) continue; // main.cpp
-  if (!folders.includes(folder)) {
-    problems.push(`${file}: arrows.cmake has no folder ${folder}`);
+  if (!file.includes("/")) continue; // main.cpp
+  const room = dirname(file);
+  if (!rooms.includes(room)) {
+    problems.push(`${file}: arrows.cmake has no room ${room}`);
     continue;
   }
-  const reaches = [folder, ...listed.get(`${folder}_reaches`)];
-  const never = listed.get(`${folder}_never`) ?? [];
+  const allowed = [room, ...listed.get(`${room}_includes`)];
+  const never = listed.get(`${room}_never`) ?? [];
   const wrong = new Set();
   for (const [to, way] of reached(file)) {
-    const its = folderOf(to);
-    if (folders.includes(its)) checked++;
-    const against = folders.includes(its) ? !reaches.includes(its) : never.includes(its);
-    if (!against || wrong.has(its)) continue;
+    const its = roomOf(to);
+    const inRoom = rooms.includes(its);
+    if (inRoom) checked++;
+    const against = way.length === 1 && inRoom && !allowed.includes(its);
+    const forbidden = never.includes(its) || never.includes(its.split("/", 1)[0]);
+    if ((!against && !forbidden) || wrong.has(its)) continue;
     wrong.add(its);
-    problems.push(`${file}: ${folder} may not reach ${its}: ${way.slice(1).join(" includes ")}`);
+    const what = against ? "include" : "reach";
+    problems.push(`${file}: ${room} may not ${what} ${its}: ${way.join(" includes ")}`);
   }
 }
 if (checked === 0) problems.push(`no includes were found below ${generator}`);
 
 if (readme !== undefined) {
-  const rows = readFileSync(readme, "utf8").matchAll(/^\| `(\w+)\/` \|.*\| ([^|]*) \|$/gm);
-  const told = new Map([...rows].map(([, folder, words]) => [folder, words]));
-  for (const folder of folders) {
-    const words = listed.get(`${folder}_reaches`).join(", ") || "nothing of ours";
-    if (told.get(folder) === words) continue;
-    problems.push(`${readme}: \`${folder}/\` may reach ${words}, and not ${told.get(folder)}`);
+  const rows = readFileSync(readme, "utf8").matchAll(/^\| `([\w/]+)\/` \|.*\| ([^|]*) \|$/gm);
+  const told = new Map([...rows].map(([, room, words]) => [room, words]));
+  for (const room of rooms) {
+    const words = listed.get(`${room}_includes`).join(", ") || "nothing of ours";
+    if (told.get(room) === words) continue;
+    problems.push(`${readme}: \`${room}/\` may include ${words}, and not ${told.get(room)}`);
   }
 }
 

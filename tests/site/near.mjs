@@ -1,5 +1,5 @@
 // Which numbers of a reader are right, in a question and in a lab. The generator is held against the
-// same table, by tests/generator/lesson/tolerance_test.cpp.
+// same table, by tests/generator/lesson/json/tolerance_test.cpp.
 //
 //   node --test tests/site/near.mjs
 

@@ -1,5 +1,5 @@
 // Whether a number that a reader gave is the right one, in a question and in a lab. The generator
-// holds answers against what it finds by the same rule (generator/lesson/tolerance.h).
+// holds answers against what it finds by the same rule (generator/lesson/json/tolerance.h).
 
 /** Within `tolerance`. Decimals are not exact in binary, and whole numbers are. */
 export function isNear(given: number, right: number, tolerance: number): boolean {

@@ -9,7 +9,7 @@ import type { ControlView, Operate } from "./control-view.js";
 const hair = 1e-12;
 
 /** The end is a whole number of steps away: the generator sees to it, but for a millionth of a step
- * (generator/lesson/read_control.cpp). This is a step of which that is so but for rounding. */
+ * (generator/lesson/blocks/read_control.cpp). This is a step of which that is so but for rounding. */
 function wholeStep({ min, max, step }: Slider): number {
   const way = max - min;
   return (way / Math.round(way / step)) * (1 - hair);

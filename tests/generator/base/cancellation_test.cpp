@@ -2,11 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <thread>
-
-#include "base/stopwatch.h"
-#include "base/subprocess.h"
 
 namespace mjcourse {
 namespace {
@@ -51,22 +47,6 @@ TEST(Cancellation, EndsWhereItsScopeEnds) {
     EXPECT_TRUE(is_cancelled());
   }
   EXPECT_FALSE(is_cancelled());
-}
-
-TEST(Cancellation, KillsTheProgramThatIsWaitedFor) {
-  const std::stop_source stop;
-  const Cancellable cancellable(stop.get_token());
-  const std::jthread impatient([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    stop.request_stop();
-  });
-  Command command;
-  command.arguments = {"sleep", "60"};
-  command.folder = "/";
-  command.seconds = 60;
-  const Stopwatch stopwatch;
-  EXPECT_THROW(run(command), Cancelled);
-  EXPECT_LT(stopwatch.seconds(), 30);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 #include "base/files.h"
 #include "base/stopwatch.h"
-#include "base/subprocess.h"
 #include "base/temporary_folder.h"
+#include "process/subprocess.h"
 
 namespace mjcourse {
 namespace {

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "base/sha256.h"
+#include "cache/result_codec.h"
 #include "evaluate/evaluation_of.h"
-#include "evaluate/result_codec.h"
 
 namespace mjcourse {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/files.h"
 #include "base/temporary_folder.h"
-#include "evaluate/claims.h"
+#include "evaluate/claims/claims.h"
 #include "evaluate/evaluate.h"
 #include "reading_of.h"
 

@@ -8,6 +8,7 @@
 #include "base/temporary_folder.h"
 #include "course/course.h"
 #include "evaluate/plan.h"
+#include "reading_of.h"
 
 namespace mjcourse {
 namespace {
@@ -73,6 +74,42 @@ TEST_F(FilesOfAModel, GoWithALabUnderSuchNames) {
   EXPECT_TRUE(brings("picture.png"));
   EXPECT_FALSE(brings("picture.html"));
   EXPECT_FALSE(brings("picture.svg"));
+}
+
+// A lab of one readout, with one button.
+const ReadingOf& lab() {
+  static const ReadingOf reading = reading_of(
+      "```lab simlab\n{\"title\": \"T\", \"model\": \"m\", \"alt\": \"A.\", \"controls\": "
+      "[{\"type\": "
+      "\"button\", \"label\": \"B\", \"run\": \"step(1)\"}], \"readouts\": [{\"label\": \"r\", "
+      "\"expr\": \"1\"}]}\n```\n");
+  return reading;
+}
+
+// Whether a result with one run, on which `control` acted and which read `values`, is that lab's.
+bool fits_the_lab(std::optional<std::size_t> control, const std::vector<double>& values) {
+  LabResult result;
+  result.readouts = {1};
+  result.keyframes = {0};
+  result.runs = {{control, ControlValue(), {{0, values}}}};
+  return fits(lab().lesson->blocks.at(0), Result(result)) &&
+         fits(lab().lesson->blocks.at(0), result);
+}
+
+TEST(ResultFits, WhereEachRunHasThePartsOfItsLab) {
+  EXPECT_TRUE(fits_the_lab(std::nullopt, {1}));
+  EXPECT_TRUE(fits_the_lab(0, {1}));
+  EXPECT_FALSE(fits_the_lab(1, {1}));
+  EXPECT_FALSE(fits_the_lab(0, {}));
+}
+
+TEST(ResultFits, WhereColumnsAreEquallyLong) {
+  const ReadingOf program = reading_of("```cpp file=examples/a.cpp\n```\n");
+  ExampleResult result;
+  result.records.tables["t"] = {{"a", {1}}, {"b", {2}}};
+  EXPECT_TRUE(fits(program.lesson->blocks.at(0), Result(result)));
+  result.records.tables["t"][1].values.clear();
+  EXPECT_FALSE(fits(program.lesson->blocks.at(0), Result(result)));
 }
 
 }  // namespace

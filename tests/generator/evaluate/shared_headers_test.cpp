@@ -4,7 +4,7 @@
 
 #include "base/temporary_folder.h"
 #include "course/course_of.h"
-#include "evaluate/setting.h"
+#include "evaluate/context/setting.h"
 
 namespace mjcourse {
 namespace {

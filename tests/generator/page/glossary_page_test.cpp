@@ -1,7 +1,7 @@
 #include "page/glossary_page.h"
 
 #include "lesson/read_glossary.h"
-#include "page_fixture.h"
+#include "page/page_fixture.h"
 
 namespace mjcourse {
 namespace {

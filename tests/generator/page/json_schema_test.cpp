@@ -4,7 +4,8 @@
 
 #include <array>
 #include <nlohmann/json.hpp>
-#include "lesson/json_fences.h"
+
+#include "lesson/json/json_fences.h"
 
 namespace mjcourse {
 namespace {

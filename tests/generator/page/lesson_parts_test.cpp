@@ -1,7 +1,7 @@
 // What a lesson gives to the pages of what its reader's browser remembers.
 #include "page/lesson_parts.h"
 
-#include "page_fixture.h"
+#include "page/page_fixture.h"
 
 namespace mjcourse {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "base/files.h"
-#include "page/page_writer.h"
+#include "page/blocks/page_writer.h"
 #include "reading_of.h"
 #include "script/known_scripts.h"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "site_of.h"
+#include "page/site_of.h"
 
 namespace mjcourse {
 namespace {

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "page/anchors.h"
 #include "page/course_data.h"
+#include "page/html/anchors.h"
+#include "page/html/verification.h"
 #include "page/page_fixture.h"
-#include "page/verification.h"
 
 namespace mjcourse {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "page/moved_pages.h"
-#include "site_of.h"
+#include "page/site_of.h"
 
 namespace mjcourse {
 namespace {

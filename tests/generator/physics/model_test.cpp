@@ -4,7 +4,7 @@
 
 #include <thread>
 
-#include "model_folder.h"
+#include "physics/model_folder.h"
 
 namespace mjcourse {
 namespace {

@@ -1,5 +1,5 @@
 // A slider of a lab reaches both of its ends, whatever its steps are. The generator takes steps that
-// are a whole number but for a millionth (generator/lesson/read_control.cpp).
+// are a whole number but for a millionth (generator/lesson/blocks/read_control.cpp).
 //
 //   node --test tests/site/lab/slider.mjs
 

@@ -1,0 +1,76 @@
+#include "cache/result_codec.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/sha256.h"
+#include "cache/blobs_of.h"
+#include "cache/cbor.h"
+#include "cache/result_json.h"
+
+namespace mjcourse {
+
+using nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Paths below the course's folder, and back; others are the system's, and the same everywhere.
+template <typename Change>
+void change_paths(Finding& finding, const Change& change) {
+  const auto change_lab = [&](LabResult& lab) {
+    for (auto& [name, path] : lab.model.assets) path = change(path);
+  };
+  for (auto& [block, result] : finding.results) {
+    if (auto* lab = std::get_if<LabResult>(&result)) change_lab(*lab);
+  }
+  if (finding.model_page && finding.model_page->lab) change_lab(finding.model_page->lab->result);
+}
+
+}  // namespace
+
+bool ResultCodec::keep_blobs(Finding& finding) const {
+  return std::ranges::all_of(blobs_of(finding), [&](Blob* blob) { return blob->keep_in(store_); });
+}
+
+std::optional<std::string> ResultCodec::encode(Finding& finding, std::size_t first) const {
+  if (!keep_blobs(finding)) return std::nullopt;
+  change_paths(finding, [&](const fs::path& path) {
+    const fs::path below = path.lexically_relative(root_);
+    return below.empty() || *below.begin() == ".." ? path : below;
+  });
+  json results = json::array();
+  for (const auto& [block, result] : finding.results) {
+    const auto seconds = finding.seconds.find(block);
+    results.push_back(
+        {block - first, result, seconds == finding.seconds.end() ? 0 : seconds->second});
+  }
+  std::string bytes = to_cbor({{"results", std::move(results)}, {"model", finding.model_page}});
+  change_paths(finding, [&](const fs::path& path) { return root_ / path; });
+  return bytes;
+}
+
+std::optional<Finding> ResultCodec::decode(const std::string& bytes, std::size_t first) const {
+  const std::optional<json> all = from_cbor(bytes);
+  if (!all) return std::nullopt;
+  Finding finding;
+  try {
+    for (const json& one : all->at("results")) {
+      const std::size_t block = first + one.at(0).get<std::size_t>();
+      finding.results[block] = one.at(1).get<Result>();
+      finding.seconds[block] = one.at(2).get<double>();
+    }
+    finding.model_page = all->at("model").get<std::optional<ModelPage>>();
+  } catch (const json::exception&) {
+    return std::nullopt;  // whatever it is, it is no finding
+  }
+  change_paths(finding, [&](const fs::path& path) { return root_ / path; });
+  return keep_blobs(finding) ? std::optional(std::move(finding)) : std::nullopt;
+}
+
+std::string fingerprint_of(const Records& records) {
+  return sha256(to_cbor(records));
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,101 @@
+#include "cache/result_store.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/sha256.h"
+#include "cache/stored_json.h"
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+using Pairs = std::vector<std::pair<std::string, std::string>>;
+
+// Of a model that is changed back and forth, as many versions are remembered.
+constexpr std::size_t kMostLists = 8;
+
+std::string hash_of_all(std::string_view kind, const Dependencies& recipe,
+                        const Dependencies& traced = {}) {
+  Sha256 hash;
+  hash.add(kind);
+  for (const Dependencies* part : {&recipe, &traced}) {
+    hash.add(std::to_string(part->size()));
+    for (const Dependency& one : *part) hash.add(one.name).add(one.value);
+  }
+  return "ac/" + hash.hex();
+}
+
+// One line.
+std::string text_of(const Dependencies& recipe, const Dependencies& traced) {
+  json all = json::array();
+  for (const Dependencies* part : {&recipe, &traced}) {
+    for (const Dependency& one : *part) all.push_back({one.name, one.value});
+  }
+  return all.dump(-1, ' ', true, json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::vector<ResultStore::Names> ResultStore::looked_at(const std::string& recipe) {
+  return stored_json<std::vector<Names>>(store_.get(recipe)).value_or(std::vector<Names>{});
+}
+
+Dependencies ResultStore::known(const Names& names) {
+  Dependencies found;
+  for (const std::string& name : names) {
+    found.push_back({name, FileSets::is_name(name) ? sets_.known(name) : fingerprints_.of(name)});
+  }
+  return found;
+}
+
+std::optional<ResultStore::Found> ResultStore::find(const Dependencies& recipe) {
+  for (const Names& names : looked_at(hash_of_all("recipe", recipe))) {
+    Dependencies traced = known(names);
+    std::string name = hash_of_all("result", recipe, traced);
+    std::optional<std::string> entry = store_.get(name);
+    const std::string question = text_of(recipe, traced) + "\n";
+    if (!entry || !entry->starts_with(question)) continue;  // of another one, it is no answer
+    entry->erase(0, question.size());
+    return Found{std::move(name), *std::move(entry), std::move(traced)};
+  }
+  return std::nullopt;
+}
+
+std::optional<ResultStore::Kept> ResultStore::keep(const Dependencies& recipe, const Trace& trace,
+                                                   std::chrono::system_clock::time_point begin,
+                                                   std::string_view bytes) {
+  if (!trace.complete()) return std::nullopt;
+  Names names(trace.names().begin(), trace.names().end());
+  Names looked_at_all = names;
+  for (const Names& set : trace.sets()) {
+    names.push_back(sets_.name_of(set));
+    sets_.now(names.back());  // what was known before the work began may be former
+    looked_at_all.insert(looked_at_all.end(), set.begin(), set.end());
+  }
+  const Dependencies traced = known(names);
+  for (const std::string& name : looked_at_all) {
+    if (!fingerprints_.unchanged_since(name, begin)) return std::nullopt;
+  }
+  Kept kept{hash_of_all("result", recipe, traced), traced};
+  const std::string entry = text_of(recipe, traced) + "\n" + std::string(bytes);
+  if (!store_.put(kept.name, entry)) return kept;
+  const std::string list = hash_of_all("recipe", recipe);
+  std::vector<Names> lists = looked_at(list);
+  std::erase(lists, names);
+  lists.insert(lists.begin(), names);
+  lists.resize(std::min(lists.size(), kMostLists));
+  store_.put(list, json(lists).dump());
+  return kept;
+}
+
+Dependencies ResultStore::dependencies_of(const std::string& name) const {
+  const std::string entry = store_.get(name).value_or("");
+  const auto known = stored_json<Pairs>(std::string_view(entry).substr(0, entry.find('\n')));
+  Dependencies found;
+  for (const auto& [file, value] : known.value_or(Pairs{})) found.push_back({file, value});
+  return found;
+}
+
+}  // namespace mjcourse

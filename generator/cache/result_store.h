@@ -1,0 +1,64 @@
+// ResultStore: results, found again by all that they depend on.
+//
+// What a piece of work depends on is known in two steps. Its recipe is known before: its text,
+// versions, flags. What it looks at besides, models and headers, is known once it was done. So
+// under the hash of the recipe lie the lists of names that such work has looked at, newest first;
+// and under the hash of the recipe, one of these lists, and what is now behind its names, lies the
+// result, behind a line that says all of these. Both by the two verbs of base/store.h, so a store
+// may lie anywhere.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/store.h"
+#include "cache/dependency.h"
+#include "cache/file_sets.h"
+#include "cache/fingerprints.h"
+#include "cache/trace.h"
+
+namespace mjcourse {
+
+class ResultStore {
+ public:
+  // Both must outlive this.
+  ResultStore(Store& store, Fingerprints& fingerprints)
+      : store_(store), fingerprints_(fingerprints), sets_(store, fingerprints) {}
+
+  struct Found {
+    std::string name;  // of the result
+    std::string bytes;
+    Dependencies traced;  // beside the recipe
+  };
+  struct Kept {
+    std::string name;
+    Dependencies traced;
+  };
+
+  // All from any thread.
+  std::optional<Found> find(const Dependencies& recipe);
+
+  // `bytes` came of `recipe`, by work that began at `begin` and looked at what is in `trace`. Gives
+  // nothing, and nothing is kept, where it cannot be said what it depends on beside the recipe.
+  std::optional<Kept> keep(const Dependencies& recipe, const Trace& trace,
+                           std::chrono::system_clock::time_point begin, std::string_view bytes);
+
+  // What the result of that name depends on, the recipe first; empty where there is none.
+  Dependencies dependencies_of(const std::string& name) const;
+
+  // As FileSets (file_sets.h) has it.
+  Dependencies one_by_one(const Dependencies& traced) { return sets_.one_by_one(traced); }
+
+ private:
+  using Names = std::vector<std::string>;
+  std::vector<Names> looked_at(const std::string& recipe);
+  Dependencies known(const Names& names);
+
+  Store& store_;
+  Fingerprints& fingerprints_;
+  FileSets sets_;
+};
+
+}  // namespace mjcourse

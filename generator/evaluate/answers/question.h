@@ -1,0 +1,16 @@
+// Knowledge checks: each answer found again by building what the question describes, or among what
+// an example reported.
+#pragma once
+
+#include <optional>
+
+#include "evaluate/context/workshop.h"
+#include "findings/result.h"
+
+namespace mjcourse {
+
+// Nothing when an answer is wrong or a proof fails; both are reported.
+std::optional<QuestionResult> evaluate_question(const Question& question, const Lesson& lesson,
+                                                Workshop& workshop, Diagnostics& diagnostics);
+
+}  // namespace mjcourse

@@ -1,0 +1,68 @@
+#include "evaluate/claims/claims.h"
+
+#include <variant>
+
+#include "base/parallel.h"
+#include "evaluate/claims/lesson_claims.h"
+#include "lesson/resting_lesson.h"
+
+namespace mjcourse {
+namespace {
+
+std::set<Stand> stands_of(const Course& course) {
+  std::set<std::string> whole;
+  std::set<Stand> stands;
+  for (const bool regions : {false, true}) {
+    for (std::size_t l = 0; l < course.lessons.size(); ++l) {
+      for (std::size_t b = 0; b < course.lessons[l].blocks.size(); ++b) {
+        const auto* example = std::get_if<Example>(&course.lessons[l].blocks[b]);
+        if (example == nullptr || example->region.has_value() != regions) continue;
+        const bool is_new = whole.insert(example->file.text).second;
+        if (regions && is_new) stands.insert({l, b});
+      }
+    }
+  }
+  return stands;
+}
+
+}  // namespace
+
+void make_claims(const Course& course, ClaimSources& sources, const Programs& programs,
+                 std::size_t threads, Evaluation& evaluation) {
+  const std::set<Stand> stands = stands_of(course);
+  const std::size_t glossary = course.lessons.size();
+  for_each_index(
+      glossary + (course.glossary ? 1 : 0), threads, [&](std::size_t index, std::size_t) {
+        const bool is_lesson = index < glossary;
+        const Lesson& page = is_lesson ? course.lessons[index] : course.glossary->page;
+        LessonResults& results = is_lesson ? evaluation.lessons[index] : evaluation.glossary;
+        if (page.kept == Lesson::Kept::card) {
+          results.tally.unchecked = page.unchecked;
+          return;
+        }
+        results.claims =
+            LessonClaims(page, index, results, evaluation, programs, stands, sources).run();
+        results.tally = tally_of(results.claims);
+      });
+}
+
+Claims claims_of_prose(const Lesson& lesson, const Evaluation& evaluation) {
+  const LessonResults none;
+  const Programs programs;
+  const std::set<Stand> stands;
+  Fingerprints fingerprints("/");
+  ClaimSources sources("/", {}, {}, fingerprints);
+  return LessonClaims(lesson, 0, none, evaluation, programs, stands, sources).run();
+}
+
+void claim_prose(Course& course, const Files& files, Evaluation& evaluation) {
+  for (std::size_t i = 0; i < course.lessons.size(); ++i) {
+    Lesson& lesson = course.lessons[i];
+    if (lesson.kept != Lesson::Kept::card) continue;
+    lesson = wake(lesson, files);
+    put_to_rest(lesson, Lesson::Kept::blocks);
+    evaluation.lessons[i].claims = claims_of_prose(lesson, evaluation);
+  }
+}
+
+}  // namespace mjcourse

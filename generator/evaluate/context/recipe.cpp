@@ -1,0 +1,29 @@
+#include "evaluate/context/recipe.h"
+
+#include <mujoco/mujoco.h>
+
+#include "base/arithmetic.h"
+#include "base/sha256.h"
+#include "process/loaded_libraries.h"
+#include "sources_hash.h"
+
+namespace mjcourse {
+
+Dependencies recipe_of(const Setting& setting, const std::string& kind,
+                       const std::vector<std::string>& text,
+                       const std::vector<std::string>& scripts) {
+  Sha256 hash;
+  for (const std::string& part : text) hash.add(part);
+  Dependencies recipe{{"kind", kind},
+                      {"text", hash.hex()},
+                      {"mjcourse", "sources " MJCOURSE_SOURCES},
+                      {"MuJoCo", mj_versionString()},
+                      {"libraries", loaded_libraries()},
+                      {"arithmetic", arithmetic()}};
+  for (const std::string& script : scripts) {
+    recipe.push_back({"script/" + script + ".js", setting.script_hash(script)});
+  }
+  return recipe;
+}
+
+}  // namespace mjcourse

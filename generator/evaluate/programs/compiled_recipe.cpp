@@ -1,0 +1,72 @@
+#include "evaluate/programs/compiled_recipe.h"
+
+#include "evaluate/context/recipe.h"
+#include "process/sandbox.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+void trace_files(const std::vector<std::string>& files, const fs::path& folder, Trace& trace) {
+  for (const std::string& file : files) {
+    if (!file.starts_with(folder.string() + "/")) trace.file(file);
+  }
+}
+
+// The folder with all in it: a new file there may be read before one that was.
+void trace_tree(const fs::path& folder, Trace& trace) {
+  trace.file(folder);
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, none)) {
+    trace.file(entry.path());
+  }
+}
+
+void trace_folders(const fs::path& folder, Trace& trace) {
+  trace.file(folder);
+  std::error_code none;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, none)) {
+    if (entry.is_directory()) trace.file(entry.path());
+  }
+}
+
+}  // namespace
+
+Dependencies compiled_recipe(const Setting& setting, const std::string& kind,
+                             const std::vector<std::string>& text, bool optimize) {
+  Dependencies recipe = recipe_of(setting, kind, text);
+  const auto& compiler = setting.compiler();
+  if (!compiler) {
+    recipe.push_back({"compiler", kAbsent});
+    return recipe;
+  }
+  recipe.push_back({"compiler", compiler->toolchain().full_version});
+  recipe.push_back({"linker", compiler->toolchain().linker});
+  recipe.push_back({"flags", compile_flags(optimize)});
+  return recipe;
+}
+
+void trace_compilation(const Compiled& compiled, const fs::path& folder, Workshop& workshop) {
+  Trace& trace = workshop.trace();
+  if (!compiled.dependencies) return trace.unknown();
+  // Mostly the system's headers, which are the same hundreds behind each program.
+  std::vector<std::string> files = *compiled.dependencies;
+  std::erase_if(files, [&](const std::string& file) { return is_within(file, folder.string()); });
+  trace.files(files);
+  for (const WarmObjects::Entry& entry : {compiled.header, compiled.handlers}) {
+    if (entry) trace.files(entry->inputs);
+  }
+  for (const fs::path& include : workshop.setting().include_folders()) {
+    trace_folders(fs::absolute(include), trace);
+  }
+}
+
+void trace_run(const Outcome& outcome, const fs::path& folder, Workshop& workshop) {
+  Trace& trace = workshop.trace();
+  // Where the kernel does not tell, a program may have read whatever it was allowed to.
+  if (!outcome.opened) return trace_tree(fs::absolute(workshop.root()) / "models", trace);
+  trace_files(*outcome.opened, folder, trace);
+}
+
+}  // namespace mjcourse

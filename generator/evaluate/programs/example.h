@@ -1,0 +1,22 @@
+// Examples: a lesson's programs, compiled and run as its reader would.
+//
+// Steps: the text is compiled with `#line`, so that the compiler's complaints name the lesson; the
+// program runs in an empty folder of its own, with no input, against the clock; its stdout is the
+// result, and what it reported to its lesson.
+#pragma once
+
+#include <optional>
+
+#include "evaluate/context/workshop.h"
+#include "findings/result.h"
+#include "lesson/blocks/lesson.h"
+#include "report/diagnostic.h"
+
+namespace mjcourse {
+
+// `code` is all of the program (evaluate/programs/example_code.h).
+std::optional<ExampleResult> evaluate_example(const Example& example, const LocatedText& code,
+                                              const Lesson& lesson, Workshop& workshop,
+                                              Diagnostics& diagnostics);
+
+}  // namespace mjcourse

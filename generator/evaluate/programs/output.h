@@ -1,0 +1,15 @@
+// Outputs: what the lesson says an example prints, held against what it printed.
+#pragma once
+
+#include <optional>
+
+#include "findings/result.h"
+#include "lesson/blocks/lesson.h"
+#include "report/diagnostic.h"
+
+namespace mjcourse {
+
+std::optional<OutputResult> evaluate_output(const Output& output, const ExampleResult& example,
+                                            const Lesson& lesson, Diagnostics& diagnostics);
+
+}  // namespace mjcourse

@@ -1,0 +1,23 @@
+// Snippets: the bodies of functions, all of a lesson's in one program.
+//
+// Steps: the program is made of one function for each, compiled with `#line` so that the compiler's
+// complaints name the lesson; then it is run once for each, from a fresh model and fresh data, so
+// none sees what another did and each has its output and its mistakes for itself.
+#pragma once
+
+#include <map>
+
+#include "evaluate/context/workshop.h"
+#include "findings/result.h"
+
+namespace mjcourse {
+
+// By their blocks; only of those that did what they should. A model that is wrong is not reported
+// here.
+// What their program includes.
+std::string snippets_prelude(const IncludeFolders& include);
+
+std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, Workshop& workshop,
+                                                       Diagnostics& diagnostics);
+
+}  // namespace mjcourse

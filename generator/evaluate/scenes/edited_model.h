@@ -1,0 +1,15 @@
+// The model that a reader of an editable lab is to arrive at, as the goal's solution says.
+#pragma once
+
+#include <optional>
+
+#include "evaluate/scenes/lab_bench.h"
+
+namespace mjcourse {
+
+// A model's name, or MJCF: the lab's own with the solution's put in, whose bytes keep their places
+// in the lesson. Empty where the solution is a script; nothing (reported) where it cannot be put
+// in.
+std::optional<LocatedText> edited_model(const LabBench& bench, const Lab::Goal& goal);
+
+}  // namespace mjcourse

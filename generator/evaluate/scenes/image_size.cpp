@@ -1,0 +1,106 @@
+#include "evaluate/scenes/image_size.h"
+
+#include <tinyxml2.h>
+#include <webp/decode.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <optional>
+
+namespace mjcourse {
+namespace {
+
+constexpr int kLargest = 100000;  // pixels of a side; more is a broken file
+
+// A big-endian number of `count` bytes; 0 past the end.
+std::uint32_t number_at(const std::string& bytes, std::size_t at, std::size_t count) {
+  std::uint32_t number = 0;
+  for (std::size_t i = at; i < at + count; ++i) {
+    number = number << 8 | (i < bytes.size() ? static_cast<std::uint8_t>(bytes[i]) : 0);
+  }
+  return number;
+}
+
+std::optional<ImageSize> checked(double width, double height) {
+  const bool sensible = width >= 1 && height >= 1 && width <= kLargest && height <= kLargest;
+  if (!sensible) return std::nullopt;
+  return ImageSize{static_cast<int>(std::lround(width)), static_cast<int>(std::lround(height))};
+}
+
+std::optional<ImageSize> png_size(const std::string& bytes) {
+  if (!bytes.starts_with("\x89PNG\r\n\x1a\n") || bytes.find("IHDR") != 12) return std::nullopt;
+  return checked(number_at(bytes, 16, 4), number_at(bytes, 20, 4));
+}
+
+// A JPEG is a row of segments, each with its length; the size is in the one that opens the frame.
+std::optional<ImageSize> jpeg_size(const std::string& bytes) {
+  if (!bytes.starts_with("\xff\xd8")) return std::nullopt;
+  for (std::size_t at = 2; at + 9 < bytes.size() && bytes[at] == '\xff';) {
+    const std::uint32_t marker = number_at(bytes, at + 1, 1);
+    const bool frame =
+        marker >= 0xC0 && marker <= 0xCF && marker != 0xC4 && marker != 0xC8 && marker != 0xCC;
+    if (frame) return checked(number_at(bytes, at + 7, 2), number_at(bytes, at + 5, 2));
+    if (marker == 0xDA) break;  // the picture itself
+    at += marker == 0xFF ? 1 : 2 + number_at(bytes, at + 2, 2);
+  }
+  return std::nullopt;
+}
+
+std::optional<ImageSize> webp_size(const std::string& bytes) {
+  int width = 0, height = 0;
+  const auto* data = reinterpret_cast<const std::uint8_t*>(bytes.data());
+  if (WebPGetInfo(data, bytes.size(), &width, &height) == 0) return std::nullopt;
+  return checked(width, height);
+}
+
+// A number alone or of pixels; 0 for "100%", "12cm" and the like.
+double pixels(const char* text) {
+  if (text == nullptr) return 0;
+  char* end = nullptr;
+  const double value = std::strtod(text, &end);
+  const std::string unit = end;
+  return unit.empty() || unit == "px" ? value : 0;
+}
+
+std::optional<ImageSize> svg_size(const std::string& bytes) {
+  tinyxml2::XMLDocument document;
+  if (document.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS) return std::nullopt;
+  const tinyxml2::XMLElement* svg = document.RootElement();
+  if (svg == nullptr || std::string(svg->Name()) != "svg") return std::nullopt;
+  if (const auto size =
+          checked(pixels(svg->Attribute("width")), pixels(svg->Attribute("height")))) {
+    return size;
+  }
+  const char* box = svg->Attribute("viewBox");
+  if (box == nullptr) return std::nullopt;
+  std::string numbers = box;
+  for (char& c : numbers) c = c == ',' ? ' ' : c;
+  double values[4] = {};
+  const char* at = numbers.c_str();
+  for (double& value : values) {
+    char* end = nullptr;
+    value = std::strtod(at, &end);
+    at = end;
+  }
+  return checked(values[2], values[3]);
+}
+
+}  // namespace
+
+tl::expected<ImageSize, std::string> image_size(const std::string& name, const std::string& bytes) {
+  const auto or_else = [](std::optional<ImageSize> size,
+                          const char* error) -> tl::expected<ImageSize, std::string> {
+    return size ? tl::expected<ImageSize, std::string>(*size) : tl::unexpected(std::string(error));
+  };
+  if (name.ends_with(".png")) return or_else(png_size(bytes), "is no PNG");
+  if (name.ends_with(".webp")) return or_else(webp_size(bytes), "is no WebP");
+  if (name.ends_with(".svg")) {
+    return or_else(svg_size(bytes),
+                   "is no SVG that says how large it is, by width and height in "
+                   "pixels or by its viewBox");
+  }
+  return or_else(jpeg_size(bytes), "is no JPEG");
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,97 @@
+#include "evaluate/scenes/lab.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "evaluate/scenes/assignment.h"
+#include "evaluate/scenes/lab_memory.h"
+#include "evaluate/scenes/lab_model.h"
+#include "evaluate/scenes/pin.h"
+#include "evaluate/scenes/rehearsal.h"
+#include "evaluate/scenes/view.h"
+
+namespace mjcourse {
+namespace {
+
+constexpr int kPosterWidth = 712;  // CSS pixels: the widest that a lab gets
+
+// A narrow page cuts the sides off: all is seen in one where the lab is as wide as it is high.
+Outlook outlook_of(const Lab& lab) {
+  return {.aspect = std::min(1.0, static_cast<double>(kPosterWidth) / lab.height)};
+}
+
+std::vector<int> find_keyframes(const Lab& lab, const Model& model) {
+  std::vector<int> ids;
+  for (const Lab::Control& control : lab.controls) {
+    const auto* keyframe = std::get_if<Lab::Keyframe>(&control);
+    ids.push_back(keyframe != nullptr ? model.id(mjOBJ_KEY, keyframe->key.text) : 0);
+  }
+  return ids;
+}
+
+// Every readout is read even when one fails: their mistakes are shown together.
+bool read_at_rest(const Lab& lab, LabRun& run, LabResult& result) {
+  bool good = true;
+  for (const Lab::Readout& readout : lab.readouts) {
+    good = run.number(readout.expression, result.readouts.emplace_back()) && good;
+  }
+  for (const Lab::Plot& plot : lab.plots) {
+    std::vector<double>& traces = result.traces.emplace_back();
+    for (const Lab::Readout& trace : plot.traces) {
+      good = run.number(trace.expression, traces.emplace_back()) && good;
+    }
+  }
+  return good;
+}
+
+}  // namespace
+
+std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
+                                      Diagnostics& diagnostics) {
+  const std::size_t before = diagnostics.size();
+  LabResult result;
+  std::vector<DoubtfulScript> doubtful;
+  const LabBench bench(lab, result.scripts, lesson, workshop, diagnostics);
+  check_overlays(lab.toggles, bench);
+  check_overlays(names_of(lab.overlays), bench);
+  if (!guard_scripts(bench, result.scripts, doubtful)) return std::nullopt;
+  std::optional<LabRun> run = LabRun::start(bench, lab.model);
+  const auto memory = run ? memory_in_page(bench, run->simulation()) : std::nullopt;
+  if (!memory) return std::nullopt;
+  result.memory = *memory;
+  result.script_names = run->world().names();
+  result.keyframes = find_keyframes(lab, run->simulation().model());
+  const bool read = read_at_rest(lab, *run, result);
+  // What fails at rest would fail again after every control.
+  const bool at_rest = check_at_rest(bench, *run);
+  WholeView view(run->simulation().model(), outlook_of(lab));
+  run.reset();  // a large model is not there twice
+  if (at_rest && read) {
+    result.runs = rehearse(bench, lab.camera ? nullptr : &view);
+    evaluate_assignment(bench, result);
+  }
+  if (std::optional<LabModel> model = find_lab_model(bench)) result.model = *std::move(model);
+  if (diagnostics.size() == before) {
+    for (const DoubtfulScript& script : doubtful) bench.error(script.error, *script.text);
+  }
+  if (diagnostics.size() > before) return std::nullopt;
+  result.camera = camera_of(lab.camera, view);
+  return result;
+}
+
+std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
+                                      Diagnostics& diagnostics) {
+  std::optional<LabResult> result = rehearse_lab(lab, lesson, workshop, diagnostics);
+  const LabScripts none;
+  const LabBench bench(lab, result ? result->scripts : none, lesson, workshop, diagnostics);
+  const std::optional<LabRun> run = result ? LabRun::start(bench, lab.model) : std::nullopt;
+  if (!run) return std::nullopt;
+  const View view{result->camera, lab.overlays, kPosterWidth, lab.height};
+  if (const auto picture = draw(run->simulation(), view, "the poster", lab.span, bench)) {
+    result->poster = poster_of(*picture, view);
+    result->pin = compare_pin(lab.pin, *picture, bench);
+  }
+  return result;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,23 @@
+// Labs, rehearsed: every control used, every readout and trace read, without a browser.
+//
+// Steps: the model compiles; readouts and traces are read at rest; then two seconds are simulated,
+// by themselves and again after each control, and everything is read all the way (rehearsal.h);
+// what is asked of the reader is tried out (assignment.h); at last the poster is drawn. A script
+// that fails anywhere is an error at its place in the lesson.
+#pragma once
+
+#include <optional>
+
+#include "evaluate/context/workshop.h"
+#include "findings/result.h"
+
+namespace mjcourse {
+
+// As evaluate_lab(), but without the poster.
+std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
+                                      Diagnostics& diagnostics);
+
+std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
+                                      Diagnostics& diagnostics);
+
+}  // namespace mjcourse

@@ -1,0 +1,31 @@
+// Putting guards into the scripts of a lab (script/script_guard.h).
+#pragma once
+
+#include <vector>
+
+#include "findings/lab_scripts.h"
+#include "lesson/blocks/lesson.h"
+#include "script/script_guard.h"
+
+namespace mjcourse {
+
+class LabBench;
+class Workshop;
+
+// One that does not parse, or names what there is not. The engine that runs it tells of that
+// together with all else that goes wrong; what it does not come to, or reads otherwise, is told
+// when all is well.
+struct DoubtfulScript {
+  const LocatedText* text;
+  ScriptError error;
+};
+
+// Of the lab on `bench`. False where the page would refuse one, which is reported.
+bool guard_scripts(const LabBench& bench, LabScripts& scripts,
+                   std::vector<DoubtfulScript>& doubtful);
+
+// The same of a lab whose result a worker has given: a page runs only what was guarded here. False
+// where a script would have been refused.
+bool guard_scripts(const Lab& lab, const Lesson& lesson, Workshop& workshop, LabScripts& scripts);
+
+}  // namespace mjcourse

@@ -1,0 +1,33 @@
+// How labs and figures are seen, and the pictures of that.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "evaluate/context/bench.h"
+#include "findings/result.h"
+#include "physics/whole_view.h"
+
+namespace mjcourse {
+
+struct View {
+  Lab::Camera camera;
+  std::vector<Lab::Overlay> overlays;
+  int width = 0, height = 0;  // CSS pixels
+  Detail detail = Detail::still;
+};
+
+// Report the names that are no overlay of MuJoCo's.
+void check_overlays(const std::vector<LocatedText>& names, const Bench& bench);
+std::vector<LocatedText> names_of(const std::vector<Lab::Overlay>& overlays);
+
+// Without one of the author's, all of the model is seen.
+Lab::Camera camera_of(const std::optional<Lab::Camera>& camera, const WholeView& view);
+
+// Nothing (reported at `blamed`) where it cannot be drawn; `what` names it: "the poster".
+std::optional<Picture> draw(const Simulation& simulation, const View& view, const std::string& what,
+                            Span blamed, const Bench& bench);
+
+Poster poster_of(const Picture& picture, const View& view);
+
+}  // namespace mjcourse

@@ -1,0 +1,115 @@
+// The data that the template of a lab is fed with; its own comment describes it.
+#include <utility>
+
+#include "page/blocks/page_writer.h"
+#include "page/html/fixed_number.h"
+#include "page/html/lesson_pictures.h"
+#include "page/html/site_paths.h"
+#include "page/html/still_data.h"
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kTraceDigits = 4;
+
+std::string label_of(const Lab::Control& control) {
+  return std::visit([](const auto& of_kind) { return of_kind.label.text; }, control);
+}
+
+// Where a reader of a printed lab finds it: below the site's root, where that has no address.
+std::string address_of(const Course& course, const Lesson& lesson, const std::string& id) {
+  const std::string path = page_path(lesson);
+  return (course.url.empty() ? path : web_address(course, path)) + "#" + id;
+}
+
+}  // namespace
+
+json PageWriter::lab(std::size_t index) {
+  return data_of(std::get<Lab>(lesson_.blocks[index]), index);
+}
+
+json PageWriter::data_of(const Lab& lab, std::size_t index) {
+  const auto* result = results_.get<LabResult>(index);
+  json data{{"id", block_name(lesson_, index)},
+            {"title", lab.title},
+            {"dock", lab.dock},
+            {"live", nullptr},
+            {"address", address_of(course_, lesson_, block_name(lesson_, index))},
+            {"poster", nullptr},
+            {"asked", asked_data(lab)},
+            {"controls", json::array()},
+            {"readouts", json::array()},
+            {"plots", json::array()},
+            {"toggles", json::array()},
+            {"note", inline_html(lab.note)}};
+  if (result != nullptr) data["live"] = live_data(lab, *result, index);
+  if (result != nullptr && result->poster) {
+    const Poster& poster = *result->poster;
+    data["poster"] =
+        still_data("../" + block_path(lesson_, index), poster.width, poster.height, lab.alt);
+  }
+  for (const Lab::Control& control : lab.controls) {
+    data["controls"].push_back(label_of(control));
+  }
+  for (std::size_t i = 0; result != nullptr && i < lab.readouts.size(); ++i) {
+    const Lab::Readout& readout = lab.readouts[i];
+    data["readouts"].push_back({{"label", readout.label.text},
+                                {"value", fixed_number(result->readouts[i], readout.digits)},
+                                {"unit", readout.unit}});
+  }
+  for (std::size_t p = 0; result != nullptr && p < lab.plots.size(); ++p) {
+    json traces = json::array();
+    for (std::size_t t = 0; t < lab.plots[p].traces.size(); ++t) {
+      traces.push_back({{"label", lab.plots[p].traces[t].label.text},
+                        {"value", fixed_number(result->traces[p][t], kTraceDigits)}});
+    }
+    data["plots"].push_back({{"ylabel", lab.plots[p].ylabel}, {"traces", std::move(traces)}});
+  }
+  for (const LocatedText& toggle : lab.toggles) {
+    bool on = false;
+    for (const Lab::Overlay& overlay : lab.overlays) {
+      if (overlay.name.text == toggle.text) on = overlay.on;
+    }
+    data["toggles"].push_back({{"name", toggle.text}, {"on", on}});
+  }
+  return data;
+}
+
+// What the lab asks, for those who cannot have it live.
+json PageWriter::asked_data(const Lab& lab) const {
+  json asked = json::array();
+  const auto ask = [&](const std::string& label, bool task, const Document& text) {
+    asked.push_back({{"label", label}, {"task", task}, {"html", html(text)}});
+  };
+  if (lab.predict) ask("A guess first", false, lab.predict->question);
+  if (lab.goal) ask("Goal", false, lab.goal->text);
+  for (const Lab::Task& task : lab.tasks) ask("To find", true, task.question);
+  return asked;
+}
+
+// A lab that takes more than this of the 2 GiB that all labs of a page share is loaded when its
+// reader presses Play, and not before: none is to be in the way of another unasked.
+constexpr std::uint64_t kMostUnasked = 64 << 20;
+
+// Where the page's script finds what makes a lab live; null where the site has no engine for it.
+json PageWriter::live_data(const Lab& lab, const LabResult& result, std::size_t index) {
+  const std::string number = lesson_.number + "-" + std::to_string(block_number(lesson_, index));
+  LabFiles files = write_lab_module(lab, result, number, *this);
+  json data = nullptr;
+  if (press_.manifest.contains("engine.wasm")) {
+    data = {{"module", from_root(files.module)}};
+    for (const auto& [name, asset] : {std::pair("code", "lab.js"),
+                                      {"style", "lab.css"},
+                                      {"engine", "engine.mjs"},
+                                      {"wasm", "engine.wasm"}}) {
+      data[name] = from_root(press_.manifest.at(asset).get<std::string>());
+    }
+    data["large"] = result.memory > kMostUnasked;
+  }
+  lab_files_.push_back(std::move(files));
+  return data;
+}
+
+}  // namespace mjcourse

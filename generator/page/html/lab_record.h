@@ -1,0 +1,16 @@
+// What the rehearsal of a lab found, for everyone to compare with what the page does.
+#pragma once
+
+#include <string>
+
+#include "findings/result.h"
+#include "lesson/blocks/lab.h"
+
+namespace mjcourse {
+
+// JSON: the readouts' labels; the runs, each with its control (an index, or null for none), the
+// value that it took, and what the readouts said a number of steps later; and what a prediction is
+// measured by, null where there is none.
+std::string lab_record(const Lab& lab, const LabResult& result);
+
+}  // namespace mjcourse

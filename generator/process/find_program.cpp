@@ -1,0 +1,20 @@
+#include "process/find_program.h"
+
+#include <unistd.h>
+
+#include <cstdlib>
+#include <sstream>
+
+namespace mjcourse {
+
+std::filesystem::path find_program(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  std::istringstream folders(path == nullptr ? "" : path);
+  for (std::string folder; std::getline(folders, folder, ':');) {
+    std::filesystem::path found = std::filesystem::path(folder) / name;
+    if (access(found.c_str(), X_OK) == 0) return found;
+  }
+  return {};
+}
+
+}  // namespace mjcourse

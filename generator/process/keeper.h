@@ -1,0 +1,66 @@
+// Keeper: looks after one program from its start to its end.
+//
+// Enter with run() of subprocess.h for a program that does its work and ends. One that works for as
+// long as it is asked to is kept by a Keeper: question and answer are bytes behind their number, as
+// 8 bytes in this machine's order.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+#include "process/child_process.h"
+#include "process/subprocess.h"
+#include "process/watcher.h"
+
+namespace mjcourse {
+
+class Keeper {
+ public:
+  // The command must stay as long as this does. Throws std::system_error when the system has no
+  // room for another process.
+  explicit Keeper(const Command& command);
+
+  // Waits for its end.
+  Outcome run();
+
+  // Sends the question to a program that `answers`, and gives what it says within `seconds`; or how
+  // it ended without, which it has then. Throws Cancelled where the caller's work is; of the
+  // program nothing is to be expected any more then.
+  tl::expected<std::string, Outcome> ask(std::string_view question, double seconds);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void stop(Outcome::End end);
+  void allow(double seconds);
+  int patience() const;
+  void wait_and_serve();
+  void hear_news();
+  void answer(short events);
+  void say();
+  void collect(Descriptor& stream, std::string& text);
+  void count_use();
+  void count_files();
+  std::optional<std::string> take_answer();
+  Outcome conclude();
+
+  const Command& command_;
+  Clock::time_point deadline_;
+  ChildProcess child_;
+  std::optional<Watcher> watcher_;  // with a sandbox alone is somebody asked
+  Descriptor listener_;
+  Clock::time_point next_count_, next_use_;
+  std::uint64_t removed_ = 0;  // bytes of files that no folder has
+  std::string to_say_;
+  Outcome outcome_;
+  int status_ = 0;
+  bool watched_ = false, ended_ = false, over_ = false;
+};
+
+}  // namespace mjcourse

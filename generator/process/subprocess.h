@@ -1,0 +1,55 @@
+// Run a program that may do anything: fail, hang, flood its output, leave children behind.
+//
+// The program reads an empty stdin (but see process/keeper.h), has a process group of its own, and
+// is killed with the whole group when its wall clock or its output runs over the limit; when it
+// ends, what it left behind goes with it. It is killed as well when the work of this thread is
+// cancelled (base/cancellation.h). A sandbox says what else it may, and `record_opened` has the
+// files noted that it asks for (process/watcher.h tells how).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "process/sandbox.h"
+
+namespace mjcourse {
+
+struct Command {
+  std::vector<std::string> arguments;    // the program (searched in PATH) and its arguments
+  std::string folder;                    // the working directory; must exist
+  std::vector<std::string> environment;  // "NAME=value", beside the generator's own
+  double seconds = 10;                   // wall clock
+  std::size_t output_bytes = 1 << 20;    // cap of stdout and of stderr, each
+  // With one, the environment is a small fixed one beside `environment`.
+  std::optional<Sandbox> sandbox = {};
+  bool record_opened = false;  // where there is a sandbox
+  bool answers = false;        // it reads questions from its stdin: see Keeper::ask
+};
+
+struct Outcome {
+  enum class End {
+    exited,
+    killed_by_signal,
+    timed_out,
+    flooded,
+    not_started,
+    refused,     // it tried what its sandbox does not allow, and was stopped
+    overfilled,  // it wrote more files than its sandbox allows, and was stopped
+    exhausted,   // with what it started, it took more memory than that allows, and was stopped
+  };
+  End end = End::not_started;
+  int code = 0;          // exit code, signal, or errno
+  std::string out, err;  // up to the cap
+  // What it tried, as "read /etc/passwd", with the name that it used.
+  std::string refused = {};
+  // The files that it opened or looked for, there or not: absolute and normal paths, sorted,
+  // without those in the system's folders (/usr, /etc, /proc, ...) and those that its sandbox lets
+  // it write. Of a listing, the folder. Nothing where that was not asked for, or cannot be known.
+  std::optional<std::vector<std::string>> opened = {};
+};
+
+Outcome run(const Command& command);
+
+}  // namespace mjcourse

@@ -1,0 +1,65 @@
+// WarmObjects: what programs share, compiled once: the warm header (warm_header.h), and the
+// handlers that keep MuJoCo's errors from waiting on stdin.
+//
+// Making a header is an investment, so it is for a caller to decide (shared_headers.h): nobody who
+// compiles a program waits for one. They are of two kinds. A quick one takes little longer than to
+// compile one program, and a program that has it a fifth of what it took. A thorough one holds what
+// programs mostly do with Eigen (warm_eigen.hpp) as well, and comes with an object of all that is
+// inline in it, optimised. It takes ten times as long, and so is for many programs; these are then
+// compiled and run in half of the time that the quick one leaves.
+//
+// A header that makes the compiler say anything is not warmed, so that each program shows it. No
+// path of the course is in what is kept (course_headers.h), so that all checkouts share it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cache/prepared_files.h"
+#include "toolchain/course_headers.h"
+#include "toolchain/toolchain.h"
+
+namespace mjcourse {
+
+enum class Warmth { quick, thorough };
+
+class WarmObjects {
+ public:
+  using Entry = std::shared_ptr<const PreparedFiles::Entry>;
+
+  // Of a course whose headers are in these folders. What is made is kept in `cache`, or nothing is
+  // made.
+  WarmObjects(Toolchain toolchain, std::optional<std::filesystem::path> cache,
+              const IncludeFolders& include);
+
+  const CourseHeaders& headers() const { return headers_; }
+
+  bool makes_headers() const { return toolchain_.is_clang() && prepared_.keeps(); }
+  // header.pch of what these includes bring, and of a thorough one header.o; the best that was made
+  // before. Null where there is none, and each program compiles it all.
+  Entry header(const std::vector<std::string>& roots);
+  // It was not made before: make it now. For a compiler that can make none, this is nothing.
+  void make_header(const std::vector<std::string>& roots, Warmth warmth);
+
+  // handlers.o of the helper header's handlers.cpp.
+  Entry handlers();
+
+  // The entry was of no use: it is made anew by who asks next, in another process.
+  static void drop(const Entry& entry) { PreparedFiles::drop(*entry); }
+
+ private:
+  std::string request(const std::string& what) const;
+
+  Toolchain toolchain_;
+  IncludeFolders include_;
+  CourseHeaders headers_;
+  std::string contents_;  // of the headers, when this was made
+  PreparedFiles prepared_;
+};
+
+}  // namespace mjcourse

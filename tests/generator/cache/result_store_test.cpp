@@ -1,0 +1,184 @@
+#include "cache/result_store.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "base/files.h"
+#include "base/temporary_folder.h"
+
+namespace mjcourse {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::system_clock;
+
+class ResultStoreTest : public testing::Test {
+ protected:
+  void write(const std::string& path, const std::string& bytes) const {
+    write_file(folder_.path() / path, bytes);
+  }
+  // The files were there before the work began.
+  void keep(const Dependencies& recipe, const std::string& bytes) {
+    std::this_thread::sleep_for(50ms);
+    EXPECT_TRUE(results_.keep(recipe, trace_, Clock::now(), bytes));
+  }
+  std::string found(const Dependencies& recipe) {
+    const auto found = results_.find(recipe);
+    return found ? found->bytes : "nothing";
+  }
+
+  const Dependencies recipe_{{"text", "t"}, {"compiler", "clang 16"}, {"MuJoCo", "2.2.2"}};
+  TemporaryFolder folder_;
+  MemoryStore store_;
+  Fingerprints prints_{folder_.path()};
+  ResultStore results_{store_, prints_};
+  Trace trace_{folder_.path()};
+};
+
+TEST_F(ResultStoreTest, FindsByTheRecipeAndWhatWasLookedAt) {
+  write("models/a.xml", "one");
+  trace_.file("models/a.xml");
+  trace_.file(folder_.path() / "models" / "b.xml");
+  EXPECT_EQ(found(recipe_), "nothing");
+  keep(recipe_, "of one");
+  EXPECT_EQ(found(recipe_), "of one");
+  const Dependencies traced = results_.find(recipe_)->traced;
+  ASSERT_EQ(traced.size(), 2);
+  EXPECT_EQ(traced[0].name, "models/a.xml");
+  EXPECT_EQ(traced[1], (Dependency{"models/b.xml", kAbsent}));
+
+  write("models/a.xml", "two");
+  EXPECT_EQ(found(recipe_), "nothing");
+  keep(recipe_, "of two");
+  EXPECT_EQ(found(recipe_), "of two");
+  write("models/a.xml", "one");
+  EXPECT_EQ(found(recipe_), "of one") << "both are kept";
+  write("models/b.xml", "");
+  EXPECT_EQ(found(recipe_), "nothing") << "a file that was looked for is there now";
+}
+
+// Whatever a store gives, also under the right hash.
+TEST_F(ResultStoreTest, TakesNoAnswerForThatOfAnotherQuestion) {
+  write("models/a.xml", "one");
+  trace_.file("models/a.xml");
+  keep(recipe_, "mine");
+  const Dependencies other{{"text", "u"}};
+  keep(other, "another's");
+  const std::string name = results_.find(recipe_)->name;
+  const std::string own = store_.get(name).value();
+  store_.put(name, store_.get(results_.find(other)->name).value());
+  EXPECT_EQ(found(recipe_), "nothing");
+  for (const std::string& odd : {std::string(), std::string("[]\n"), own.substr(0, 9)}) {
+    store_.put(name, odd);
+    EXPECT_EQ(found(recipe_), "nothing") << odd;
+    EXPECT_TRUE(results_.dependencies_of(name).empty()) << odd;
+  }
+  store_.put(name, own);
+  EXPECT_EQ(found(recipe_), "mine");
+}
+
+TEST_F(ResultStoreTest, TakesAnyOtherRecipeForAnother) {
+  keep(recipe_, "kept");
+  for (std::size_t i = 0; i < recipe_.size(); ++i) {
+    Dependencies other = recipe_;
+    other[i].value += "+";
+    EXPECT_EQ(found(other), "nothing") << other[i].name;
+  }
+}
+
+// What a program opens may depend on what another file says.
+TEST_F(ResultStoreTest, RemembersSeveralWaysToLook) {
+  write("which", "a");
+  write("a", "1");
+  write("b", "2");
+  trace_.file("which");
+  trace_.file("a");
+  keep(recipe_, "by a");
+  write("which", "b");
+  trace_.clear();
+  trace_.file("which");
+  trace_.file("b");
+  keep(recipe_, "by b");
+  write("a", "changed");
+  EXPECT_EQ(found(recipe_), "by b");
+  write("which", "a");
+  EXPECT_EQ(found(recipe_), "nothing");
+}
+
+TEST_F(ResultStoreTest, SeesWhichFileOfASetHasChanged) {
+  const TemporaryFolder system;
+  const std::string a = system.path() / "a.h", b = system.path() / "b.h";
+  write_file(a, "one");
+  write_file(b, "one");
+  trace_.files({a, b, folder_.path() / "models/of_the_course.xml"});
+  trace_.file("models/own.xml");
+  keep(recipe_, "of one");
+  const Dependencies before = ResultStore(store_, prints_).find(recipe_)->traced;
+  ASSERT_EQ(before.size(), 3) << "two of the course, and the set";
+  const Dependencies each = results_.one_by_one(before);
+  ASSERT_EQ(each.size(), 4);
+  EXPECT_EQ(each[2].name, a);
+  EXPECT_EQ(each[3].name, b);
+
+  write_file(b, "two");
+  ResultStore later(store_, prints_);
+  EXPECT_FALSE(later.find(recipe_));
+  std::this_thread::sleep_for(50ms);
+  const auto kept = later.keep(recipe_, trace_, Clock::now(), "of two");
+  ASSERT_TRUE(kept);
+  const Dependencies now = later.one_by_one(kept->traced);
+  EXPECT_EQ(now[2], each[2]);
+  EXPECT_EQ(now[3].name, b);
+  EXPECT_NE(now[3].value, each[3].value);
+  EXPECT_EQ(later.find(recipe_)->bytes, "of two");
+  write_file(b, "one");
+  EXPECT_EQ(ResultStore(store_, prints_).find(recipe_)->bytes, "of one") << "both are kept";
+}
+
+TEST_F(ResultStoreTest, SaysWhatAResultDependsOn) {
+  write("models/a.xml", "one");
+  trace_.file("models/a.xml");
+  keep(recipe_, "of one");
+  const auto found = results_.find(recipe_);
+  ASSERT_TRUE(found);
+  Dependencies all = recipe_;
+  all.insert(all.end(), found->traced.begin(), found->traced.end());
+  EXPECT_EQ(results_.dependencies_of(found->name), all);
+  EXPECT_EQ(results_.dependencies_of("ac/unknown"), Dependencies());
+}
+
+TEST_F(ResultStoreTest, KeepsNothingThatIsInDoubt) {
+  write("a", "one");
+  trace_.file("a");
+  EXPECT_FALSE(results_.keep(recipe_, trace_, Clock::now() - 1h, "saved meanwhile"));
+  EXPECT_EQ(found(recipe_), "nothing");
+  std::this_thread::sleep_for(50ms);
+  trace_.unknown();
+  EXPECT_FALSE(results_.keep(recipe_, trace_, Clock::now(), "of who knows what"));
+  EXPECT_EQ(found(recipe_), "nothing");
+}
+
+TEST(Trace, PutsOnlyFilesOfTheSystemIntoSets) {
+  Trace trace("/home/a/course");
+  trace.files({"/usr/include/b.h", "/home/a/course/examples/c.hpp", "/usr/include/d.h"});
+  EXPECT_EQ(trace.names(), std::set<std::string>{"examples/c.hpp"});
+  EXPECT_EQ(trace.sets(),
+            (std::set<std::vector<std::string>>{{"/usr/include/b.h", "/usr/include/d.h"}}));
+  trace.clear();
+  EXPECT_TRUE(trace.sets().empty());
+}
+
+TEST(Trace, NamesTheCoursesFilesBelowIt) {
+  Trace trace("/home/a/course");
+  EXPECT_TRUE(trace.file("models/a.xml"));
+  EXPECT_FALSE(trace.file("/home/a/course/models/../models/a.xml"));
+  trace.file("/usr/include/b.h");
+  trace.file("../c");
+  trace.program("d");
+  EXPECT_EQ(trace.names(),
+            (std::set<std::string>{"/home/a/c", "/usr/include/b.h", "models/a.xml", "program d"}));
+}
+
+}  // namespace
+}  // namespace mjcourse

@@ -1,0 +1,128 @@
+#include "evaluate/scenes/svg_faults.h"
+
+#include <gtest/gtest.h>
+
+namespace mjcourse {
+namespace {
+
+constexpr const char* kOpen = "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 9 9'>";
+
+// Each fault: what is underlined, and what is said.
+std::string faults(const std::string& bytes) {
+  std::string text;
+  for (const SvgFault& fault : faults_of_svg(bytes)) {
+    text += (text.empty() ? "<" : "\n<") +
+            bytes.substr(fault.span.begin, fault.span.end - fault.span.begin) + "> " +
+            fault.message;
+  }
+  return text;
+}
+
+std::string inside(const std::string& content) {
+  return faults(kOpen + content + "</svg>");
+}
+
+std::string element(const std::string& name) {
+  return "<<" + name + "> a drawing cannot have the element `" + name + "`";
+}
+std::string attribute(const std::string& name) {
+  return "<" + name + "> a drawing cannot have the attribute `" + name + "`";
+}
+std::string address(const std::string& name) {
+  return "<" + name + "> a drawing cannot have an address outside of it";
+}
+
+TEST(SvgFaults, NoneInADrawing) {
+  EXPECT_EQ(faults("<?xml version='1.0' encoding='utf-8' standalone='no'?>\n<!-- <script> -->\n" +
+                   std::string(kOpen) + "</svg>"),
+            "");
+  EXPECT_EQ(
+      inside("<title>f(x)</title><g fill='none' stroke-width='1' aria-label='f(x)'>"
+             "<path d='M0 0' transform='rotate(9) translate(1,2)'/><text>a &lt; b</text></g>"),
+      "");
+  EXPECT_EQ(
+      inside("<defs><linearGradient id='a' xlink:href='#b'/></defs>"
+             "<use href='#c'/><rect fill='url(#a)' style='fill: url(\"#a\"); color: rgb(1,2,3)'/>"
+             "<image href='data:image/png;base64,iVBORw0KGgo='/>"),
+      "");
+  EXPECT_EQ(inside("<style>.a:not(.b) { fill: url(#a) }</style>"
+                   "<style><![CDATA[ .a > .b { fill: #fff } ]]></style>"),
+            "");
+}
+
+TEST(SvgFaults, AreWhatRuns) {
+  EXPECT_EQ(inside("<script>alert(1)</script>"), element("script"));
+  EXPECT_EQ(inside("<SCRIPT>alert(1)</SCRIPT>"), element("SCRIPT"));
+  EXPECT_EQ(inside("<g><script href='x.js'/></g>"), element("script"));
+  EXPECT_EQ(inside("<svg:script xmlns:svg='http://www.w3.org/2000/svg'>1</svg:script>"),
+            element("svg:script"));
+  EXPECT_EQ(inside("<h:script xmlns:h='http://www.w3.org/1999/xhtml'>alert(1)</h:script>"),
+            element("h:script"));
+  EXPECT_EQ(inside("<foreignObject><iframe xmlns='http://www.w3.org/1999/xhtml'/></foreignObject>"),
+            element("foreignObject"));
+  EXPECT_EQ(inside("<g xmlns='http://www.w3.org/1999/xhtml'><style>x</style></g>"),
+            "<xmlns> a drawing cannot have elements of another language");
+  EXPECT_EQ(faults("<svg xmlns='http://www.w3.org/2000/svg' width='9' height='9' onload='x()'/>"),
+            attribute("onload"));
+  EXPECT_EQ(inside("<g ONCLICK='x()'/><g onfocusin='x()' tabindex='1' autofocus=''/>"),
+            attribute("ONCLICK") + "\n" + attribute("onfocusin") + "\n" + attribute("tabindex") +
+                "\n" + attribute("autofocus"));
+  EXPECT_EQ(inside("<handler type='application/javascript'>x</handler><listener/>"),
+            element("handler") + "\n" + element("listener"));
+}
+
+TEST(SvgFaults, AreWhatMovesOrLeads) {
+  EXPECT_EQ(inside("<a href='javascript:alert(1)'><text>x</text></a>"), element("a"));
+  EXPECT_EQ(inside("<use id='u' href='#a'><set attributeName='href' to='javascript:x'/></use>"),
+            element("set"));
+  EXPECT_EQ(inside("<animate attributeName='href' values='javascript:x'/>"), element("animate"));
+  EXPECT_EQ(inside("<use href='other.svg#a'/>"), address("href"));
+  EXPECT_EQ(inside("<use xlink:href=' java&#115;cript:alert(1)'/>"), address("xlink:href"));
+  EXPECT_EQ(inside("<use href='data:image/svg+xml;base64,PHN2Zz4='/>"), address("href"));
+  EXPECT_EQ(inside("<image href='data:image/svg+xml,&lt;svg onload=&quot;x&quot;/>'/>"),
+            address("href"));
+  EXPECT_EQ(inside("<image href='https://a.example/pixel.png'/>"), address("href"));
+  EXPECT_EQ(inside("<feImage href='https://a.example/pixel.png'/>"), element("feImage"));
+  EXPECT_EQ(inside("<rect fill='url(https://a.example/x#a)'/>"), address("fill"));
+  EXPECT_EQ(inside("<rect style=\"fill: url( 'https://a.example/x' )\"/>"), address("style"));
+  EXPECT_EQ(inside("<rect style='fill: u\\72l(x)'/>"),
+            "<style> a drawing cannot have an escape in its style");
+  EXPECT_EQ(inside("<rect style='fill: image-set(\"https://a.example/x\" 1x)'/>"),
+            "<style> a drawing cannot have the function `image-set()` in its style");
+  EXPECT_EQ(inside("<rect style='fill: URL(https://a.example/x)'/>"),
+            "<style> a drawing cannot have the function `URL()` in its style");
+  EXPECT_EQ(inside("<style>@import 'https://a.example/x.css';</style>"),
+            "<>> a drawing cannot have a rule with `@` in its style");
+  EXPECT_EQ(inside("<style><![CDATA[a { fill: url(//a.example/x) }]]></style>"),
+            "<>> a drawing cannot have an address outside of it");
+  EXPECT_EQ(inside("<g xml:base='https://a.example/'/>"), attribute("xml:base"));
+}
+
+TEST(SvgFaults, AreWhatBrowsersReadOtherwise) {
+  const std::string instructions = "<<?> a drawing has no instructions for the browser";
+  EXPECT_EQ(faults("<?xml version='1.0'?><?xml-stylesheet href='x.xsl' type='text/xsl'?>" +
+                   std::string(kOpen) + "</svg>"),
+            instructions);
+  EXPECT_EQ(faults("<?xml version='1.0' encoding='ISO-2022-JP'?>" + std::string(kOpen) + "</svg>"),
+            instructions);
+  EXPECT_EQ(faults("<?xml version='1.1'?>" + std::string(kOpen) + "</svg>"), instructions);
+  const std::string doctype = "<<!> a drawing has no `<!DOCTYPE>` and no entities";
+  EXPECT_EQ(faults("<!DOCTYPE svg>" + std::string(kOpen) + "</svg>"), doctype);
+  EXPECT_EQ(faults("<!DOCTYPE svg [<!ENTITY a '<script>alert(1)</script>'>]>" + std::string(kOpen) +
+                   "&a;</svg>")
+                .substr(0, doctype.size()),
+            doctype);
+  EXPECT_EQ(faults(kOpen + std::string("</svg>\0<script/>", 16)),
+            std::string("<") + '\0' + "> the drawing has a control character");
+  EXPECT_EQ(faults("\xff\xfe<\0s"), "<\xff> the drawing is not in UTF-8");
+  EXPECT_EQ(faults("<svg"), "<<> the drawing is no XML");
+  EXPECT_EQ(inside("</svg><script/><svg>"), element("script"));
+}
+
+TEST(SvgFaults, AreToldOnceOfEachKind) {
+  EXPECT_EQ(inside("<g onclick='a'/><g onclick='b'/><script/><script/>"),
+            attribute("onclick") + "\n" + element("script"));
+}
+
+}  // namespace
+}  // namespace mjcourse
