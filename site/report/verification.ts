@@ -77,7 +77,7 @@ export interface Claim {
   column: number;
   /** Its place in a page of the site, below the site's root; empty for a draft. */
   page: string;
-  /** A hash: two reports that have the same found the same. generator/evaluate/claim.h says what of. */
+  /** A hash: two reports that have the same found the same. generator/findings/claim.h says what of. */
   key: string;
 }
 
