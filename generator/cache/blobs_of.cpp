@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "base/any_of.h"
+
 namespace mjcourse {
 namespace {
 
@@ -24,7 +26,9 @@ struct BlobsOf {
     (*this)(lab.poster);
     (*this)(lab.pin);
   }
-  template <typename Other>
+  template <AnyOf<FormulaResult, ValueResult, ExampleResult, ModelResult, OutputResult, ImageResult,
+                  ChartResult, QuizResult>
+                Other>
   void operator()(Other&) {}
 };
 

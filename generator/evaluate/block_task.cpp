@@ -6,6 +6,7 @@
 #include <utility>
 #include <variant>
 
+#include "base/any_of.h"
 #include "base/stopwatch.h"
 #include "evaluate/answers/inline_value.h"
 #include "evaluate/answers/question.h"
@@ -80,7 +81,10 @@ struct KnownOf {
     return {"model", "compile a model of " + lesson.number, false, 0.01, {fence(model.span)}};
   }
   Known operator()(const Image& image) const { return {"image", "look at " + image.file.text}; }
-  template <typename Other>
+  // Nothing is worked out of these alone.
+  template <
+      AnyOf<Math, TermUse, Example, Unchecked, Snippet, Commands, Output, Io, Callout, Demo, Shown>
+          Other>
   Known operator()(const Other&) const {
     return {};
   }
@@ -130,7 +134,9 @@ struct BlockWorker {
   Answer operator()(const Image& image) const {
     return evaluate_image(image, lesson, workshop.root(), diagnostics);
   }
-  template <typename Other>
+  template <
+      AnyOf<Math, TermUse, Example, Unchecked, Snippet, Commands, Output, Io, Callout, Demo, Shown>
+          Other>
   Answer operator()(const Other&) const {
     return std::nullopt;
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <variant>
 
+#include "base/any_of.h"
 #include "base/beneath.h"
 #include "base/utf8.h"
 #include "findings/model_page.h"
@@ -86,10 +87,11 @@ struct Fits {
     const auto* known = std::get_if<QuizResult>(&result);
     return known != nullptr && known->questions.size() == quiz.questions.size();
   }
-  // Snippets and commands are programs; of other kinds there is no result.
-  template <typename Other>
+  bool operator()(const Snippet&) const { return is_program(); }
+  bool operator()(const Commands&) const { return is_program(); }
+  template <AnyOf<TermUse, Unchecked, Io, Callout, Demo, Shown> Other>
   bool operator()(const Other&) const {
-    return is_program();
+    return false;
   }
 
   bool is_program() const {

@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "base/any_of.h"
+
 namespace mjcourse {
 namespace {
 
@@ -17,7 +19,7 @@ struct SpanOf {
   Span operator()(const Fence& fence) const {
     return fence.span;
   }
-  template <typename Other>
+  template <AnyOf<TermUse, Io, Demo, Shown> Other>
   Span operator()(const Other&) const {
     return {};
   }

@@ -2,6 +2,8 @@
 
 #include <variant>
 
+#include "base/any_of.h"
+
 namespace mjcourse {
 namespace {
 
@@ -37,7 +39,8 @@ class Gatherer {
       }
     }
   }
-  template <typename Other>
+  template <
+      AnyOf<Math, Unchecked, Commands, InlineModel, Output, Image, Io, Callout, Demo, Shown> Other>
   void operator()(const Other&) {}
 
   void add(Kind kind, const LocatedText& name) {

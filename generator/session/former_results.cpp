@@ -4,6 +4,7 @@
 #include <variant>
 #include <vector>
 
+#include "base/any_of.h"
 #include "evaluate/result_fits.h"
 
 namespace mjcourse {
@@ -21,7 +22,9 @@ struct NameOf {
     return example.file.text + (example.region ? "#" + example.region->text : "");
   }
   std::string operator()(const Quiz& quiz) const { return quiz.id; }
-  template <typename Other>
+  template <AnyOf<TermUse, Unchecked, Snippet, Commands, ModelExcerpt, InlineModel, Output, Image,
+                  Io, Callout, Lab, Figure, Chart, Demo, Shown>
+                Other>
   std::string operator()(const Other&) const {
     return std::to_string(block_number(lesson, index));
   }

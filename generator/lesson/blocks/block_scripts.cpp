@@ -1,5 +1,7 @@
 #include "lesson/blocks/block_scripts.h"
 
+#include "base/any_of.h"
+
 namespace mjcourse {
 namespace {
 
@@ -40,7 +42,9 @@ class Collector {
     for (const LocatedText& option : proof.options) add(option);
     for (const LocatedText& value : proof.values) add(value);
   }
-  template <typename Other>
+  template <AnyOf<Lab::Keyframe, Math, TermUse, Example, Unchecked, Snippet, Commands, ModelExcerpt,
+                  InlineModel, Output, Image, Io, Callout, Chart, Demo, Shown>
+                Other>
   void operator()(const Other&) {}
 
  private:
