@@ -23,10 +23,12 @@ void DrawList::make(const mjModel* model) {
 
 bool DrawList::update(const mjModel* model, mjData* data, const mjvOption& options,
                       const mjvPerturb* perturb, mjvCamera& camera) {
+  const mjWarningStat counted = data->warning[mjWARN_VGEOMFULL];
   for (;;) {
     const WarningLog full;  // which says no more than is seen below
     mjv_updateScene(model, data, &options, perturb, &camera, mjCAT_ALL, &scene_);
     if (scene_.ngeom < scene_.maxgeom) return true;
+    data->warning[mjWARN_VGEOMFULL] = counted;  // a simulation counts its own warnings
     if (scene_.maxgeom > kMostShapes) return false;
     widen();
   }

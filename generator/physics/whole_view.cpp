@@ -11,6 +11,7 @@ namespace {
 constexpr double kOwnDistance = 1.5;  // of MuJoCo's view, in extents
 constexpr double kFarthest = 3;       // extents
 constexpr double kMargin = 1.05;
+constexpr double kNearerHalf = 0.9;  // of what is drawn
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
 enum Way { kTop, kBottom, kRight, kLeft, kAway, kTowards, kAxes };
@@ -55,6 +56,7 @@ WholeView::WholeView(const Model& model, const Outlook& outlook)
       center_{model->stat.center[0], model->stat.center[1], model->stat.center[2]},
       extent_(model->stat.extent),
       nearest_(double{model->vis.map.znear} * extent_),
+      farthest_(double{model->vis.map.zfar} * extent_),
       half_fovy_(double{model->vis.global.fovy} / 2 * kDegree),
       half_fovx_(std::atan(std::tan(half_fovy_) * outlook.aspect)),
       ways_(ways_of(outlook, half_fovy_, half_fovx_)),
@@ -141,8 +143,10 @@ WholeView::Place WholeView::place() const {
   const double half_depth = (all[kAway] + all[kTowards]) / 2;
   const Vector in_plane = sum(up, sum(1, ways_[kTop], -1, ways_[kBottom]), right,
                               sum(1, ways_[kRight], -1, ways_[kLeft]));
-  return {sum(1, in_plane, middle, away),
-          std::max(kMargin * (middle - depth), half_depth + 2 * nearest_)};
+  const double distance = std::max(kMargin * (middle - depth), half_depth + 2 * nearest_);
+  // Beyond that nothing is drawn: better to cut the sides, and to see the nearer half for certain.
+  const double drawn = std::max(farthest_ - half_depth, kNearerHalf * farthest_);
+  return {sum(1, in_plane, middle, away), std::min(distance, drawn)};
 }
 
 }  // namespace mjcourse

@@ -52,8 +52,8 @@ class WholeView {
 
   Outlook outlook_;
   Vector center_;
-  double extent_;   // as MuJoCo has it, in metres
-  double nearest_;  // of what a camera draws
+  double extent_;              // as MuJoCo has it, in metres
+  double nearest_, farthest_;  // of what a camera draws
   double half_fovy_, half_fovx_;
   // Out of the picture at its top, bottom, right and left; away from the camera and towards it;
   // along the axes and against them.

@@ -45,7 +45,9 @@ export function whyNoStart(error: unknown): string {
 /** Why the reader's model, edited in the file `name`, is not the lab's. */
 export function whyNoEdit(error: unknown, name: string): LoadError {
   if (isOutOfMemory(error)) {
-    const cure = "a smaller one, or a smaller `njmax`, `nconmax` or `nstack` in its `<size>`";
+    const cure =
+      "smaller meshes, textures and height fields, or a smaller `njmax`, `nconmax` or `nstack` in " +
+      "its `<size>`";
     return new LoadError("the page has no memory left for this model", name, 0, 0, cure);
   }
   if (error instanceof LoadError) return error;

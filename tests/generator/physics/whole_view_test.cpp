@@ -13,6 +13,9 @@ Simulation watched(const std::string& mjcf) {
   return Simulation(*std::move(model));
 }
 
+// MuJoCo draws nothing beyond zfar times the extent.
+const std::string kFar = "<visual><map zfar='1000'/></visual>";
+
 WholeView view_of(const Simulation& simulation, const Outlook& outlook = {}) {
   return WholeView(simulation.model(), outlook);
 }
@@ -69,6 +72,7 @@ TEST(WholeView, SeesWhatFalls) {
 // It is far larger than the geoms, which are all that MuJoCo measures.
 TEST(WholeView, SeesSkins) {
   const Simulation simulation = watched(
+      kFar +
       "<worldbody><body name='bone' pos='0 0 1'><geom size='0.1'/></body></worldbody>"
       "<asset><skin name='skin' vertex='0 0 0 30 0 0 0 10 0' face='0 1 2'>"
       "<bone body='bone' bindpos='0 0 0' bindquat='1 0 0 0' vertid='0 1 2' vertweight='1 1 1'/>"
@@ -82,6 +86,7 @@ TEST(WholeView, SeesSkins) {
 
 TEST(WholeView, SeesGeomsBeyondTheStatistic) {
   const Simulation simulation = watched(
+      kFar +
       "<statistic extent='0.1'/><worldbody><geom type='box' size='0.5 0.1 0.1' pos='2 0 0'/>"
       "<geom type='capsule' size='0.1 0.5' pos='-2 0 0'/></worldbody>");
   WholeView view = view_of(simulation, {.elevation = -10});
@@ -93,8 +98,35 @@ TEST(WholeView, SeesGeomsBeyondTheStatistic) {
   EXPECT_FALSE(sees(view, {2.9, 0, 0}) && sees(view, {-2.5, 0, 0}));  // nor much else
 }
 
+// The list of shapes begins with room for 10000.
+TEST(WholeView, SeesMoreShapesThanItsListHasAtFirst) {
+  std::string sites;
+  for (int i = 0; i < 12000; ++i) sites += "<site pos='" + std::to_string(i * 1e-3) + " 0 0'/>";
+  Simulation simulation = watched("<worldbody><geom size='0.1'/>" + sites + "</worldbody>");
+  WholeView view = view_of(simulation);
+  view.add(simulation);
+  EXPECT_TRUE(sees(view, {11.9, 0, 0}));
+  EXPECT_EQ(simulation.data()->warning[mjWARN_VGEOMFULL].number, 0);
+  simulation.advance(0.01);
+  EXPECT_FALSE(simulation.trouble());
+}
+
+// Farther away nothing at all would be drawn.
+TEST(WholeView, StaysWhereTheModelIsDrawn) {
+  const std::string wide = "<worldbody><geom type='box' size='4 4 0.1'/></worldbody>";
+  for (const std::string zfar : {"30", "3"}) {
+    const Simulation box = watched("<statistic center='0 0 0' extent='1'/><visual><map zfar='" +
+                                   zfar + "'/></visual>" + wide);
+    WholeView view = view_of(box);
+    view.add(box);
+    EXPECT_EQ(sees(view, {4, 0, 0}), zfar == "30");
+    EXPECT_LT(view.place().distance, std::stod(zfar));
+  }
+}
+
 TEST(WholeView, SeesWhereItWasWhatFallsForEver) {
   Simulation ball = watched(
+      kFar +
       "<statistic extent='0.1'/><worldbody><geom size='0.1' pos='-2 0 0'/><body pos='2 0 0'>"
       "<freejoint/><geom size='0.1'/></body></worldbody>");
   WholeView view = view_of(ball);

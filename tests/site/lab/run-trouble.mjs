@@ -98,7 +98,8 @@ test("an edited model for which the page has no room", async () => {
         "the page has no memory left for this model",
         "model.xml",
         0,
-        "a smaller one, or a smaller `njmax`, `nconmax` or `nstack` in its `<size>`",
+        "smaller meshes, textures and height fields, or a smaller `njmax`, `nconmax` or `nstack` in " +
+          "its `<size>`",
       ],
     );
     // The former starts anew.
