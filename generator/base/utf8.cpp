@@ -120,7 +120,7 @@ std::optional<std::size_t> find_control_character(std::string_view text) {
   });
 }
 
-std::string readable(std::string text) {
+std::string readable(std::string_view text) {
   std::string line;
   for (std::size_t at = 0; at < text.size();) {
     const Character c = character_at(text, at);
@@ -141,7 +141,7 @@ std::string readable_output(std::string_view line) {
       !find_control_character(line) && !find_character(line, [](const Character& c, std::size_t) {
         return !c.well_formed || is_layout(c);
       });
-  return plain ? std::string(line) : readable(std::string(line));
+  return plain ? std::string(line) : readable(line);
 }
 
 std::string with_marks_for_unreadable(std::string_view line) {

@@ -52,7 +52,7 @@ constexpr bool is_word_character(char c) {
 // `text` as one line that any terminal shows, and in the order it has: control characters as C has
 // them (`\n`, `\x1b`), so also what has a line turned round or broken (`\u202e`), and U+FFFD for
 // each byte that is not UTF-8.
-std::string readable(std::string text);
+std::string readable(std::string_view text);
 
 // A line of a program's or a tool's words, the same; but tabs stay where all else is readable.
 std::string readable_output(std::string_view line);

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "page/html/site_files.h"
 #include "page/lesson_parts.h"
 #include "page/site_data.h"
 

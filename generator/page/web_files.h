@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "page/html/site_files.h"
 #include "page/lesson_parts.h"
 #include "page/site_data.h"
 
