@@ -5,6 +5,7 @@
 
 #include "course/former_page.h"
 #include "course/language.h"
+#include "page/blocks/page_writer.h"
 #include "page/html/site_paths.h"
 #include "page/site_data.h"
 
