@@ -1,10 +1,10 @@
 // LanguageServer: a course in an editor, by the Language Server Protocol: what is wrong with the
 // lessons as they are being typed, what could be written, and what is known of what stands there.
 //
-// Enter with run(). What the editor sends is taken and answered on one thread. A session evaluates
+// Enter with run(). One thread takes the editor's messages and answers them. A session evaluates
 // the course behind it (session/live_session.h), with the open documents for the saved ones, once
-// nobody has typed for a moment; so typing never waits. What the editor sends that is no message,
-// or asks for what we do not know, is refused, and the next message is taken.
+// nobody has typed for a moment; so typing never waits. Bytes that are no message, and questions that
+// we do not know, are refused, and the next message is taken.
 #pragma once
 
 #include <iosfwd>
