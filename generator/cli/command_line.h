@@ -2,8 +2,7 @@
 // a wrong command line, and the command's help.
 //
 // Declare them, then read. CLI11 2.1.2 takes `--out=` for an option whose value is the next word,
-// and
-// "[a, b]" for two words; around that it was no less code than this.
+// and "[a, b]" for two words; around that it was no less code than this.
 #pragma once
 
 #include <filesystem>

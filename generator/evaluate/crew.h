@@ -30,8 +30,8 @@ using TaskRecords = std::vector<TaskRecord>;  // one for each task, in their ord
 
 class Crew {
  public:
-  // `archive` may be null. All must outlive this. Without a
-  // `worker`, all is worked on in this process.
+  // `archive` may be null. All must outlive this. Without a `worker`, all is worked on in this
+  // process.
   Crew(const Setting& setting, Archive* archive, Progress& progress, std::size_t threads,
        Effort effort = Effort::all, std::optional<WorkerProgram> worker = {})
       : setting_(setting),

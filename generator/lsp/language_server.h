@@ -3,8 +3,8 @@
 //
 // Enter with run(). One thread takes the editor's messages and answers them. A session evaluates
 // the course behind it (session/live_session.h), with the open documents for the saved ones, once
-// nobody has typed for a moment; so typing never waits. Bytes that are no message, and questions that
-// we do not know, are refused, and the next message is taken.
+// nobody has typed for a moment; so typing never waits. Bytes that are no message, and questions
+// that we do not know, are refused, and the next message is taken.
 #pragma once
 
 #include <iosfwd>

@@ -15,9 +15,9 @@ struct Include {
   bool angled = false;  // <vector>, and not "vector"
 };
 
-// In their order, up to the first token that is neither a comment, nor `#line`, nor `#pragma once`,
-// nor an include. An
-// include of a form that is not understood here (a macro, words behind it) ends the list too.
+// In their order, up to the first token that is neither a comment, nor `#line`, nor `#pragma
+// once`, nor an include. An include of a form that is not understood here (a macro, words
+// behind it) ends the list too.
 std::vector<Include> leading_includes(std::string_view program);
 
 }  // namespace mjcourse
