@@ -104,27 +104,40 @@ function squareOf(width: number): Size {
   return { width, height: width };
 }
 
+/** Pixels of a picture from the first on, and up to the last, which is not one of them. */
+interface Patch {
+  readonly rows: readonly [number, number];
+  readonly columns: readonly [number, number];
+}
+
 /** A picture in another size, which is no larger: each pixel is the mean of those that it stands for,
- * with an alpha, which WebGL wants and MuJoCo has not. */
+ * with an alpha, which WebGL wants and MuJoCo does not have. */
 function shrink(rgb: Numbers, from: Size, to: Size): Uint8Array<ArrayBuffer> {
   const rgba = new Uint8Array(4 * to.width * to.height).fill(255);
   const columns = boundaries(from.width, to.width);
   const rows = boundaries(from.height, to.height);
   for (let y = 0; y < to.height; y++) {
     for (let x = 0; x < to.width; x++) {
-      const count = (rows[y + 1]! - rows[y]!) * (columns[x + 1]! - columns[x]!);
+      const patch: Patch = {
+        rows: [rows[y]!, rows[y + 1]!],
+        columns: [columns[x]!, columns[x + 1]!],
+      };
       for (let channel = 0; channel < 3; channel++) {
-        let sum = 0;
-        for (let row = rows[y]!; row < rows[y + 1]!; row++) {
-          for (let column = columns[x]!; column < columns[x + 1]!; column++) {
-            sum += rgb[3 * (row * from.width + column) + channel]!;
-          }
-        }
-        rgba[4 * (y * to.width + x) + channel] = Math.round(sum / count);
+        rgba[4 * (y * to.width + x) + channel] = mean(rgb, from.width, channel, patch);
       }
     }
   }
   return rgba;
+}
+
+function mean(rgb: Numbers, width: number, channel: number, { rows, columns }: Patch): number {
+  let sum = 0;
+  for (let row = rows[0]; row < rows[1]; row++) {
+    for (let column = columns[0]; column < columns[1]; column++) {
+      sum += rgb[3 * (row * width + column) + channel]!;
+    }
+  }
+  return Math.round(sum / ((rows[1] - rows[0]) * (columns[1] - columns[0])));
 }
 
 /** Where each of `to` parts of a row of `from` pixels begins, and where the last one ends. */
