@@ -56,6 +56,8 @@ test("what stands for nothing is an error", () => {
   write("templates/lession.hbs", "x");
   write("templates/notes.txt", "x");
   write("logo.svg", "x");
+  write("styles/a.css", "x");
+  write("templates/parts/a.hbs", "x");
   const { status, stderr } = run("check", "--course", "course");
   assert.equal(status, 1);
   assert.equal(
@@ -63,15 +65,34 @@ test("what stands for nothing is an error", () => {
     `theme/logo.svg: error: a theme has no such file [E-theme-file]
   cure: its styles are \`style.css\`, its templates \`templates/NAME.hbs\`
 
+theme/styles: error: a theme has no such folder [E-theme-file]
+  cure: its styles are \`style.css\`, its templates \`templates/NAME.hbs\`
+
 theme/templates/lession.hbs: error: no template has this name, and none includes it [E-theme-file]
   cure: did you mean \`lesson\`?
 
 theme/templates/notes.txt: error: a template is a file \`NAME.hbs\` [E-theme-file]
 
+theme/templates/parts: error: a template is a file \`NAME.hbs\`, and no folder [E-theme-file]
+
 `,
   );
-  for (const name of ["templates/lession.hbs", "templates/notes.txt", "logo.svg"]) {
-    rmSync(join(folder, "course/theme", name));
+  const stray = ["templates/lession.hbs", "templates/notes.txt", "logo.svg", "styles"];
+  for (const name of [...stray, "templates/parts"]) {
+    rmSync(join(folder, "course/theme", name), { recursive: true });
+  }
+});
+
+test("a template that loses its text, or has it twice, is an error", () => {
+  for (const name of ["page", "lesson", "printed-lesson"]) {
+    for (const text of ["x", "{{{body}}}{{{body}}}"]) {
+      write(`templates/${name}.hbs`, text);
+      const { status, stderr } = build();
+      const wanted = `theme/templates/${name}.hbs: error: \`{{{body}}}\` must stand here, and once [E-template]`;
+      assert.equal(stderr, `${wanted}\n\n`);
+      assert.equal(status, 1);
+    }
+    rmSync(join(folder, `course/theme/templates/${name}.hbs`));
   }
 });
 

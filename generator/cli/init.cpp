@@ -94,6 +94,7 @@ int init(const InitOptions& options) {
   }
   const fs::path folder = fs::absolute(words[0]).lexically_normal();
   const fs::path named = folder.has_filename() ? folder : folder.parent_path();
+  if (const auto good = check_length(named); !good) return tell(good.error());
   if (const auto free = look_at(named, words[0]); !free) return tell(free.error());
   const std::string title = words.size() == 2 ? words[1] : title_for(named);
   const std::vector<NewFile> files = course_files(DiskFiles(assets_folder()), title);

@@ -34,6 +34,7 @@ int make_new(const NewOptions& options) {
   if (!part) return tell(part.error());
   // A model in a folder that is no course would be lost there.
   if (const auto yaml = course.read(kCoursePath); !yaml) return tell(no_course(yaml.error()));
+  if (const auto good = check_length(part->folder); !good) return tell(good.error());
   if (const auto written = write_new_files(options.course, part->files); !written) {
     return tell(written.error());
   }

@@ -1,5 +1,6 @@
 #include "cli/new_files.h"
 
+#include <climits>
 #include <iostream>
 #include <system_error>
 #include <utility>
@@ -12,6 +13,9 @@ namespace mjcourse {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Bytes. A file is written under a longer name first.
+constexpr std::size_t kLongestName = NAME_MAX - 15;
 
 Refusal in_the_way(const NewFile& file) {
   if (file.before) {
@@ -53,9 +57,20 @@ tl::unexpected<Refusal> wrong_course(std::string message, std::string cure) {
   return tl::unexpected(Refusal{kCourseErrors, std::move(message), std::move(cure)});
 }
 
+tl::expected<void, Refusal> check_length(const fs::path& path) {
+  for (const fs::path& part : path) {
+    if (part.native().size() <= kLongestName) continue;
+    return wrong_words("`" + part.string() + "` is too long for a name on the disk",
+                       "choose a shorter name");
+  }
+  return {};
+}
+
 tl::expected<void, Refusal> write_new_files(const fs::path& root,
                                             const std::vector<NewFile>& files) {
+  if (auto good = check_length(root); !good) return good;
   for (const NewFile& file : files) {
+    if (auto good = check_length(file.path); !good) return good;
     if (!file.before && fs::exists(fs::symlink_status(root / file.path))) {
       return tl::unexpected(in_the_way(file));
     }

@@ -25,6 +25,9 @@ struct NewFile {
   std::optional<std::string> before = {};  // what it holds now; nothing: it must not be there
 };
 
+// Refuses a path of which a part is longer than 240 bytes, or a disk may not take it.
+tl::expected<void, Refusal> check_length(const std::filesystem::path& path);
+
 // Writes them below `root`, in their order. None is left where one of them is there already, or is
 // not as it was.
 tl::expected<void, Refusal> write_new_files(const std::filesystem::path& root,

@@ -72,10 +72,19 @@ Diagnostics check_theme(const Files& course, const Files& assets) {
                                      : "a template is a file `NAME.hbs`",
                                 name ? suggest(*name, known) : ""));
   }
-  for (const std::string& file : course.list("theme")) {
-    if (!check("theme/" + file) || "theme/" + file == kThemeStyle) continue;
-    diagnostics.push_back(stray("theme/" + file, "a theme has no such file",
+  for (const std::string& folder : course.folders(kThemeTemplates)) {
+    diagnostics.push_back(stray(std::string(kThemeTemplates) + "/" + folder,
+                                "a template is a file `NAME.hbs`, and no folder", ""));
+  }
+  const auto complain = [&](const std::string& name, const std::string& what) {
+    diagnostics.push_back(stray("theme/" + name, "a theme has no such " + what,
                                 "its styles are `style.css`, its templates `templates/NAME.hbs`"));
+  };
+  for (const std::string& file : course.list("theme")) {
+    if (check("theme/" + file) && "theme/" + file != kThemeStyle) complain(file, "file");
+  }
+  for (const std::string& folder : course.folders("theme")) {
+    if ("theme/" + folder != kThemeTemplates) complain(folder, "folder");
   }
   return diagnostics;
 }

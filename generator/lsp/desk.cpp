@@ -63,7 +63,9 @@ SnapshotPtr Desk::newest() {
 void Desk::watch(const std::stop_token& stop) {
   try {
     const auto& root = documents_->root();
-    FolderWatch folders({root / "content", root / "models", root / "examples"});
+    std::vector<std::filesystem::path> read;
+    for (const char* name : kCourseFolders) read.push_back(root / name);
+    FolderWatch folders(std::move(read));
     while (!folders.wait(stop).empty()) typed_.disturb();
   } catch (const std::system_error&) {
     // The kernel has no more watches to give: what is typed here still counts.

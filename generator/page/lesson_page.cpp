@@ -70,7 +70,7 @@ LessonPage lesson_page(const SiteData& site, const Lesson& lesson, std::size_t i
        {"level", {{"title", level.title}, {"href", "index.html#" + level_anchor(level)}}},
        {"history", history_data(site, lesson)},
        {"root", "../"}});
-  fill_placeholder(body, "prose", prose);
+  fill_in(body, "lesson", "body", "prose", prose);
   return {std::move(body), std::move(prose), answers};
 }
 

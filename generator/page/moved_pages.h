@@ -1,12 +1,12 @@
-
-#include "page/html/site_files.h"
-#include "page/site_data.h"
-#include "script/templates.h"
 // The pages at the former addresses of lessons, which lead to where these are now.
 //
 // A site of files cannot answer with a redirect, so each is a small page that sends its reader on:
 // by a script, which keeps the heading that was linked to; without it, by a refresh; and in words.
 #pragma once
+
+#include "page/html/site_files.h"
+#include "page/site_data.h"
+#include "script/templates.h"
 
 namespace mjcourse {
 

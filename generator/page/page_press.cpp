@@ -51,7 +51,7 @@ void PagePress::write(const std::string& path, const PageHead& head, const std::
                       InlineStyles& styles) {
   const std::string styled = styles.take(body);
   std::string html = frame(path, head, styled, styles);
-  fill_placeholder(html, "body", styled);
+  fill_in(html, "page", "body", "body", styled);
   directory_.write(path, html);
 }
 
@@ -64,7 +64,7 @@ void PagePress::write_long(const std::string& path, const PageHead& head, const 
     for (Spool::Piece& piece : part.pieces) piece = spool.put(styles.take(spool.get(piece)));
   }
   std::string html = frame(path, head, body, styles);
-  fill_placeholder(html, "body", body);
+  fill_in(html, "page", "body", "body", body);
   directory_.write(path, [&](std::ostream& file) {
     std::size_t at = 0;
     for (const PagePart& part : styled) {

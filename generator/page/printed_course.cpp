@@ -131,7 +131,7 @@ void add_printed_parts(const SiteData& site, const Lesson& lesson, const LessonP
                        {"summary", moved_html(writer.inline_html(lesson.front.summary), move)},
                        {"objectives", std::move(objectives)},
                        {"body", placeholder("prose")}});
-  fill_placeholder(html, "prose", moved_html(page.prose, move));
+  fill_in(html, "printed-lesson", "body", "prose", moved_html(page.prose, move));
   parts.printed = spool.put(html);
   if (page.answers.empty()) return;
   parts.printed_answers = spool.put(render_template(templates, "printed-answers",

@@ -24,8 +24,7 @@ std::string script(const std::string& page) {
 
 std::vector<fs::path> watched_folders(const PreviewSetup& setup) {
   std::vector<fs::path> folders;
-  for (const char* name : {"content", "models", "examples", "theme"})
-    folders.push_back(setup.workplace.root / name);
+  for (const char* name : kCourseFolders) folders.push_back(setup.workplace.root / name);
   if (!setup.site.empty()) {
     folders.push_back(setup.site / "styles");
     folders.push_back(setup.site / "templates");
@@ -150,9 +149,8 @@ void Preview::watch(const std::stop_token& stop) {
                                  [&](const fs::path& path) { return is_below(path, folder); });
     };
     const fs::path& course = setup_.workplace.root;
-    if (any(course / "content") || any(course / "models") || any(course / "examples")) {
-      session_->changed();
-    }
+    const auto is_read = [&](const char* name) { return any(course / name); };
+    if (std::ranges::any_of(kCourseFolders, is_read)) session_->changed();
     const bool has_site = !setup_.site.empty();
     const bool styles = has_site && any(setup_.site / "styles");
     const bool pages = any(course / "theme") || (has_site && any(setup_.site / "templates"));

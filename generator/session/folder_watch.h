@@ -6,6 +6,7 @@
 // under the link's name. A file that is gone gets a moment longer to come back.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -14,6 +15,9 @@
 #include <vector>
 
 namespace mjcourse {
+
+// All that a course's truth is made of lies in these folders of its own.
+inline constexpr std::array kCourseFolders{"content", "models", "examples", "theme"};
 
 class FolderWatch {
  public:

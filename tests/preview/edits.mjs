@@ -1,8 +1,9 @@
 // What an author sees while writing: what is saved is there, what was not touched stays, mistakes are
 // shown where they are and go when they are mended.
 
-import { renameSync, rmSync, symlinkSync, mkdirSync } from "node:fs";
+import { mkdirSync, renameSync, rmSync, symlinkSync, writeFileSync } from "node:fs";
 import { request } from "node:http";
+import { dirname } from "node:path";
 
 import { preview } from "./previewed.mjs";
 
@@ -213,6 +214,24 @@ async function othersAreRefused(previewed) {
   await expect(404, "/.preview/../manifest.json", { host }, "a file beside the scripts is given");
 }
 
+// What stands for nothing in a theme is said when it comes, and no more when it has gone.
+async function themesAreChecked(previewed) {
+  const stray = previewed.path("theme/templates/leson.hbs");
+  const said = async (wanted) => {
+    for (let left = 200; left > 0; left--) {
+      const { diagnostics } = await previewed.settled();
+      if (diagnostics.some(({ id }) => id === "E-theme-file") === wanted) return;
+      await new Promise((waited) => setTimeout(waited, 50));
+    }
+    previewed.complain(`a stray template ${wanted ? "is not told" : "is told for ever"}`);
+  };
+  mkdirSync(dirname(stray), { recursive: true });
+  writeFileSync(stray, "x");
+  await said(true);
+  rmSync(previewed.path("theme"), { recursive: true });
+  await said(false);
+}
+
 async function manyTabs(previewed) {
   const tabs = [];
   for (let i = 0; i < 12; i++) tabs.push(await previewed.open("1-first/1.2-another.html"));
@@ -232,6 +251,7 @@ await preview(mjcourse, folder, async (previewed) => {
   await picturesAreRenewed(previewed, page);
   await modelsLieInFolders(previewed, page);
   await othersAreRefused(previewed);
+  await themesAreChecked(previewed);
   await manyTabs(previewed);
   await saysNot(page, "no such text");
 });

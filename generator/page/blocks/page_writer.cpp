@@ -65,7 +65,10 @@ Templates site_templates(const Files& assets, std::size_t memory) {
   std::map<std::string, std::string> sources;
   for (const std::string& name : assets.list("templates")) {
     if (!name.ends_with(".hbs")) continue;
-    sources[name.substr(0, name.size() - 4)] = assets.read("templates/" + name).value();
+    const std::string own = name.substr(0, name.size() - 4);
+    auto source = assets.read("templates/" + name);
+    if (!source) throw BrokenTemplate(TemplateError{own, source.error()});
+    sources[own] = *std::move(source);
   }
   return {script_bundle(assets, "templates"), sources, memory};
 }
@@ -80,6 +83,12 @@ std::string render_template(Templates& templates, const std::string& name,
   tl::expected<std::string, TemplateError> html = templates.render(name, data);
   if (html) return *std::move(html);
   throw BrokenTemplate(std::move(html.error()));
+}
+
+void fill_in(std::string& html, const std::string& name, const std::string& key,
+             std::string_view part, std::string_view text) {
+  if (fill_placeholder(html, part, text)) return;
+  throw BrokenTemplate(TemplateError{name, "`{{{" + key + "}}}` must stand here, and once"});
 }
 
 PageWriter::PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results,
@@ -252,7 +261,7 @@ std::string PageWriter::write_listing(nlohmann::json data) {
   if (data["code"].is_null()) return render("example", data);
   const auto code = std::exchange(data["code"], placeholder("code")).get<std::string>();
   std::string html = render("example", data);
-  fill_placeholder(html, "code", code);
+  fill_in(html, "example", "code", "code", code);
   return html;
 }
 

@@ -138,5 +138,9 @@ class BrokenTemplate : public std::runtime_error {
 // Render a template that must render: the data is ours. Throws BrokenTemplate where it does not.
 std::string render_template(Templates& templates, const std::string& name,
                             const nlohmann::json& data);
+// Puts `text` in the place of the placeholder `part` of `html`, which the template `name` has made
+// with it as `key`. Throws BrokenTemplate where that left it out, or has it twice.
+void fill_in(std::string& html, const std::string& name, const std::string& key,
+             std::string_view part, std::string_view text);
 
 }  // namespace mjcourse

@@ -49,8 +49,12 @@ std::string with_kept_units(std::string_view text) {
   std::string kept;
   std::size_t begin = 0;
   for (std::size_t blank; (blank = next_unit(text, begin)) != std::string_view::npos;) {
-    kept.append(text.substr(begin, blank - begin)).append("\u00a0");
-    begin = blank + 1;
+    kept += text.substr(begin, blank - begin);
+    begin = blank;
+    while (const std::size_t length = unit_length(text.substr(begin))) {
+      kept.append("\u00a0").append(text.substr(begin + 1, length - 1));
+      begin += length;
+    }
   }
   return kept.append(text.substr(begin));
 }

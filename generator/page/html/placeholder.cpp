@@ -6,9 +6,12 @@ std::string placeholder(std::string_view name) {
   return '\x02' + std::string(name) + '\x03';
 }
 
-void fill_placeholder(std::string& html, std::string_view name, std::string_view text) {
+bool fill_placeholder(std::string& html, std::string_view name, std::string_view text) {
   const std::string mark = placeholder(name);
-  html.replace(html.find(mark), mark.size(), text);
+  const std::size_t at = html.find(mark);
+  if (at == html.npos || html.find(mark, at + mark.size()) != html.npos) return false;
+  html.replace(at, mark.size(), text);
+  return true;
 }
 
 }  // namespace mjcourse

@@ -10,7 +10,8 @@ namespace mjcourse {
 // Between two control characters, which no page has.
 std::string placeholder(std::string_view name);
 
-// Puts `text` where `html` has the placeholder of that name; it must have it.
-void fill_placeholder(std::string& html, std::string_view name, std::string_view text);
+// Puts `text` where `html` has the placeholder of that name. False, and nothing is done, where it
+// has none or more than one: a course's own template may have lost it.
+bool fill_placeholder(std::string& html, std::string_view name, std::string_view text);
 
 }  // namespace mjcourse

@@ -43,6 +43,19 @@ TEST_F(NewFiles, OverwriteNothing) {
   EXPECT_FALSE(fs::exists(folder_.path() / "a.md"));
 }
 
+TEST_F(NewFiles, HaveNamesThatADiskTakes) {
+  const std::string name(241, 'a');
+  for (const std::string& path : {name, name + "/b.md", "b/" + name}) {
+    const auto result = write_new_files(folder_.path(), {{"first.md", "text"}, {path, "text"}});
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, kWrongUsage);
+    EXPECT_EQ(result.error().message, "`" + name + "` is too long for a name on the disk");
+    EXPECT_EQ(result.error().cure, "choose a shorter name");
+    EXPECT_EQ(bytes_of("first.md"), "it is not there");
+  }
+  EXPECT_EQ(written({{std::string(240, 'a'), "text"}}), "");
+}
+
 TEST_F(NewFiles, DoNotFollowALinkToNowhere) {
   fs::create_symlink("elsewhere.md", folder_.path() / "b.md");
   EXPECT_NE(written({{"b.md", "text"}}), "");

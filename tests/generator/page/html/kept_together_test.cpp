@@ -30,6 +30,7 @@ TEST(KeptTogether, IsAUnitWithWhatIsBehindIt) {
 TEST(KeptTogether, IsANumberWithItsUnit) {
   EXPECT_EQ(with_kept_units("0.1 s after 2 kg, in 3 steps of 4 m/s."),
             "0.1\u00a0s after 2\u00a0kg, in 3 steps of 4\u00a0m/s.");
+  EXPECT_EQ(with_kept_units("5 N m, 2"), "5\u00a0N\u00a0m, 2");
   EXPECT_EQ(with_kept_units("a m"), "a m");
   EXPECT_FALSE(has_units("3 steps, m"));
   EXPECT_TRUE(has_units("3 m"));
