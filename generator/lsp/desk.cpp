@@ -65,7 +65,7 @@ void Desk::watch(const std::stop_token& stop) {
     const auto& root = documents_->root();
     std::vector<std::filesystem::path> read;
     for (const char* name : kCourseFolders) read.push_back(root / name);
-    FolderWatch folders(std::move(read));
+    FolderWatch folders(read);
     while (!folders.wait(stop).empty()) typed_.disturb();
   } catch (const std::system_error&) {
     // The kernel has no more watches to give: what is typed here still counts.
