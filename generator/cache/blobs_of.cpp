@@ -27,7 +27,7 @@ struct BlobsOf {
     (*this)(lab.pin);
   }
   template <AnyOf<FormulaResult, ValueResult, ExampleResult, ModelResult, OutputResult, ImageResult,
-                  ChartResult, QuizResult>
+                  PlotResult, QuizResult>
                 Other>
   void operator()(Other&) {}
 };

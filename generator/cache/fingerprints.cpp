@@ -37,7 +37,7 @@ std::string fingerprint(const fs::path& path, const struct stat& status) {
 
 }  // namespace
 
-Fingerprints::Fingerprints(const fs::path& root, std::shared_ptr<KnownFiles> files)
+Fingerprints::Fingerprints(const fs::path& root, std::shared_ptr<FingerprintCache> files)
     : root_(fs::absolute(root)), files_(std::move(files)) {}
 
 std::string Fingerprints::of(const std::string& name) {

@@ -11,15 +11,16 @@
 #include <mutex>
 #include <string>
 
-#include "cache/known_files.h"
+#include "cache/fingerprint_cache.h"
 
 namespace mjcourse {
 
 class Fingerprints {
  public:
   // `root` is the course's folder. What is found out of files goes to `files`.
-  explicit Fingerprints(const std::filesystem::path& root,
-                        std::shared_ptr<KnownFiles> files = std::make_shared<KnownFiles>());
+  explicit Fingerprints(
+      const std::filesystem::path& root,
+      std::shared_ptr<FingerprintCache> files = std::make_shared<FingerprintCache>());
 
   // Of a dependency's name. From any thread.
   std::string of(const std::string& name);
@@ -33,7 +34,7 @@ class Fingerprints {
 
  private:
   std::filesystem::path root_;
-  std::shared_ptr<KnownFiles> files_;
+  std::shared_ptr<FingerprintCache> files_;
   mutable std::mutex mutex_;
   std::map<std::string, std::string> others_;
 };

@@ -45,7 +45,8 @@ std::vector<ResultStore::Names> ResultStore::looked_at(const std::string& recipe
 Dependencies ResultStore::known(const Names& names) {
   Dependencies found;
   for (const std::string& name : names) {
-    found.push_back({name, FileSets::is_name(name) ? sets_.known(name) : fingerprints_.of(name)});
+    found.push_back(
+        {name, DependencySets::is_name(name) ? sets_.known(name) : fingerprints_.of(name)});
   }
   return found;
 }

@@ -15,7 +15,7 @@
 
 #include "base/store.h"
 #include "cache/dependency.h"
-#include "cache/file_sets.h"
+#include "cache/dependency_sets.h"
 #include "cache/fingerprints.h"
 #include "cache/trace.h"
 
@@ -48,7 +48,7 @@ class ResultStore {
   // What the result of that name depends on, the recipe first; empty where there is none.
   Dependencies dependencies_of(const std::string& name) const;
 
-  // As FileSets (file_sets.h) has it.
+  // As DependencySets (dependency_sets.h) has it.
   Dependencies one_by_one(const Dependencies& traced) { return sets_.one_by_one(traced); }
 
  private:
@@ -58,7 +58,7 @@ class ResultStore {
 
   Store& store_;
   Fingerprints& fingerprints_;
-  FileSets sets_;
+  DependencySets sets_;
 };
 
 }  // namespace mjcourse

@@ -23,8 +23,8 @@ class Trace {
   // A file or a folder, there or not; relative to the course, or absolute. False when it was named
   // before.
   bool file(const std::filesystem::path& path);
-  // Files that many a piece of work has looked at (file_sets.h). Those of the course are written
-  // down one by one.
+  // Files that many a piece of work has looked at (dependency_sets.h). Those of the course are
+  // written down one by one.
   void files(const std::vector<std::string>& paths);
   // What the program `name` reported.
   void program(const std::string& name);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "cli/kept_results.h"
+#include "cli/command_store.h"
 
 namespace mjcourse {
 

@@ -3,12 +3,12 @@
 #include <iostream>
 #include <memory>
 
+#include "cli/command_store.h"
 #include "cli/commands.h"
-#include "cli/kept_results.h"
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "lsp/language_server.h"
-#include "session/quick_store.h"
+#include "session/write_behind_store.h"
 
 namespace mjcourse {
 namespace {
@@ -19,11 +19,11 @@ constexpr int kLeftAlone = 1;
 }  // namespace
 
 int lsp(const LspOptions& options) {
-  KeptResults kept(options.store);
-  QuickStore store(kept.store());
+  CommandStore kept(options.store);
+  WriteBehindStore store(kept.store());
   const DiskFiles assets(assets_folder());
   Workplace workplace = workplace_of(options, assets, &store);
-  workplace.known_files = std::make_shared<KnownFiles>(kPatienceWhileEditing);
+  workplace.fingerprint_cache = std::make_shared<FingerprintCache>(kPatienceWhileEditing);
   LanguageServer server({workplace, options.course_named, MJCOURSE_VERSION}, std::cout);
   return server.run(std::cin) ? kClean : kLeftAlone;
 }

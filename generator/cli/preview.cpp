@@ -21,7 +21,7 @@
 #include "cli/verify.h"
 #include "preview/preview_server.h"
 #include "process/subprocess.h"
-#include "session/quick_store.h"
+#include "session/write_behind_store.h"
 
 namespace mjcourse {
 namespace {
@@ -93,12 +93,12 @@ void open_browser(const std::string& address) {
 
 int preview(const PreviewOptions& options) {
   const Interrupt interrupt;
-  KeptResults kept(options.store);
-  QuickStore store(kept.store());
+  CommandStore kept(options.store);
+  WriteBehindStore store(kept.store());
   const DiskFiles assets(assets_folder());
   Teller teller;
   Workplace workplace = workplace_of(options, assets, &store);
-  workplace.known_files = std::make_shared<KnownFiles>(kPatienceWhileEditing);
+  workplace.fingerprint_cache = std::make_shared<FingerprintCache>(kPatienceWhileEditing);
   Preview preview({workplace, assets_folder(), site_sources(), options.link},
                   [&](const Snapshot& snapshot) { teller.tell(snapshot); });
   PreviewServer server(preview, options.port);

@@ -4,8 +4,8 @@
 
 #include "base/counted.h"
 #include "base/disk_store.h"
+#include "cli/command_store.h"
 #include "cli/commands.h"
-#include "cli/kept_results.h"
 #include "cli/new_files.h"
 #include "cli/run.h"
 #include "cli/size.h"

@@ -103,7 +103,7 @@ std::ptrdiff_t count_errors(const Diagnostics& diagnostics) {
 
 Verified read_course_of(const CourseOptions& options) {
   Verified verified;
-  verified.kept = std::make_unique<KeptResults>(options.store);
+  verified.kept = std::make_unique<CommandStore>(options.store);
   verified.course =
       read_course(DiskFiles(options.course), verified.evaluation.diagnostics, options.jobs);
   return verified;
@@ -116,9 +116,9 @@ void evaluate_course(const CourseOptions& options, Verified& verified, bool all_
     const DiskFiles assets(assets_folder());
     Store* store = verified.kept->store();
     const Workplace workplace = workplace_of(options, assets, store);
-    if (store != nullptr) workplace.known_files->read(*store, options.course);
+    if (store != nullptr) workplace.fingerprint_cache->read(*store, options.course);
     verified.evaluation = examine(*verified.course, workplace, progress, std::move(reading));
-    if (store != nullptr) workplace.known_files->write(*store, options.course);
+    if (store != nullptr) workplace.fingerprint_cache->write(*store, options.course);
   } else {
     verified.evaluation.diagnostics = std::move(reading);
     verified.evaluation.versions = known_versions(DiskFiles(assets_folder()));

@@ -5,15 +5,15 @@
 #include <memory>
 #include <optional>
 
+#include "cli/command_store.h"
 #include "cli/commands.h"
-#include "cli/kept_results.h"
 #include "evaluate/evaluate.h"
 
 namespace mjcourse {
 
 struct Verified {
-  std::optional<Course> course;       // nothing when there is no readable course.yaml
-  std::unique_ptr<KeptResults> kept;  // which has the pictures of the evaluation
+  std::optional<Course> course;        // nothing when there is no readable course.yaml
+  std::unique_ptr<CommandStore> kept;  // which has the pictures of the evaluation
   Evaluation evaluation;
   bool failed = false;
   double seconds = 0;  // measured

@@ -12,12 +12,12 @@
 #include "evaluate/answers/question.h"
 #include "evaluate/claims/fence_extent.h"
 #include "evaluate/context/recipe.h"
-#include "evaluate/scenes/chart.h"
 #include "evaluate/scenes/figure.h"
 #include "evaluate/scenes/image.h"
 #include "evaluate/scenes/lab.h"
 #include "evaluate/scenes/lab_scripts.h"
 #include "evaluate/scenes/model_listing.h"
+#include "evaluate/scenes/plot.h"
 
 namespace mjcourse {
 namespace {
@@ -64,9 +64,9 @@ struct KnownOf {
             {"world"},
             true};
   }
-  Known operator()(const Chart& chart) const {
-    return {"plot", "draw the plot of " + chart.table.text,         true,
-            0.1,    {fence(chart.span), block_name(lesson, index)}, {"plot"}};
+  Known operator()(const Plot& plot) const {
+    return {"plot", "draw the plot of " + plot.table.text,         true,
+            0.1,    {fence(plot.span), block_name(lesson, index)}, {"plot"}};
   }
   Known operator()(const Quiz& quiz) const {
     Known known{"quiz", "prove the answers of " + quiz.id, true, 0.2, {}, {"world", "guard"}};
@@ -97,28 +97,28 @@ Known known_of(const Lesson& lesson, std::size_t index) {
 struct BlockWorker {
   const Lesson& lesson;
   std::size_t index;
-  Workshop& workshop;
+  WorkerContext& worker_context;
   Diagnostics& diagnostics;
 
   using Answer = std::optional<Result>;
 
   Answer operator()(const InlineValue& value) const {
-    return evaluate_value(value, lesson, workshop, diagnostics);
+    return evaluate_value(value, lesson, worker_context, diagnostics);
   }
   Answer operator()(const Lab& lab) const {
-    return evaluate_lab(lab, lesson, workshop, diagnostics);
+    return evaluate_lab(lab, lesson, worker_context, diagnostics);
   }
   Answer operator()(const Figure& figure) const {
-    return evaluate_figure(figure, lesson, workshop, diagnostics);
+    return evaluate_figure(figure, lesson, worker_context, diagnostics);
   }
-  Answer operator()(const Chart& chart) const {
-    return evaluate_chart(chart, index, lesson, workshop, diagnostics);
+  Answer operator()(const Plot& plot) const {
+    return evaluate_plot(plot, index, lesson, worker_context, diagnostics);
   }
   Answer operator()(const Quiz& quiz) const {
     QuizResult result;
     for (const Question& question : quiz.questions) {
       const Stopwatch stopwatch;
-      auto answer = evaluate_question(question, lesson, workshop, diagnostics);
+      auto answer = evaluate_question(question, lesson, worker_context, diagnostics);
       QuestionResult& kept = result.questions.emplace_back(answer.value_or(QuestionResult{}));
       kept.failed = !answer;
       kept.seconds = stopwatch.seconds();
@@ -126,13 +126,13 @@ struct BlockWorker {
     return result;
   }
   Answer operator()(const ModelExcerpt& excerpt) const {
-    return evaluate_excerpt(excerpt, lesson, workshop, diagnostics);
+    return evaluate_excerpt(excerpt, lesson, worker_context, diagnostics);
   }
   Answer operator()(const InlineModel& model) const {
-    return evaluate_inline_model(model, lesson, workshop, diagnostics);
+    return evaluate_inline_model(model, lesson, worker_context, diagnostics);
   }
   Answer operator()(const Image& image) const {
-    return evaluate_image(image, lesson, workshop.root(), diagnostics);
+    return evaluate_image(image, lesson, worker_context.root(), diagnostics);
   }
   template <
       AnyOf<Math, TermUse, Example, Unchecked, Snippet, Commands, Output, Io, Callout, Demo, Shown>
@@ -175,10 +175,10 @@ double BlockTask::effort() const {
   return known_of(lesson(), block()).effort;
 }
 
-Dependencies BlockTask::recipe(const Setting& setting) const {
+Dependencies BlockTask::recipe(const RunContext& run_context) const {
   const Known known = known_of(lesson(), block());
   if (known.text.empty()) return {};
-  return recipe_of(setting, known.kind, known.text, known.scripts);
+  return recipe_of(run_context, known.kind, known.text, known.scripts);
 }
 
 // A picture's size is found out without MuJoCo and the script engine.
@@ -186,21 +186,21 @@ bool BlockTask::is_apart() const {
   return !std::holds_alternative<Image>(block_);
 }
 
-bool BlockTask::work_apart(Workshop& workshop, Finding& finding) {
-  return !is_apart() || find_out(workshop, finding);
+bool BlockTask::work_apart(WorkerContext& worker_context, Finding& finding) {
+  return !is_apart() || find_out(worker_context, finding);
 }
 
 // What a worker found and a page will run or draw is looked at here, where no author's text works.
-bool BlockTask::work(Workshop& workshop, Finding& finding) {
-  if (!is_apart()) return find_out(workshop, finding);
+bool BlockTask::work(WorkerContext& worker_context, Finding& finding) {
+  if (!is_apart()) return find_out(worker_context, finding);
   const auto found = finding.results.find(block());
   if (found == finding.results.end()) return true;
   if (auto* lab = std::get_if<LabResult>(&found->second)) {
-    if (!guard_scripts(std::get<Lab>(block_), lesson(), workshop, lab->scripts)) {
+    if (!guard_scripts(std::get<Lab>(block_), lesson(), worker_context, lab->scripts)) {
       throw std::runtime_error("the lab was rehearsed with a script that no page runs");
     }
-  } else if (auto* chart = std::get_if<ChartResult>(&found->second)) {
-    if (!are_plain(chart->drawings, block_name(lesson(), block()))) {
+  } else if (auto* plot = std::get_if<PlotResult>(&found->second)) {
+    if (!are_plain(plot->drawings, block_name(lesson(), block()))) {
       finding.diagnostics.push_back(error_at(
           place(), "E-plot-spec", "the plot's drawing would have what no page shows",
           "look for an address or markup in a colour or a font, and for control characters in "
@@ -208,15 +208,15 @@ bool BlockTask::work(Workshop& workshop, Finding& finding) {
       finding.results.clear();
       return false;
     }
-    chart->file = file_of_example(std::get<Chart>(block_).example.text, workshop.course());
+    plot->file = file_of_example(std::get<Plot>(block_).example.text, worker_context.course());
   }
   return true;
 }
 
-bool BlockTask::find_out(Workshop& workshop, Finding& finding) const {
+bool BlockTask::find_out(WorkerContext& worker_context, Finding& finding) const {
   const Stopwatch stopwatch;
   std::optional<Result> result =
-      std::visit(BlockWorker{lesson(), block(), workshop, finding.diagnostics}, block_);
+      std::visit(BlockWorker{lesson(), block(), worker_context, finding.diagnostics}, block_);
   if (!result) return false;
   const bool whole = is_whole(*result);
   finding.results[block()] = *std::move(result);

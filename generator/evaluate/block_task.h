@@ -17,13 +17,13 @@ class BlockTask : public Task {
   bool quotes() const override;
   bool draws() const override;
   double effort() const override;
-  Dependencies recipe(const Setting& setting) const override;
+  Dependencies recipe(const RunContext& run_context) const override;
   bool is_apart() const override;
-  bool work_apart(Workshop& workshop, Finding& finding) override;
-  bool work(Workshop& workshop, Finding& finding) override;
+  bool work_apart(WorkerContext& worker, Finding& finding) override;
+  bool work(WorkerContext& worker, Finding& finding) override;
 
  private:
-  bool find_out(Workshop& workshop, Finding& finding) const;
+  bool find_out(WorkerContext& worker, Finding& finding) const;
 
   const Block& block_;
 };

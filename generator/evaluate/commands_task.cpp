@@ -12,15 +12,15 @@ std::string CommandsTask::name() const {
   return "commands-" + std::to_string(block_number(lesson(), block()));
 }
 
-Dependencies CommandsTask::recipe(const Setting& setting) const {
+Dependencies CommandsTask::recipe(const RunContext& run_context) const {
   std::vector<std::string> text{commands().code.text, std::to_string(commands().seconds)};
   for (const LocatedText& file : commands().files) text.push_back(file.text);
-  return recipe_of(setting, "commands", text);
+  return recipe_of(run_context, "commands", text);
 }
 
-bool CommandsTask::work(Workshop& workshop, Finding& finding) {
+bool CommandsTask::work(WorkerContext& worker, Finding& finding) {
   const Stopwatch stopwatch;
-  auto result = evaluate_commands(commands(), lesson(), workshop, finding.diagnostics);
+  auto result = evaluate_commands(commands(), lesson(), worker, finding.diagnostics);
   if (!result) return false;
   finding.results[block()] = *std::move(result);
   finding.seconds[block()] = stopwatch.seconds();

@@ -12,8 +12,8 @@ class CommandsTask : public Task {
 
   std::string name() const override;
   double effort() const override { return 5; }  // they may well build something
-  Dependencies recipe(const Setting& setting) const override;
-  bool work(Workshop& workshop, Finding& finding) override;
+  Dependencies recipe(const RunContext& run_context) const override;
+  bool work(WorkerContext& worker, Finding& finding) override;
 
  private:
   const Commands& commands() const { return std::get<Commands>(lesson().blocks[block()]); }

@@ -7,17 +7,17 @@
 
 #include "cache/fingerprints.h"
 #include "evaluate/api_reference.h"
-#include "evaluate/archive.h"
 #include "evaluate/claims/claims.h"
 #include "evaluate/commands_task.h"
-#include "evaluate/crew.h"
 #include "evaluate/gather_diagnostics.h"
 #include "evaluate/plan.h"
 #include "evaluate/program_task.h"
 #include "evaluate/programs/output.h"
 #include "evaluate/programs/region.h"
 #include "evaluate/publish.h"
+#include "evaluate/scheduler.h"
 #include "evaluate/snippets_task.h"
+#include "evaluate/task_store.h"
 #include "evaluate/versions.h"
 #include "physics/mujoco_api.h"
 #include "process/sandbox.h"
@@ -79,11 +79,11 @@ class Evaluator {
       : course_(course),
         workplace_(workplace),
         progress_(progress),
-        setting_(course, workplace.root, workplace.assets, workplace.helper, workplace.prepared,
-                 workplace.known_scripts, workplace.without_landlock),
-        fingerprints_(workplace.root, workplace.known_files) {
+        run_context_(course, workplace.root, workplace.assets, workplace.helper, workplace.prepared,
+                     workplace.script_bundles, workplace.without_landlock),
+        fingerprints_(workplace.root, workplace.fingerprint_cache) {
     if (workplace.store != nullptr)
-      archive_.emplace(*workplace.store, workplace.root, fingerprints_);
+      task_store_.emplace(*workplace.store, workplace.root, fingerprints_);
   }
 
   Evaluation run(Diagnostics found) {
@@ -91,17 +91,18 @@ class Evaluator {
     evaluation_.diagnostics = std::move(found);
     evaluation_.versions = known_versions(workplace_.assets);
     const Tasks tasks = plan_tasks(course_);
-    const bool compiles = has_any<ProgramTask, SnippetsTask>(tasks) && setting_.compiler();
-    if (compiles) evaluation_.versions.compiler = setting_.compiler()->version();
-    if ((compiles || has_any<CommandsTask>(tasks)) && !setting_.why_nothing_runs()) {
+    const bool compiles = has_any<ProgramTask, SnippetsTask>(tasks) && run_context_.compiler();
+    if (compiles) evaluation_.versions.compiler = run_context_.compiler()->version();
+    if ((compiles || has_any<CommandsTask>(tasks)) && !run_context_.why_nothing_runs()) {
       evaluation_.sandbox = sandbox_level().text();
     }
-    Crew crew(setting_, archive_ ? &*archive_ : nullptr, progress_, workplace_.threads,
-              workplace_.stand_in ? Effort::looks : Effort::all, workplace_.worker);
-    gather(tasks, crew.run(tasks, workplace_.first, [&](const TaskRecords& records) {
-      publish(tasks, records, setting_.reports(), fingerprints_);
+    Scheduler scheduler(run_context_, task_store_ ? &*task_store_ : nullptr, progress_,
+                        workplace_.threads, workplace_.stand_in ? Effort::looks : Effort::all,
+                        workplace_.worker);
+    gather(tasks, scheduler.run(tasks, workplace_.first, [&](const TaskRecords& records) {
+      publish(tasks, records, run_context_.reports(), fingerprints_);
     }));
-    const std::vector<TaskTime>& headers = crew.header_times();
+    const std::vector<TaskTime>& headers = scheduler.header_times();
     evaluation_.times.insert(evaluation_.times.end(), headers.begin(), headers.end());
     for (std::size_t i = 0; i < course_.lessons.size(); ++i) finish(i);
     const auto results_of = [&](const Lesson& page) -> const auto& {
@@ -109,7 +110,7 @@ class Evaluator {
     };
     evaluation_.api =
         evaluate_api(course_, results_of, installed_mujoco_api, evaluation_.diagnostics);
-    ClaimSources sources(workplace_.root, course_.models, setting_.include_folders(),
+    ClaimSources sources(workplace_.root, course_.models, run_context_.include_folders(),
                          fingerprints_);
     make_claims(course_, sources, programs_, workplace_.threads, evaluation_);
     return std::move(evaluation_);
@@ -156,7 +157,7 @@ class Evaluator {
   void finish(std::size_t index) {
     const Lesson& lesson = course_.lessons[index];
     LessonResults& results = evaluation_.lessons[index];
-    show_regions(lesson, workplace_.root, setting_.shown(), programs_, results,
+    show_regions(lesson, workplace_.root, run_context_.shown(), programs_, results,
                  evaluation_.diagnostics);
     compare_outputs(lesson, results, evaluation_.diagnostics);
   }
@@ -164,9 +165,9 @@ class Evaluator {
   const Course& course_;
   const Workplace& workplace_;
   Progress& progress_;
-  Setting setting_;
+  RunContext run_context_;
   Fingerprints fingerprints_;
-  std::optional<Archive> archive_;
+  std::optional<TaskStore> task_store_;
   std::map<std::string, ExampleResult> programs_;  // by their files
   Evaluation evaluation_;
 };

@@ -1,10 +1,10 @@
 // Enter evaluating here: from a course that was read to what is true of it.
 //
-// Steps: the course is planned as tasks (plan.h); a crew works them off on all cores, and takes
-// from the store what was found out before (crew.h); what the tasks found is gathered under the
-// blocks; outputs are held against what the programs printed; and all of it becomes claims
-// (claims.h). What always holds: the results and the diagnostics depend neither on the number of
-// threads nor on the store.
+// Steps: the course is planned as tasks (plan.h); a scheduler works them off on all cores, and
+// takes from the store what was found out before (scheduler.h); what the tasks found is gathered
+// under the blocks; outputs are held against what the programs printed; and all of it becomes
+// claims (claims.h). What always holds: the results and the diagnostics depend neither on the
+// number of threads nor on the store.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,7 @@
 #include "evaluate/worker.h"
 #include "findings/evaluation.h"
 #include "report/diagnostic.h"
-#include "script/known_scripts.h"
+#include "script/script_bundles.h"
 
 namespace mjcourse {
 
@@ -39,8 +39,8 @@ struct Workplace {
   // Where what programs share is kept (warm_objects.h); without it nothing is.
   std::optional<std::filesystem::path> prepared = {};
   // Of files and scripts that were looked at before, by who evaluates again and again.
-  std::shared_ptr<KnownFiles> known_files = std::make_shared<KnownFiles>();
-  std::shared_ptr<KnownScripts> known_scripts = std::make_shared<KnownScripts>();
+  std::shared_ptr<FingerprintCache> fingerprint_cache = std::make_shared<FingerprintCache>();
+  std::shared_ptr<ScriptBundles> script_bundles = std::make_shared<ScriptBundles>();
   // Given, nothing is worked out: what the store does not have stays open, with a stand-in.
   StandIn stand_in = {};
   Blocks first = {};              // what somebody waits for: begun before all else

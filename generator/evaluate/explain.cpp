@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "evaluate/archive.h"
 #include "evaluate/plan.h"
 #include "evaluate/publish.h"
+#include "evaluate/task_store.h"
 
 namespace mjcourse {
 namespace {
@@ -12,17 +12,17 @@ namespace {
 class Explainer {
  public:
   Explainer(const Course& course, const Workplace& workplace)
-      : setting_(course, workplace.root, workplace.assets, workplace.helper, workplace.prepared,
-                 workplace.known_scripts),
+      : run_context_(course, workplace.root, workplace.assets, workplace.helper, workplace.prepared,
+                     workplace.script_bundles),
         fingerprints_(workplace.root),
-        archive_(*workplace.store, workplace.root, fingerprints_),
-        workshop_(setting_),
+        task_store_(*workplace.store, workplace.root, fingerprints_),
+        worker_(run_context_),
         tasks_(plan_tasks(course)),
         records_(tasks_.size()) {}
 
   std::vector<Explanation> run() {
     look(false);
-    publish(tasks_, records_, setting_.reports(), fingerprints_);
+    publish(tasks_, records_, run_context_.reports(), fingerprints_);
     look(true);
     std::vector<Explanation> all;
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
@@ -36,10 +36,10 @@ class Explainer {
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
       Task& task = *tasks_[i];
       TaskRecord& record = records_[i];
-      if (task.quotes() != quoting || !task.prepare(workshop_, record.finding)) continue;
-      record.recipe = task.recipe(setting_);
-      before_[&task] = archive_.last(task);
-      archive_.find(task, record);
+      if (task.quotes() != quoting || !task.prepare(worker_, record.finding)) continue;
+      record.recipe = task.recipe(run_context_);
+      before_[&task] = task_store_.last(task);
+      task_store_.find(task, record);
     }
   }
 
@@ -48,7 +48,7 @@ class Explainer {
                             std::move(before_[&task])};
     Dependencies& now = explanation.now;
     if (record.reused) {
-      const Dependencies traced = archive_.one_by_one(record.traced);
+      const Dependencies traced = task_store_.one_by_one(record.traced);
       now.insert(now.end(), traced.begin(), traced.end());
       return explanation;
     }
@@ -60,10 +60,10 @@ class Explainer {
     return explanation;
   }
 
-  Setting setting_;
+  RunContext run_context_;
   Fingerprints fingerprints_;
-  Archive archive_;
-  Workshop workshop_;
+  TaskStore task_store_;
+  WorkerContext worker_;
   Tasks tasks_;
   std::vector<TaskRecord> records_;
   std::map<const Task*, Dependencies> before_;

@@ -20,7 +20,7 @@ std::vector<std::size_t> FormulasTask::blocks() const {
   return blocks_of<Math>(lesson());
 }
 
-Dependencies FormulasTask::recipe(const Setting& setting) const {
+Dependencies FormulasTask::recipe(const RunContext& run_context) const {
   std::vector<std::string> text;
   for (std::size_t i = block(); i < lesson().blocks.size(); ++i) {
     const auto* math = std::get_if<Math>(&lesson().blocks[i]);
@@ -29,19 +29,20 @@ Dependencies FormulasTask::recipe(const Setting& setting) const {
     text.push_back(std::to_string(i - block()) + (math->display ? " display " : " ") +
                    math->tex.text);
   }
-  Dependencies recipe = recipe_of(setting, "formulas", text, {"typeset"});
-  for (const auto& [name, tex] : setting.course().macros) recipe.push_back({"macro " + name, tex});
+  Dependencies recipe = recipe_of(run_context, "formulas", text, {"typeset"});
+  for (const auto& [name, tex] : run_context.course().macros)
+    recipe.push_back({"macro " + name, tex});
   return recipe;
 }
 
-bool FormulasTask::work(Workshop& workshop, Finding& finding) {
+bool FormulasTask::work(WorkerContext& worker, Finding& finding) {
   bool whole = true;
   std::size_t markup = 0;
   for (std::size_t i = block(); i < lesson().blocks.size(); ++i) {
     const auto* math = std::get_if<Math>(&lesson().blocks[i]);
     if (math == nullptr) continue;
     const Stopwatch stopwatch;
-    auto result = evaluate_formula(*math, lesson(), workshop, finding.diagnostics);
+    auto result = evaluate_formula(*math, lesson(), worker, finding.diagnostics);
     whole = whole && result;
     if (!result) continue;
     markup += result->markup.size();

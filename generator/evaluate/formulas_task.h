@@ -12,8 +12,8 @@ class FormulasTask : public Task {
       : Task(lesson, page, block, "set the formulas of " + lesson.number) {}
 
   std::vector<std::size_t> blocks() const override;
-  Dependencies recipe(const Setting& setting) const override;
-  bool work(Workshop& workshop, Finding& finding) override;
+  Dependencies recipe(const RunContext& run_context) const override;
+  bool work(WorkerContext& worker, Finding& finding) override;
 };
 
 }  // namespace mjcourse

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <variant>
 
-#include "evaluate/context/bench.h"
+#include "evaluate/context/block_context.h"
 #include "evaluate/context/recipe.h"
 #include "evaluate/scenes/lab_scripts.h"
 #include "evaluate/scenes/model_page.h"
@@ -11,22 +11,22 @@
 
 namespace mjcourse {
 
-Dependencies ModelPageTask::recipe(const Setting& setting) const {
-  return recipe_of(setting, "model page", {name_.text}, {"world", "guard"});
+Dependencies ModelPageTask::recipe(const RunContext& run_context) const {
+  return recipe_of(run_context, "model page", {name_.text}, {"world", "guard"});
 }
 
-bool ModelPageTask::work_apart(Workshop& workshop, Finding& finding) {
+bool ModelPageTask::work_apart(WorkerContext& worker, Finding& finding) {
   Diagnostics known;
   Diagnostics& diagnostics = trouble_ == Trouble::reported ? finding.diagnostics : known;
-  finding.model_page = evaluate_model_page(name_, Bench(lesson(), workshop, diagnostics));
+  finding.model_page = evaluate_model_page(name_, BlockContext(lesson(), worker, diagnostics));
   return finding.model_page.has_value();
 }
 
-bool ModelPageTask::work(Workshop& workshop, Finding& finding) {
+bool ModelPageTask::work(WorkerContext& worker, Finding& finding) {
   if (!finding.model_page || !finding.model_page->lab) return true;
   const Lesson page = lesson_of_lab(*finding.model_page);
   LabScripts& scripts = finding.model_page->lab->result.scripts;
-  if (guard_scripts(std::get<Lab>(page.blocks.at(0)), page, workshop, scripts)) return true;
+  if (guard_scripts(std::get<Lab>(page.blocks.at(0)), page, worker, scripts)) return true;
   throw std::runtime_error("the model's lab was rehearsed with a script that no page runs");
 }
 

@@ -20,10 +20,10 @@ class ModelPageTask : public Task {
   std::string model() const override { return name_.text; }
   bool draws() const override { return true; }
   double effort() const override { return 0.2; }
-  Dependencies recipe(const Setting& setting) const override;
+  Dependencies recipe(const RunContext& run_context) const override;
   bool is_apart() const override { return true; }
-  bool work_apart(Workshop& workshop, Finding& finding) override;
-  bool work(Workshop& workshop, Finding& finding) override;
+  bool work_apart(WorkerContext& worker, Finding& finding) override;
+  bool work(WorkerContext& worker, Finding& finding) override;
 
  private:
   LocatedText name_;

@@ -11,7 +11,7 @@
 
 namespace mjcourse {
 
-Dependencies ProgramTask::recipe(const Setting& setting) const {
+Dependencies ProgramTask::recipe(const RunContext& run_context) const {
   std::vector<std::string> text{program_.file.text,
                                 code_->text.text,
                                 program_.compiles ? "runs" : "is refused",
@@ -19,16 +19,16 @@ Dependencies ProgramTask::recipe(const Setting& setting) const {
                                 std::to_string(program_.seconds),
                                 std::to_string(program_.exit_code)};
   text.insert(text.end(), program_.arguments.begin(), program_.arguments.end());
-  return compiled_recipe(setting, "program", text, program_.optimize);
+  return compiled_recipe(run_context, "program", text, program_.optimize);
 }
 
-std::vector<std::string> ProgramTask::warm_roots(const Setting& setting) const {
+std::vector<std::string> ProgramTask::warm_roots(const RunContext& run_context) const {
   if (program_.optimize || !code_) return {};
-  return mjcourse::warm_roots(code_->text.text, setting.include_folders());
+  return mjcourse::warm_roots(code_->text.text, run_context.include_folders());
 }
 
-bool ProgramTask::prepare(Workshop& workshop, Finding& finding) {
-  const DiskFiles files(workshop.root());
+bool ProgramTask::prepare(WorkerContext& worker, Finding& finding) {
+  const DiskFiles files(worker.root());
   const std::string& path = program_.file.text;
   if (const std::string why = files.refusal(path); !why.empty()) {
     const Place place = place_of(*lesson().source, program_.file.span());
@@ -36,14 +36,14 @@ bool ProgramTask::prepare(Workshop& workshop, Finding& finding) {
     return false;
   }
   file_ = files.read(path);
-  code_ = code_of(program_, workshop.setting().shown().at(program_.file.text), lesson(), file_,
+  code_ = code_of(program_, worker.run_context().shown().at(program_.file.text), lesson(), file_,
                   finding.diagnostics);
   return code_.has_value();
 }
 
-bool ProgramTask::work(Workshop& workshop, Finding& finding) {
+bool ProgramTask::work(WorkerContext& worker, Finding& finding) {
   const Stopwatch stopwatch;
-  auto result = evaluate_example(program_, code_->text, lesson(), workshop, finding.diagnostics);
+  auto result = evaluate_example(program_, code_->text, lesson(), worker, finding.diagnostics);
   if (!result) return false;
   finding.results[block()] = *std::move(result);
   finding.seconds[block()] = stopwatch.seconds();
@@ -51,9 +51,9 @@ bool ProgramTask::work(Workshop& workshop, Finding& finding) {
 }
 
 // The program is as it should be, so its file may be written from what the lesson shows.
-void ProgramTask::conclude(Workshop& workshop, Finding& finding) {
+void ProgramTask::conclude(WorkerContext& worker, Finding& finding) {
   if (!code_ || !code_->differs || !finding.results.contains(block())) return;
-  offer_file(program_, workshop.setting().shown().at(program_.file.text), lesson(), file_,
+  offer_file(program_, worker.run_context().shown().at(program_.file.text), lesson(), file_,
              finding.diagnostics[*code_->differs]);
 }
 

@@ -20,11 +20,11 @@ class ProgramTask : public Task {
 
   double effort() const override { return 1; }
   bool compiles() const override { return true; }
-  std::vector<std::string> warm_roots(const Setting& setting) const override;
-  Dependencies recipe(const Setting& setting) const override;
-  bool prepare(Workshop& workshop, Finding& finding) override;
-  bool work(Workshop& workshop, Finding& finding) override;
-  void conclude(Workshop& workshop, Finding& finding) override;
+  std::vector<std::string> warm_roots(const RunContext& run_context) const override;
+  Dependencies recipe(const RunContext& run_context) const override;
+  bool prepare(WorkerContext& worker, Finding& finding) override;
+  bool work(WorkerContext& worker, Finding& finding) override;
+  void conclude(WorkerContext& worker, Finding& finding) override;
 
  private:
   Example program_;

@@ -3,7 +3,7 @@
 
 #include "cache/fingerprints.h"
 #include "evaluate/context/reports.h"
-#include "evaluate/crew.h"
+#include "evaluate/scheduler.h"
 
 namespace mjcourse {
 

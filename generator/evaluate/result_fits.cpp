@@ -75,8 +75,8 @@ struct Fits {
     const auto* known = std::get_if<FigureResult>(&result);
     return known != nullptr && is_pinned_as(figure.pin, known->pin);
   }
-  bool operator()(const Chart&) const {
-    const auto* known = std::get_if<ChartResult>(&result);
+  bool operator()(const Plot&) const {
+    const auto* known = std::get_if<PlotResult>(&result);
     return known != nullptr && is_table(known->table);
   }
   bool operator()(const Lab& lab) const {

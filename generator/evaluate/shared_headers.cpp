@@ -15,18 +15,18 @@ std::string SharedHeader::what() const {
   return "compile once what " + counted(programs, "program") + " include";
 }
 
-std::vector<SharedHeader> shared_headers(const Setting& setting,
+std::vector<SharedHeader> shared_headers(const RunContext& run_context,
                                          const std::vector<const Task*>& waiting) {
-  if (waiting.empty() || setting.why_nothing_runs()) return {};
-  if (!setting.compiler() || !setting.compiler()->makes_headers()) return {};
+  if (waiting.empty() || run_context.why_nothing_runs()) return {};
+  if (!run_context.compiler() || !run_context.compiler()->makes_headers()) return {};
   std::map<std::vector<std::string>, std::size_t> programs;
   for (const Task* task : waiting) {
-    const std::vector<std::string> roots = task->warm_roots(setting);
+    const std::vector<std::string> roots = task->warm_roots(run_context);
     if (!roots.empty()) ++programs[roots];
   }
   std::vector<SharedHeader> headers;
   for (const auto& [roots, count] : programs) {
-    if (count < kFewPrograms || setting.compiler()->has_header(roots)) continue;
+    if (count < kFewPrograms || run_context.compiler()->has_header(roots)) continue;
     headers.push_back({roots, count < kManyPrograms ? Warmth::quick : Warmth::thorough, count});
   }
   return headers;

@@ -24,7 +24,7 @@ struct SharedHeader {
 };
 
 // Of the tasks that are `waiting` to be worked on, those that nobody made before.
-std::vector<SharedHeader> shared_headers(const Setting& setting,
+std::vector<SharedHeader> shared_headers(const RunContext& run_context,
                                          const std::vector<const Task*>& waiting);
 
 }  // namespace mjcourse

@@ -16,7 +16,7 @@ std::vector<std::size_t> SnippetsTask::blocks() const {
   return blocks_of<Snippet>(lesson());
 }
 
-Dependencies SnippetsTask::recipe(const Setting& setting) const {
+Dependencies SnippetsTask::recipe(const RunContext& run_context) const {
   std::vector<std::string> text;
   for (std::size_t i = block(); i < lesson().blocks.size(); ++i) {
     const auto* snippet = std::get_if<Snippet>(&lesson().blocks[i]);
@@ -25,25 +25,25 @@ Dependencies SnippetsTask::recipe(const Setting& setting) const {
     text.insert(text.end(), {std::to_string(i - block()), snippet->model.text, snippet->code.text,
                              snippet->shown, std::to_string(snippet->seconds)});
   }
-  return compiled_recipe(setting, "snippets", text, false);
+  return compiled_recipe(run_context, "snippets", text, false);
 }
 
-std::vector<std::string> SnippetsTask::warm_roots(const Setting& setting) const {
-  const IncludeFolders include = setting.include_folders();
+std::vector<std::string> SnippetsTask::warm_roots(const RunContext& run_context) const {
+  const IncludeFolders include = run_context.include_folders();
   return mjcourse::warm_roots(snippets_prelude(include), include);
 }
 
-bool SnippetsTask::work_apart(Workshop& workshop, Finding& finding) {
+bool SnippetsTask::work_apart(WorkerContext& worker, Finding& finding) {
   for (const Block& block : lesson().blocks) {
     if (const auto* snippet = std::get_if<Snippet>(&block)) {
-      workshop.simulate_named(snippet->model, *lesson().source, finding.diagnostics);
+      worker.simulate_named(snippet->model, *lesson().source, finding.diagnostics);
     }
   }
   return true;
 }
 
-bool SnippetsTask::work(Workshop& workshop, Finding& finding) {
-  for (auto& [index, result] : evaluate_snippets(lesson(), workshop, finding.diagnostics)) {
+bool SnippetsTask::work(WorkerContext& worker, Finding& finding) {
+  for (auto& [index, result] : evaluate_snippets(lesson(), worker, finding.diagnostics)) {
     finding.results[index] = std::move(result);
   }
   return finding.results.size() == blocks().size();

@@ -14,12 +14,12 @@ class SnippetsTask : public Task {
   std::vector<std::size_t> blocks() const override;
   double effort() const override { return 1; }
   bool compiles() const override { return true; }
-  std::vector<std::string> warm_roots(const Setting& setting) const override;
-  Dependencies recipe(const Setting& setting) const override;
+  std::vector<std::string> warm_roots(const RunContext& run_context) const override;
+  Dependencies recipe(const RunContext& run_context) const override;
   // Their models.
   bool is_apart() const override { return true; }
-  bool work_apart(Workshop& workshop, Finding& finding) override;
-  bool work(Workshop& workshop, Finding& finding) override;
+  bool work_apart(WorkerContext& worker, Finding& finding) override;
+  bool work(WorkerContext& worker, Finding& finding) override;
 };
 
 }  // namespace mjcourse

@@ -1,8 +1,9 @@
 // Task: one piece of evaluating that is done for itself, on any thread, and whose finding can be
 // kept.
 //
-// What always holds: a task sees the lesson, the course's files by the workshop's trace, and what
-// its recipe names; nothing else. So a finding that was kept under both is what working would give.
+// What always holds: a task sees the lesson, the course's files by the worker context's trace, and
+// what its recipe names; nothing else. So a finding that was kept under both is what working would
+// give.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,7 @@
 #include <vector>
 
 #include "cache/dependency.h"
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 #include "findings/finding.h"
 #include "lesson/blocks/lesson.h"
 
@@ -43,14 +44,14 @@ class Task {
   // Is anything compiled?
   virtual bool compiles() const { return false; }
   // What it will compile includes these (warm_header.h); known once it was prepared.
-  virtual std::vector<std::string> warm_roots(const Setting&) const { return {}; }
+  virtual std::vector<std::string> warm_roots(const RunContext&) const { return {}; }
   // Are models drawn?
   virtual bool draws() const { return false; }
   // About how many seconds of work: the longest begins first.
   virtual double effort() const { return 0.01; }
   // What it depends on as is known before; `kind` and `text` at least. No names, for what is never
   // kept.
-  virtual Dependencies recipe(const Setting& setting) const = 0;
+  virtual Dependencies recipe(const RunContext& run_context) const = 0;
 
   // Does MuJoCo, or the script engine, work on what an author wrote? That is work_apart().
   virtual bool is_apart() const { return false; }
@@ -58,10 +59,10 @@ class Task {
   // In this order: what is looked at each time, which gives false where nothing more can be done;
   // the work, unless its finding was kept, which gives false where something is missing, and whose
   // first part is done in a process of its own (worker.h); and what takes all of the finding.
-  virtual bool prepare(Workshop&, Finding&) { return true; }
-  virtual bool work_apart(Workshop&, Finding&) { return true; }
-  virtual bool work(Workshop&, Finding&) { return true; }
-  virtual void conclude(Workshop&, Finding&) {}
+  virtual bool prepare(WorkerContext&, Finding&) { return true; }
+  virtual bool work_apart(WorkerContext&, Finding&) { return true; }
+  virtual bool work(WorkerContext&, Finding&) { return true; }
+  virtual void conclude(WorkerContext&, Finding&) {}
 
  private:
   const Lesson& lesson_;

@@ -66,24 +66,24 @@ struct Page {
 
 class Answerer {
  public:
-  Answerer(fs::path root, const Files& assets) : setting_(course_, std::move(root), assets) {}
+  Answerer(fs::path root, const Files& assets) : run_context_(course_, std::move(root), assets) {}
 
   WorkAnswer answer(const WorkQuestion& question) {
     course_.models = question.models;
     if (question.reports) take_reports(*question.reports);
-    Workshop& workshop = workshop_ ? *workshop_ : workshop_.emplace(setting_);
-    workshop.trace().clear();
+    WorkerContext& worker = worker_ ? *worker_ : worker_.emplace(run_context_);
+    worker.trace().clear();
     WorkAnswer answer;
     try {
       Task& task = task_of(question);
-      answer.whole = task.work_apart(workshop, answer.finding);
-      workshop.let_go();
-      answer.looked_at = workshop.trace().names();
-      answer.traced = workshop.trace().complete() && workshop.trace().sets().empty();
+      answer.whole = task.work_apart(worker, answer.finding);
+      worker.let_go();
+      answer.looked_at = worker.trace().names();
+      answer.traced = worker.trace().complete() && worker.trace().sets().empty();
     } catch (const std::exception& error) {
       answer = {};
       answer.failure = error.what();
-      workshop_.reset();  // it may have left anything there
+      worker_.reset();  // it may have left anything there
     }
     return answer;
   }
@@ -92,12 +92,12 @@ class Answerer {
   void take_reports(const std::map<std::string, std::optional<Records>>& reports) {
     for (const auto& [example, records] : reports) {
       if (!records) {
-        setting_.reports().add(example, nullptr);
+        run_context_.reports().add(example, nullptr);
         continue;
       }
       ExampleResult& result = programs_[example];
       result.records = *records;
-      setting_.reports().add(example, &result);
+      run_context_.reports().add(example, &result);
     }
   }
 
@@ -123,8 +123,8 @@ class Answerer {
   }
 
   Course course_;  // without lessons, which no task looks at but at its own
-  Setting setting_;
-  std::optional<Workshop> workshop_;
+  RunContext run_context_;
+  std::optional<WorkerContext> worker_;
   std::map<std::string, std::optional<Page>> pages_;
   std::map<std::string, ExampleResult> programs_;
 };

@@ -131,24 +131,24 @@ class Worker::Process {
   Keeper keeper_;
 };
 
-Worker::Worker(const Setting& setting, WorkerProgram program, WorkLimits limits)
-    : setting_(setting), program_(std::move(program)), limits_(limits) {}
+Worker::Worker(const RunContext& run_context, WorkerProgram program, WorkLimits limits)
+    : run_context_(run_context), program_(std::move(program)), limits_(limits) {}
 
 Worker::~Worker() = default;
 
 bool Worker::work(const Task& task, Trace& trace, Finding& finding) {
-  if (auto why = setting_.why_nothing_runs()) {
+  if (auto why = run_context_.why_nothing_runs()) {
     why->place = task.place();
     finding.diagnostics.push_back(*std::move(why));
     return false;
   }
   const SourceText& source = *task.lesson().source;
-  WorkQuestion question{setting_.course().models, source.path(), std::string(source.text()),
+  WorkQuestion question{run_context_.course().models, source.path(), std::string(source.text()),
                         task.block(), task.what()};
   auto process = std::move(process_);
-  if (!process) process = std::make_unique<Process>(program_, setting_.root(), limits_);
+  if (!process) process = std::make_unique<Process>(program_, run_context_.root(), limits_);
   if (task.quotes() && !process->knows_reports) {
-    question.reports = setting_.reports().records();
+    question.reports = run_context_.reports().records();
     process->knows_reports = true;
   }
   const auto said = process->ask(encode(question), limits_.seconds);
@@ -157,7 +157,7 @@ bool Worker::work(const Task& task, Trace& trace, Finding& finding) {
     trace.unknown();
     return false;
   }
-  auto answer = decode_answer(*said, task, setting_.root());
+  auto answer = decode_answer(*said, task, run_context_.root());
   if (!answer) throw std::runtime_error("the process that works on this gave no answer to it");
   process_ = std::move(process);
   if (!answer->failure.empty()) throw std::runtime_error(answer->failure);

@@ -14,7 +14,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "evaluate/context/setting.h"
+#include "evaluate/context/run_context.h"
 #include "evaluate/task.h"
 
 namespace mjcourse {
@@ -31,14 +31,14 @@ struct WorkerProgram {
 struct WorkLimits {
   double seconds = 60;
   // Bytes. A model may take 2 GiB of it, and once more where it is drawn. Less on a machine that
-  // has not so much for each (crew_size.h).
+  // has not so much for each (concurrency.h).
   std::uint64_t memory = 5ull << 30;
 };
 
 class Worker {
  public:
-  // The setting must outlive this.
-  Worker(const Setting& setting, WorkerProgram program, WorkLimits limits = {});
+  // The run context must outlive this.
+  Worker(const RunContext& run_context, WorkerProgram program, WorkLimits limits = {});
   ~Worker();
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
@@ -51,7 +51,7 @@ class Worker {
  private:
   class Process;
 
-  const Setting& setting_;
+  const RunContext& run_context_;
   WorkerProgram program_;
   WorkLimits limits_;
   std::unique_ptr<Process> process_;

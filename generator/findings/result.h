@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "base/blob.h"
-#include "findings/chart_drawing.h"
+#include "findings/plot_drawing.h"
 #include "lesson/blocks/lab.h"
 
 namespace mjcourse {
@@ -131,8 +131,8 @@ struct LabResult {
   std::optional<PinComparison> pin = {};  // of the poster
 };
 
-struct ChartResult {
-  ChartDrawings drawings;
+struct PlotResult {
+  PlotDrawings drawings;
   Table table;       // what it shows
   std::string file;  // of the example that reported it
 };
@@ -158,6 +158,6 @@ struct QuizResult {
 };
 
 using Result = std::variant<FormulaResult, ValueResult, ExampleResult, ModelResult, OutputResult,
-                            ImageResult, LabResult, FigureResult, ChartResult, QuizResult>;
+                            ImageResult, LabResult, FigureResult, PlotResult, QuizResult>;
 
 }  // namespace mjcourse

@@ -15,21 +15,21 @@ namespace {
 
 using nlohmann::json;
 
-const std::map<std::string, json (Desk::*)(const json&)>& questions() {
-  static const std::map<std::string, json (Desk::*)(const json&)> all{
-      {"textDocument/completion", &Desk::complete},
-      {"textDocument/hover", &Desk::hover},
-      {"textDocument/definition", &Desk::define},
-      {"textDocument/documentSymbol", &Desk::outline},
-      {"textDocument/codeAction", &Desk::accept}};
+const std::map<std::string, json (EditorSession::*)(const json&)>& questions() {
+  static const std::map<std::string, json (EditorSession::*)(const json&)> all{
+      {"textDocument/completion", &EditorSession::complete},
+      {"textDocument/hover", &EditorSession::hover},
+      {"textDocument/definition", &EditorSession::define},
+      {"textDocument/documentSymbol", &EditorSession::outline},
+      {"textDocument/codeAction", &EditorSession::accept}};
   return all;
 }
 
-const std::map<std::string, void (Desk::*)(const json&)>& events() {
-  static const std::map<std::string, void (Desk::*)(const json&)> all{
-      {"textDocument/didOpen", &Desk::open},
-      {"textDocument/didChange", &Desk::change},
-      {"textDocument/didClose", &Desk::close}};
+const std::map<std::string, void (EditorSession::*)(const json&)>& events() {
+  static const std::map<std::string, void (EditorSession::*)(const json&)> all{
+      {"textDocument/didOpen", &EditorSession::open},
+      {"textDocument/didChange", &EditorSession::change},
+      {"textDocument/didClose", &EditorSession::close}};
   return all;
 }
 
@@ -118,7 +118,7 @@ json LanguageServer::initialize(const json& params) {
   const auto root = setup_.root_named ? std::nullopt : root_in(params);
   if (root) setup_.workplace.root = *root;
   const Units units = units_in(params);
-  desk_ = std::make_unique<Desk>(setup_.workplace, units, connection_);
+  desk_ = std::make_unique<EditorSession>(setup_.workplace, units, connection_);
   return {{"capabilities",
            {{"positionEncoding", units == Units::utf8 ? "utf-8" : "utf-16"},
             {"textDocumentSync", {{"openClose", true}, {"change", 2}}},

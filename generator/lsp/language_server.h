@@ -14,7 +14,7 @@
 
 #include "evaluate/evaluate.h"
 #include "lsp/connection.h"
-#include "lsp/desk.h"
+#include "lsp/editor_session.h"
 
 namespace mjcourse {
 
@@ -41,7 +41,7 @@ class LanguageServer {
 
   Setup setup_;
   Connection connection_;
-  std::unique_ptr<Desk> desk_;  // null before `initialize`
+  std::unique_ptr<EditorSession> desk_;  // null before `initialize`
   bool shut_down_ = false, over_ = false;
 };
 

@@ -30,7 +30,7 @@ class Gatherer {
     add(Kind::model, figure.model);
     if (figure.from) add(Kind::program, figure.from->example);
   }
-  void operator()(const Chart& chart) { add(Kind::program, chart.example); }
+  void operator()(const Plot& plot) { add(Kind::program, plot.example); }
   void operator()(const Quiz& quiz) {
     for (const Question& question : quiz.questions) {
       for (const Proof& proof : question.proofs) {

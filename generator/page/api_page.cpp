@@ -55,7 +55,8 @@ json programs_data(const ApiEntry& entry, const Course& course) {
 
 }  // namespace
 
-std::string api_page(const Course& course, const Evaluation& evaluation, const Press& press) {
+std::string api_page(const Course& course, const Evaluation& evaluation,
+                     const PageContext& context) {
   json names = json::array();
   for (const ApiEntry& entry : evaluation.api) {
     json programs = programs_data(entry, course);
@@ -63,7 +64,7 @@ std::string api_page(const Course& course, const Evaluation& evaluation, const P
     names.push_back({{"id", api_id(entry.name)},
                      {"name", entry.name},
                      {"kind", entry.kind},
-                     {"declaration", press.highlighter.highlight(entry.declaration, "c")},
+                     {"declaration", context.highlighter.highlight(entry.declaration, "c")},
                      {"comment", entry.comment},
                      {"header", entry.header},
                      {"section", entry.section},
@@ -73,7 +74,7 @@ std::string api_page(const Course& course, const Evaluation& evaluation, const P
                      {"many", many}});
   }
   return render_template(
-      press.templates, "api",
+      context.templates, "api",
       {{"title", kApiTitle}, {"mujoco", evaluation.versions.mujoco}, {"names", std::move(names)}});
 }
 

@@ -10,7 +10,8 @@
 
 namespace mjcourse {
 
-std::string gallery_page(const Course& course, const Evaluation& evaluation, const Press& press) {
+std::string gallery_page(const Course& course, const Evaluation& evaluation,
+                         const PageContext& context) {
   nlohmann::json models = nlohmann::json::array();
   for (const ModelPage& model : evaluation.models) {
     const nlohmann::json sizes = sizes_data(model);
@@ -24,7 +25,7 @@ std::string gallery_page(const Course& course, const Evaluation& evaluation, con
                       {"sizes", {sizes.at(0), sizes.at(1), sizes.at(2)}},
                       {"uses", std::move(uses)}});
   }
-  return render_template(press.templates, "gallery",
+  return render_template(context.templates, "gallery",
                          {{"title", kGalleryTitle}, {"models", std::move(models)}});
 }
 

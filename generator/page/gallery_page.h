@@ -8,7 +8,8 @@
 
 namespace mjcourse {
 
-// The page's body; `press` writes models.html.
-std::string gallery_page(const Course& course, const Evaluation& evaluation, const Press& press);
+// The page's body; `context` writes models.html.
+std::string gallery_page(const Course& course, const Evaluation& evaluation,
+                         const PageContext& context);
 
 }  // namespace mjcourse

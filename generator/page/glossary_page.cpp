@@ -9,10 +9,10 @@
 
 namespace mjcourse {
 
-std::string glossary_page(const Course& course, const Evaluation& evaluation, const Press& press,
-                          const std::string& collation) {
+std::string glossary_page(const Course& course, const Evaluation& evaluation,
+                          const PageContext& context, const std::string& collation) {
   const Glossary& glossary = *course.glossary;
-  const PageWriter writer(course, glossary.page, evaluation.glossary, press);
+  const PageWriter writer(course, glossary.page, evaluation.glossary, context);
   nlohmann::json terms = nlohmann::json::array();
   for (const std::size_t at : alphabetical(collation, course.language, glossary.names())) {
     const Glossary::Term& term = glossary.terms[at];
@@ -21,7 +21,7 @@ std::string glossary_page(const Course& course, const Evaluation& evaluation, co
                      {"definition", writer.html(term.definition)},
                      {"uses", uses_data(uses_of_term(course, term.key), evaluation, "")}});
   }
-  return render_template(press.templates, "glossary",
+  return render_template(context.templates, "glossary",
                          {{"title", glossary.page.front.title.text},
                           {"summary", writer.inline_html(glossary.page.front.summary)},
                           {"introduction", writer.html(glossary.page.document)},

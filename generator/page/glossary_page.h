@@ -9,9 +9,9 @@
 
 namespace mjcourse {
 
-// The page's body; `press` writes glossary.html. `collation` is the text of script/collate.js.
-std::string glossary_page(const Course& course, const Evaluation& evaluation, const Press& press,
-                          const std::string& collation);
+// The page's body; `context` writes glossary.html. `collation` is the text of script/collate.js.
+std::string glossary_page(const Course& course, const Evaluation& evaluation,
+                          const PageContext& context, const std::string& collation);
 
 // What each term means as plain text, by its key; empty without a glossary.
 std::map<std::string, std::string> plain_definitions(const Course& course,

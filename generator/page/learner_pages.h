@@ -8,21 +8,21 @@
 #include <vector>
 
 #include "page/lesson_parts.h"
-#include "page/page_press.h"
+#include "page/page_renderer.h"
 #include "page/site_data.h"
 
 namespace mjcourse {
 
 // `parts` are those of the lessons, by their index.
-void write_progress(const SiteData& site, const std::vector<LessonParts>& parts, PagePress& press,
-                    Spool& spool);
+void write_progress(const SiteData& site, const std::vector<LessonParts>& parts,
+                    PageRenderer& context, Spool& spool);
 
 // With the file of all questions: a script and no JSON, as a page that was opened from the disk can
 // load nothing else. It calls itself `mjcourseQuestions`; site/client/review/deck.ts says what it
 // is.
-void write_review(const SiteData& site, const std::vector<LessonParts>& parts, PagePress& press,
-                  SiteFiles& directory, const Spool& spool);
+void write_review(const SiteData& site, const std::vector<LessonParts>& parts,
+                  PageRenderer& context, SiteFiles& directory, const Spool& spool);
 
-void write_kept(const SiteData& site, PagePress& press);
+void write_kept(const SiteData& site, PageRenderer& context);
 
 }  // namespace mjcourse

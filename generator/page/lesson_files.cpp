@@ -29,7 +29,7 @@ void write_pictures(const Lesson& lesson, const LessonResults& results, SiteFile
 
 void write_tables(const Lesson& lesson, const LessonResults& results, SiteFiles& directory) {
   for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
-    const auto* result = results.get<ChartResult>(i);
+    const auto* result = results.get<PlotResult>(i);
     if (result == nullptr) continue;
     directory.write(block_path(lesson, i) + ".csv", csv_of(result->table));
   }
@@ -53,8 +53,8 @@ void copy_images(const Lesson& page, const LessonResults& results, SiteFiles& di
   }
 }
 
-void write_lesson(const SiteData& site, std::size_t index, PagePress& press, SiteFiles& directory,
-                  Spool& spool, PrintedLength& printed, LessonParts* parts) {
+void write_lesson(const SiteData& site, std::size_t index, PageRenderer& context,
+                  SiteFiles& directory, Spool& spool, PrintedLength& printed, LessonParts* parts) {
   const Lesson& resting = site.course.lessons[index];
   std::optional<Lesson> woken;
   const Lesson& lesson =
@@ -62,15 +62,15 @@ void write_lesson(const SiteData& site, std::size_t index, PagePress& press, Sit
   const LessonResults& results = site.evaluation.lessons[index];
   const std::string path = page_path(lesson);
   InlineStyles styles;
-  PageWriter writer(site.course, lesson, results, press.press(styles, path));
-  const LessonPage page = lesson_page(site, lesson, index, writer, press.templates());
+  PageWriter writer(site.course, lesson, results, context.context(styles, path));
+  const LessonPage page = lesson_page(site, lesson, index, writer, context.templates());
   const Document& summary = lesson.front.summary;
   const std::string description = summary ? plain_text(summary.get()) : site.course.description;
   const std::optional<SharedPicture> picture = shared_picture(lesson, results);
-  press.write(path,
-              {"lesson", lesson.number + " " + lesson.front.title.text, description, "../",
-               &resting, picture},
-              page.body, styles);
+  context.write(path,
+                {"lesson", lesson.number + " " + lesson.front.title.text, description, "../",
+                 &resting, picture},
+                page.body, styles);
   write_pictures(lesson, results, directory);
   copy_images(lesson, results, directory);
   write_tables(lesson, results, directory);
@@ -79,23 +79,24 @@ void write_lesson(const SiteData& site, std::size_t index, PagePress& press, Sit
   if (parts == nullptr) return;
   const bool is_card = resting.kept == Lesson::Kept::card;
   *parts = verification_parts(lesson, is_card ? site.claims_of_card(lesson) : results.claims,
-                              press.templates(), spool);
+                              context.templates(), spool);
   add_search_part(lesson, results, search_share(site.course), spool, *parts);
   if (printed.fits()) {
-    add_printed_parts(site, lesson, page, writer, press.templates(), spool, *parts);
+    add_printed_parts(site, lesson, page, writer, context.templates(), spool, *parts);
     printed.add(*parts);
   }
   parts->picture = picture;
-  parts->news = spool.put(feed_entry(site, lesson, summary ? description : "", press.templates()));
+  parts->news =
+      spool.put(feed_entry(site, lesson, summary ? description : "", context.templates()));
   const bool beside = level_of(site.course, lesson).number.empty();
   const CardPlace place =
       beside ? CardPlace::beside : (index == 0 ? CardPlace::first : CardPlace::within);
-  const PageWriter home(site.course, lesson, results, press.press(styles, "index.html"));
-  parts->card = spool.put(home_card(lesson, results, place, home, press.templates()));
-  PageWriter review(site.course, lesson, results, press.press(styles, kReviewPage));
+  const PageWriter home(site.course, lesson, results, context.context(styles, "index.html"));
+  parts->card = spool.put(home_card(lesson, results, place, home, context.templates()));
+  PageWriter review(site.course, lesson, results, context.context(styles, kReviewPage));
   const nlohmann::json questions = review.questions();
-  parts->progress = spool.put(progress_row(lesson, questions, press.templates()));
-  parts->review = spool.put(review_json(lesson, questions, press.templates()));
+  parts->progress = spool.put(progress_row(lesson, questions, context.templates()));
+  parts->review = spool.put(review_json(lesson, questions, context.templates()));
 }
 
 }  // namespace mjcourse

@@ -6,7 +6,7 @@
 
 #include "page/blocks/lab_module.h"
 #include "page/lesson_parts.h"
-#include "page/page_press.h"
+#include "page/page_renderer.h"
 #include "page/printed_course.h"
 #include "page/site_data.h"
 
@@ -14,9 +14,9 @@ namespace mjcourse {
 
 // Write all of lesson `index`. Where `parts` is given, it gets what the pages that list all lessons
 // have of it, and `printed` grows by what is printed. Safe on several threads at once, each with
-// its own `press` and with other lessons.
-void write_lesson(const SiteData& site, std::size_t index, PagePress& press, SiteFiles& directory,
-                  Spool& spool, PrintedLength& printed, LessonParts* parts);
+// its own `context` and with other lessons.
+void write_lesson(const SiteData& site, std::size_t index, PageRenderer& context,
+                  SiteFiles& directory, Spool& spool, PrintedLength& printed, LessonParts* parts);
 
 void write_labs(const std::vector<LabFiles>& labs, SiteFiles& directory);
 

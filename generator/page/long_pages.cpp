@@ -48,7 +48,7 @@ void write_json(const json& all, const std::vector<const LessonParts*>& lessons,
 
 }  // namespace
 
-void write_home(const SiteData& site, const std::vector<LessonParts>& parts, PagePress& press,
+void write_home(const SiteData& site, const std::vector<LessonParts>& parts, PageRenderer& context,
                 Spool& spool) {
   const Course& course = site.course;
   json levels = json::array();
@@ -68,20 +68,20 @@ void write_home(const SiteData& site, const std::vector<LessonParts>& parts, Pag
                       {"cards", of_level.mark}});
   }
   const std::string body = render_template(
-      press.templates(), "home",
+      context.templates(), "home",
       {{"course", {{"title", course.title}, {"description", course.description}}},
        {"root", ""},
        {"script", site.manifest.at("home.js")},
        {"print", site.prints ? kPrintPage : ""},
        {"levels", std::move(levels)},
        {"verified", verified_data(total, site.evaluation.versions.mujoco, kVerificationPage)}});
-  press.write_long("index.html",
-                   {"home", course.title, course.description, "", nullptr, std::move(picture)},
-                   body, cards, spool);
+  context.write_long("index.html",
+                     {"home", course.title, course.description, "", nullptr, std::move(picture)},
+                     body, cards, spool);
 }
 
 void write_verification(const SiteData& site, const std::vector<LessonParts>& parts,
-                        PagePress& press, SiteFiles& directory, Spool& spool) {
+                        PageRenderer& context, SiteFiles& directory, Spool& spool) {
   const std::vector<const LessonParts*> lessons = published_parts(site, parts);
   json all = verification_of_none(site.course.title, site.evaluation.versions);
   PagePart open{placeholder("open"), {}}, sections{placeholder("lessons"), {}};
@@ -98,10 +98,10 @@ void write_verification(const SiteData& site, const std::vector<LessonParts>& pa
   json data = verification_data(all, true, {});
   if (!open.pieces.empty()) data["open_parts"] = open.mark;
   data["lesson_parts"] = sections.mark;
-  press.write_long(
+  context.write_long(
       kVerificationPage,
       {"verification", "What was verified", "What this course states, and how it was checked."},
-      render_template(press.templates(), "verification", data), {open, sections}, spool);
+      render_template(context.templates(), "verification", data), {open, sections}, spool);
 }
 
 }  // namespace mjcourse

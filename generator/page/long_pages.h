@@ -4,16 +4,16 @@
 #include <vector>
 
 #include "page/lesson_parts.h"
-#include "page/page_press.h"
+#include "page/page_renderer.h"
 #include "page/site_data.h"
 
 namespace mjcourse {
 
 // `parts` are those of the lessons, by their index, and behind them the glossary's, where there is
 // one. Those of drafts are empty.
-void write_home(const SiteData& site, const std::vector<LessonParts>& parts, PagePress& press,
+void write_home(const SiteData& site, const std::vector<LessonParts>& parts, PageRenderer& context,
                 Spool& spool);
 void write_verification(const SiteData& site, const std::vector<LessonParts>& parts,
-                        PagePress& press, SiteFiles& directory, Spool& spool);
+                        PageRenderer& context, SiteFiles& directory, Spool& spool);
 
 }  // namespace mjcourse

@@ -56,15 +56,15 @@ json tables_of(const ModelPage& model) {
 }
 
 // As lab.hbs wants it; null for none.
-json lab_data(const ModelPage& model, const Course& course, const Press& press,
+json lab_data(const ModelPage& model, const Course& course, const PageContext& context,
               std::vector<LabFiles>& files) {
   if (!model.lab) return nullptr;
   const Lesson lesson = lesson_of_lab(model);
   LessonResults results;
   results.of_block[0] = model.lab->result;
-  PageWriter writer(course, lesson, results, press);
+  PageWriter writer(course, lesson, results, context);
   json data = writer.lab(0);
-  data["poster"] = poster_data(model, way_to_root(press.page), Loaded::at_once);
+  data["poster"] = poster_data(model, way_to_root(context.page), Loaded::at_once);
   files = writer.lab_files();
   return data;
 }
@@ -87,26 +87,26 @@ json sizes_data(const ModelPage& model) {
 }
 
 ModelPageHtml model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,
-                         const Press& press) {
+                         const PageContext& context) {
   ModelPageHtml page;
-  const std::string root = way_to_root(press.page);
+  const std::string root = way_to_root(context.page);
   json files = json::array();
   for (const ModelPage::File& file : model.files) {
     files.push_back({{"id", nullptr},
                      {"file", file.path},
                      {"download", root + site_address(file.path)},
                      {"zip", nullptr},
-                     {"code", press.highlighter.highlight(file.text, "xml")},
+                     {"code", context.highlighter.highlight(file.text, "xml")},
                      {"is_text", !file.text.empty()},
                      {"unchecked", false},
                      {"output", nullptr}});
   }
   page.body =
-      render_template(press.templates, "model",
+      render_template(context.templates, "model",
                       {{"name", model.name},
                        {"root", root},
                        {"poster", poster_data(model, root, Loaded::at_once)},
-                       {"lab", lab_data(model, course, press, page.lab_files)},
+                       {"lab", lab_data(model, course, context, page.lab_files)},
                        {"sizes", sizes_data(model)},
                        {"timestep", model.timestep},
                        {"tables", tables_of(model)},

@@ -16,9 +16,9 @@ struct ModelPageHtml {
   std::vector<LabFiles> lab_files;  // what its lab needs beside it
 };
 
-// `press` writes models/NAME.html.
+// `context` writes models/NAME.html.
 ModelPageHtml model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,
-                         const Press& press);
+                         const PageContext& context);
 
 // The model's picture, as picture.hbs wants it, and its sizes; `root` is the way to the site's
 // root.

@@ -11,7 +11,7 @@
 
 #include "page/lesson_page.h"
 #include "page/lesson_parts.h"
-#include "page/page_press.h"
+#include "page/page_renderer.h"
 #include "page/site_data.h"
 
 namespace mjcourse {
@@ -39,7 +39,7 @@ void add_printed_parts(const SiteData& site, const Lesson& lesson, const LessonP
 
 // `parts` are those of the lessons, by their index; `glossary` is the glossary's body, "" for none.
 void write_printed_course(const SiteData& site, const std::vector<LessonParts>& parts,
-                          const std::string& glossary, PagePress& press, Spool& spool,
+                          const std::string& glossary, PageRenderer& context, Spool& spool,
                           SiteFiles& directory);
 
 }  // namespace mjcourse

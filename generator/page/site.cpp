@@ -21,9 +21,9 @@ void write_site(const Course& course, const Evaluation& evaluation, const SitePa
   SitePages pages(course, evaluation, paths.course, assets, directory, false, std::move(changes),
                   claims_of_card);
   // Made on the thread that works with it, at its first page.
-  std::vector<std::unique_ptr<PressEngines>> engines(paths.threads);
-  const auto engines_of = [&](std::size_t thread) -> PressEngines& {
-    if (!engines[thread]) engines[thread] = std::make_unique<PressEngines>(assets);
+  std::vector<std::unique_ptr<PageEngines>> engines(paths.threads);
+  const auto engines_of = [&](std::size_t thread) -> PageEngines& {
+    if (!engines[thread]) engines[thread] = std::make_unique<PageEngines>(assets);
     return *engines[thread];
   };
   for_each_index(course.lessons.size(), paths.threads, [&](std::size_t index, std::size_t thread) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "page/lesson_parts.h"
-#include "page/page_press.h"
+#include "page/page_renderer.h"
 #include "page/printed_course.h"
 #include "page/site_data.h"
 
@@ -27,22 +27,22 @@ class SitePages {
   // Lesson `index` with its files, be it a draft; what write_others() needs of it is made as well,
   // unless it is written `alone`. From several threads, each with engines of its own and another
   // lesson.
-  void write_lesson(std::size_t index, PressEngines& engines, bool alone = false);
+  void write_lesson(std::size_t index, PageEngines& engines, bool alone = false);
 
   // The home page, what was verified, the pages that explain, the search, the examples, what other
   // sites read: with what each lesson gave to them, so all lessons but the drafts must have been
   // written.
-  void write_others(PressEngines& engines);
+  void write_others(PageEngines& engines);
 
  private:
   // Gives the body, which is printed with the course as well.
-  std::string write_glossary(PagePress& press);
-  void write_api(PagePress& press);
-  void write_gallery(PagePress& press);
-  void write_model(const ModelPage& model, PagePress& press);
+  std::string write_glossary(PageRenderer& context);
+  void write_api(PageRenderer& context);
+  void write_gallery(PageRenderer& context);
+  void write_model(const ModelPage& model, PageRenderer& context);
   // For addresses at which there is nothing: hosts show it in the place of what is not there.
-  void write_missing(PagePress& press);
-  void write_search(PagePress& press);
+  void write_missing(PageRenderer& context);
+  void write_search(PageRenderer& context);
   void copy_examples();
 
   std::filesystem::path root_;

@@ -109,7 +109,7 @@ PageRoom::Made& PageRoom::newest() {
     engines_.reset();
     made_.reset();
   }
-  if (!engines_) engines_ = std::make_unique<PressEngines>(assets_, kMemory);
+  if (!engines_) engines_ = std::make_unique<PageEngines>(assets_, kMemory);
   if (!made_ || made_->snapshot != snapshot_) {
     old_ = std::exchange(made_, std::make_unique<Made>());
     made_->snapshot = snapshot_;

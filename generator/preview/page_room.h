@@ -79,7 +79,7 @@ class PageRoom {
   // Of the room's thread alone.
   std::unique_ptr<Made> made_;
   std::unique_ptr<Made> old_;  // taken apart when nobody waits any more
-  std::unique_ptr<PressEngines> engines_;
+  std::unique_ptr<PageEngines> engines_;
   std::map<std::string, Page> last_;  // by path: as they were when they could be made
   std::jthread thread_;               // last: it uses the rest
 };

@@ -23,7 +23,7 @@ struct NameOf {
   }
   std::string operator()(const Quiz& quiz) const { return quiz.id; }
   template <AnyOf<TermUse, Unchecked, Snippet, Commands, ModelExcerpt, InlineModel, Output, Image,
-                  Io, Callout, Lab, Figure, Chart, Demo, Shown>
+                  Io, Callout, Lab, Figure, Plot, Demo, Shown>
                 Other>
   std::string operator()(const Other&) const {
     return std::to_string(block_number(lesson, index));

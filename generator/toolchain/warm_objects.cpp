@@ -14,7 +14,7 @@ namespace mjcourse {
 namespace {
 
 namespace fs = std::filesystem;
-using Made = std::optional<PreparedFiles::Made>;
+using Made = std::optional<FolderStore::Made>;
 
 constexpr const char* kHeaderRule = "dependencies";
 
@@ -44,7 +44,7 @@ Made compile(const std::vector<std::string>& command, const fs::path& folder,
   if (!silent && parse_messages(outcome.err).empty()) return std::nullopt;
   const auto rule = DiskFiles(folder).read(kHeaderRule);
   if (!rule) return std::nullopt;
-  return PreparedFiles::Made{silent, parse_dependencies(*rule, folder)};
+  return FolderStore::Made{silent, parse_dependencies(*rule, folder)};
 }
 
 // The code of all that is inline in the header `pch`, as `object`.

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "cache/prepared_files.h"
+#include "cache/folder_store.h"
 #include "toolchain/course_headers.h"
 #include "toolchain/toolchain.h"
 
@@ -30,7 +30,7 @@ enum class Warmth { quick, thorough };
 
 class WarmObjects {
  public:
-  using Entry = std::shared_ptr<const PreparedFiles::Entry>;
+  using Entry = std::shared_ptr<const FolderStore::Entry>;
 
   // Of a course whose headers are in these folders. What is made is kept in `cache`, or nothing is
   // made.
@@ -50,7 +50,7 @@ class WarmObjects {
   Entry handlers();
 
   // The entry was of no use: it is made anew by who asks next, in another process.
-  static void drop(const Entry& entry) { PreparedFiles::drop(*entry); }
+  static void drop(const Entry& entry) { FolderStore::drop(*entry); }
 
  private:
   std::string request(const std::string& what) const;
@@ -59,7 +59,7 @@ class WarmObjects {
   IncludeFolders include_;
   CourseHeaders headers_;
   std::string contents_;  // of the headers, when this was made
-  PreparedFiles prepared_;
+  FolderStore prepared_;
 };
 
 }  // namespace mjcourse

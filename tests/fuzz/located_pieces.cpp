@@ -46,10 +46,10 @@ class Collector {
   void take(const Callout& callout) { span(callout.span); }
   void take(const Lab& lab);
   void take(const Figure& figure);
-  void take(const Chart& chart) {
-    texts({&chart.example, &chart.table});
-    tree(chart.tree);
-    span(chart.span);
+  void take(const Plot& plot) {
+    texts({&plot.example, &plot.table});
+    tree(plot.tree);
+    span(plot.span);
   }
   void take(const Quiz& quiz) {
     for (const Question& question : quiz.questions) take_question(question);

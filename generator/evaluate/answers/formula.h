@@ -3,12 +3,12 @@
 
 #include <optional>
 
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 #include "findings/result.h"
 
 namespace mjcourse {
 
 std::optional<FormulaResult> evaluate_formula(const Math& math, const Lesson& lesson,
-                                              Workshop& workshop, Diagnostics& diagnostics);
+                                              WorkerContext& worker, Diagnostics& diagnostics);
 
 }  // namespace mjcourse

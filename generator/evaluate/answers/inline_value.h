@@ -3,13 +3,13 @@
 
 #include <optional>
 
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 #include "findings/result.h"
 
 namespace mjcourse {
 
 // Nothing when there is no such value, or none that can stand in a text; it is reported.
 std::optional<ValueResult> evaluate_value(const InlineValue& value, const Lesson& lesson,
-                                          Workshop& workshop, Diagnostics& diagnostics);
+                                          WorkerContext& worker, Diagnostics& diagnostics);
 
 }  // namespace mjcourse

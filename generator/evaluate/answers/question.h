@@ -4,13 +4,13 @@
 
 #include <optional>
 
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 #include "findings/result.h"
 
 namespace mjcourse {
 
 // Nothing when an answer is wrong or a proof fails; both are reported.
 std::optional<QuestionResult> evaluate_question(const Question& question, const Lesson& lesson,
-                                                Workshop& workshop, Diagnostics& diagnostics);
+                                                WorkerContext& worker, Diagnostics& diagnostics);
 
 }  // namespace mjcourse

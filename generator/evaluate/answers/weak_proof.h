@@ -5,13 +5,13 @@
 #include <functional>
 #include <optional>
 
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 
 namespace mjcourse {
 
 // W-proof-constant and W-proof-indistinct, of a proof that holds. `build` makes what it asks anew.
 void warn_of_weak_proof(const Proof& proof, const Question& question, const Lesson& lesson,
-                        const std::function<std::optional<Simulation>()>& build, Workshop& workshop,
-                        Diagnostics& diagnostics);
+                        const std::function<std::optional<Simulation>()>& build,
+                        WorkerContext& worker, Diagnostics& diagnostics);
 
 }  // namespace mjcourse

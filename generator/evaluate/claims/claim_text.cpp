@@ -92,10 +92,10 @@ std::string how_drawn(const Figure& figure, const Versions& versions) {
   return text;
 }
 
-std::string how_plotted(const Chart& chart, const ChartResult& result) {
+std::string how_plotted(const Plot& plot, const PlotResult& result) {
   const std::size_t rows = result.table.front().values.size();
-  return "drawn by Vega from " + counted(rows, "row") + " that " + chart.example.text +
-         ".cpp reported as \u201c" + chart.table.text + "\u201d";
+  return "drawn by Vega from " + counted(rows, "row") + " that " + plot.example.text +
+         ".cpp reported as \u201c" + plot.table.text + "\u201d";
 }
 
 std::string how_proved(const Question& question, const QuestionResult& result) {

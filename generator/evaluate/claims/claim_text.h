@@ -24,7 +24,7 @@ std::string how_compared(const Output& output, const OutputResult& result,
 std::string how_rehearsed(const Lab& lab, const LabResult& result);
 
 std::string how_drawn(const Figure& figure, const Versions& versions);
-std::string how_plotted(const Chart& chart, const ChartResult& result);
+std::string how_plotted(const Plot& plot, const PlotResult& result);
 
 std::string how_proved(const Question& question, const QuestionResult& result);
 std::string limits_of_answer(const Question& question);

@@ -52,7 +52,7 @@ class LessonClaims {
   void add(std::size_t i, const Math& math);
   void add(std::size_t i, const Lab& lab);
   void add(std::size_t i, const Figure& figure);
-  void add(std::size_t i, const Chart& chart);
+  void add(std::size_t i, const Plot& plot);
   void add(std::size_t i, const Image& image);
   void add(std::size_t i, const Quiz& quiz);
   void add(std::size_t i, const Callout& callout);

@@ -73,10 +73,10 @@ void LessonClaims::add(std::size_t i, const Figure& figure) {
           result == nullptr ? "" : result->poster.png.hash() + result->film.hash()});
 }
 
-void LessonClaims::add(std::size_t i, const Chart& chart) {
-  Claim claim = begin(Kind::plot, i, as_title("a plot: " + chart.alt), fence(chart.span));
-  const auto* result = results_.get<ChartResult>(i);
-  if (result != nullptr) claim.how = how_plotted(chart, *result);
+void LessonClaims::add(std::size_t i, const Plot& plot) {
+  Claim claim = begin(Kind::plot, i, as_title("a plot: " + plot.alt), fence(plot.span));
+  const auto* result = results_.get<PlotResult>(i);
+  if (result != nullptr) claim.how = how_plotted(plot, *result);
   finish(std::move(claim), result != nullptr, {result == nullptr ? "" : result->drawings.wide.svg});
 }
 

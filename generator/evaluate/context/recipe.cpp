@@ -9,7 +9,7 @@
 
 namespace mjcourse {
 
-Dependencies recipe_of(const Setting& setting, const std::string& kind,
+Dependencies recipe_of(const RunContext& run_context, const std::string& kind,
                        const std::vector<std::string>& text,
                        const std::vector<std::string>& scripts) {
   Sha256 hash;
@@ -21,7 +21,7 @@ Dependencies recipe_of(const Setting& setting, const std::string& kind,
                       {"libraries", loaded_libraries()},
                       {"arithmetic", arithmetic()}};
   for (const std::string& script : scripts) {
-    recipe.push_back({"script/" + script + ".js", setting.script_hash(script)});
+    recipe.push_back({"script/" + script + ".js", run_context.script_hash(script)});
   }
   return recipe;
 }

@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "cache/dependency.h"
-#include "evaluate/context/setting.h"
+#include "evaluate/context/run_context.h"
 
 namespace mjcourse {
 
 // `kind` is what is made, `text` all that the lesson says of it, `scripts` the bundles that work on
 // it. Beside these stand the versions of mjcourse, of MuJoCo and of the system's libraries, and how
 // the processor rounds.
-Dependencies recipe_of(const Setting& setting, const std::string& kind,
+Dependencies recipe_of(const RunContext& run_context, const std::string& kind,
                        const std::vector<std::string>& text,
                        const std::vector<std::string>& scripts = {});
 

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 // Copies files and folders of a course to the same names in another folder.
 class Copies {
  public:
-  Copies(fs::path to, Workshop& workshop)
-      : to_(std::move(to)), workshop_(workshop), files_(workshop.root()) {}
+  Copies(fs::path to, WorkerContext& worker)
+      : to_(std::move(to)), worker_(worker), files_(worker.root()) {}
 
   // What is refused, and why, as Files::refusal() says it.
   struct Refused {
@@ -58,7 +58,7 @@ class Copies {
 
  private:
   bool add_file(const std::string& name) {
-    const auto bytes = workshop_.files().read(name);
+    const auto bytes = worker_.files().read(name);
     if (bytes) write_file(to_ / name, *bytes);
     names_.insert(name);
     std::string why = bytes ? "" : files_.refusal(name);
@@ -66,12 +66,12 @@ class Copies {
     return bytes.has_value();
   }
   void add_folder(const std::string& name) {
-    workshop_.trace().file(name);
+    worker_.trace().file(name);
     fs::create_directories(to_ / name);
   }
 
   fs::path to_;
-  Workshop& workshop_;
+  WorkerContext& worker_;
   DiskFiles files_;
   std::set<std::string> names_;
   std::optional<Refused> refused_;
@@ -107,8 +107,8 @@ std::string without_folder(std::string text, const std::string& folder) {
 }  // namespace
 
 std::optional<ExampleResult> evaluate_commands(const Commands& commands, const Lesson& lesson,
-                                               Workshop& workshop, Diagnostics& diagnostics) {
-  if (auto why = workshop.setting().why_nothing_runs()) {
+                                               WorkerContext& worker, Diagnostics& diagnostics) {
+  if (auto why = worker.run_context().why_nothing_runs()) {
     why->place = place_of(*lesson.source, commands.span);
     diagnostics.push_back(*std::move(why));
     return std::nullopt;
@@ -117,10 +117,10 @@ std::optional<ExampleResult> evaluate_commands(const Commands& commands, const L
   const fs::path script = folder.path() / "commands.sh", place = folder.path() / "course";
   write_file(script, commands.code.text);
   fs::create_directory(place);
-  Copies copies(place, workshop);
+  Copies copies(place, worker);
   if (!add_all(commands, lesson, copies, diagnostics)) return std::nullopt;
   // All that is installed may have a part in it.
-  workshop.trace().file(kInstalledPackages);
+  worker.trace().file(kInstalledPackages);
 
   Command command;
   // A command that fails is the last, and stderr names each before what it says.

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 #include "findings/result.h"
 #include "lesson/blocks/lesson.h"
 #include "report/diagnostic.h"
@@ -16,6 +16,6 @@ namespace mjcourse {
 // What they printed; nothing (reported) where a file is missing or one of them failed, behind which
 // no other is run.
 std::optional<ExampleResult> evaluate_commands(const Commands& commands, const Lesson& lesson,
-                                               Workshop& workshop, Diagnostics& diagnostics);
+                                               WorkerContext& worker, Diagnostics& diagnostics);
 
 }  // namespace mjcourse

@@ -33,10 +33,10 @@ void trace_folders(const fs::path& folder, Trace& trace) {
 
 }  // namespace
 
-Dependencies compiled_recipe(const Setting& setting, const std::string& kind,
+Dependencies compiled_recipe(const RunContext& run_context, const std::string& kind,
                              const std::vector<std::string>& text, bool optimize) {
-  Dependencies recipe = recipe_of(setting, kind, text);
-  const auto& compiler = setting.compiler();
+  Dependencies recipe = recipe_of(run_context, kind, text);
+  const auto& compiler = run_context.compiler();
   if (!compiler) {
     recipe.push_back({"compiler", kAbsent});
     return recipe;
@@ -47,8 +47,8 @@ Dependencies compiled_recipe(const Setting& setting, const std::string& kind,
   return recipe;
 }
 
-void trace_compilation(const Compiled& compiled, const fs::path& folder, Workshop& workshop) {
-  Trace& trace = workshop.trace();
+void trace_compilation(const Compiled& compiled, const fs::path& folder, WorkerContext& worker) {
+  Trace& trace = worker.trace();
   if (!compiled.dependencies) return trace.unknown();
   // Mostly the system's headers, which are the same hundreds behind each program.
   std::vector<std::string> files = *compiled.dependencies;
@@ -57,15 +57,15 @@ void trace_compilation(const Compiled& compiled, const fs::path& folder, Worksho
   for (const WarmObjects::Entry& entry : {compiled.header, compiled.handlers}) {
     if (entry) trace.files(entry->inputs);
   }
-  for (const fs::path& include : workshop.setting().include_folders()) {
+  for (const fs::path& include : worker.run_context().include_folders()) {
     trace_folders(fs::absolute(include), trace);
   }
 }
 
-void trace_run(const Outcome& outcome, const fs::path& folder, Workshop& workshop) {
-  Trace& trace = workshop.trace();
+void trace_run(const Outcome& outcome, const fs::path& folder, WorkerContext& worker) {
+  Trace& trace = worker.trace();
   // Where the kernel does not tell, a program may have read whatever it was allowed to.
-  if (!outcome.opened) return trace_tree(fs::absolute(workshop.root()) / "models", trace);
+  if (!outcome.opened) return trace_tree(fs::absolute(worker.root()) / "models", trace);
   trace_files(*outcome.opened, folder, trace);
 }
 

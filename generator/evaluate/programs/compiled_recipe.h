@@ -7,19 +7,19 @@
 #include <vector>
 
 #include "cache/dependency.h"
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 #include "process/subprocess.h"
 #include "toolchain/compiler.h"
 
 namespace mjcourse {
 
 // As recipe_of (recipe.h), with the compiler, the linker and their flags.
-Dependencies compiled_recipe(const Setting& setting, const std::string& kind,
+Dependencies compiled_recipe(const RunContext& run_context, const std::string& kind,
                              const std::vector<std::string>& text, bool optimize);
 
 // `folder` is where both worked, of which nothing is traced.
 void trace_compilation(const Compiled& compiled, const std::filesystem::path& folder,
-                       Workshop& workshop);
-void trace_run(const Outcome& outcome, const std::filesystem::path& folder, Workshop& workshop);
+                       WorkerContext& worker);
+void trace_run(const Outcome& outcome, const std::filesystem::path& folder, WorkerContext& worker);
 
 }  // namespace mjcourse

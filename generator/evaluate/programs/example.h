@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 #include "findings/result.h"
 #include "lesson/blocks/lesson.h"
 #include "report/diagnostic.h"
@@ -16,7 +16,7 @@ namespace mjcourse {
 
 // `code` is all of the program (evaluate/programs/example_code.h).
 std::optional<ExampleResult> evaluate_example(const Example& example, const LocatedText& code,
-                                              const Lesson& lesson, Workshop& workshop,
+                                              const Lesson& lesson, WorkerContext& worker,
                                               Diagnostics& diagnostics);
 
 }  // namespace mjcourse

@@ -53,11 +53,11 @@ class Gathering {
   std::set<std::string> found_;
 };
 
-Gathering sources_of(const Compiled& compiled, const Setting& setting) {
+Gathering sources_of(const Compiled& compiled, const RunContext& run_context) {
   Gathering sources;
-  const IncludeFolders include = setting.include_folders();
+  const IncludeFolders include = run_context.include_folders();
   for (const fs::path& folder : include) sources.know(folder, "examples/include");
-  sources.know(setting.root() / "examples", "examples");
+  sources.know(run_context.root() / "examples", "examples");
   if (compiled.dependencies) sources.add_all(*compiled.dependencies);
   for (const WarmObjects::Entry& entry : {compiled.header, compiled.handlers}) {
     if (entry) sources.add_all(entry->inputs);
@@ -67,11 +67,11 @@ Gathering sources_of(const Compiled& compiled, const Setting& setting) {
   return sources;
 }
 
-Gathering models_of(const Outcome& outcome, const Setting& setting) {
+Gathering models_of(const Outcome& outcome, const RunContext& run_context) {
   Gathering models;
-  const fs::path folder = fs::absolute(setting.root() / "models").lexically_normal();
+  const fs::path folder = fs::absolute(run_context.root() / "models").lexically_normal();
   models.know(folder, "models");
-  if (!DiskFiles(setting.root()).is_folder("models")) return models;
+  if (!DiskFiles(run_context.root()).is_folder("models")) return models;
   if (!outcome.opened) models.add_entries<fs::recursive_directory_iterator>(folder);
   for (const std::string& opened : outcome.opened.value_or(std::vector<std::string>())) {
     // Who lists a folder wants what is in it.
@@ -85,10 +85,10 @@ Gathering models_of(const Outcome& outcome, const Setting& setting) {
 }  // namespace
 
 std::vector<std::string> program_files(const Compiled& compiled, const Outcome& outcome,
-                                       const Setting& setting) {
+                                       const RunContext& run_context) {
   std::vector<std::string> files;
-  sources_of(compiled, setting).give_to(files);
-  models_of(outcome, setting).give_to(files);
+  sources_of(compiled, run_context).give_to(files);
+  models_of(outcome, run_context).give_to(files);
   return files;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluate/context/setting.h"
+#include "evaluate/context/run_context.h"
 #include "process/subprocess.h"
 #include "toolchain/compiler.h"
 
@@ -14,6 +14,6 @@ namespace mjcourse {
 // As ExampleResult has them. Headers that came with the tool stand where the course would have
 // them. Where nobody knows what was opened, these are all models.
 std::vector<std::string> program_files(const Compiled& compiled, const Outcome& outcome,
-                                       const Setting& setting);
+                                       const RunContext& run_context);
 
 }  // namespace mjcourse

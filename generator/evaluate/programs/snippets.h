@@ -7,7 +7,7 @@
 
 #include <map>
 
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 #include "findings/result.h"
 
 namespace mjcourse {
@@ -17,7 +17,7 @@ namespace mjcourse {
 // What their program includes.
 std::string snippets_prelude(const IncludeFolders& include);
 
-std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, Workshop& workshop,
+std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, WorkerContext& worker,
                                                        Diagnostics& diagnostics);
 
 }  // namespace mjcourse

@@ -10,8 +10,8 @@
 namespace mjcourse {
 namespace {
 
-std::optional<double> measure(const LabBench& bench, const Lab::Predict& predict) {
-  std::optional<LabRun> run = LabRun::start(bench, bench.lab().model);
+std::optional<double> measure(const LabContext& context, const Lab::Predict& predict) {
+  std::optional<LabRun> run = LabRun::start(context, context.lab().model);
   double value = 0;
   const bool measured =
       run && (predict.run.text.empty() || run->script(predict.run, "the prediction's script")) &&
@@ -26,21 +26,21 @@ const LocatedText& solution_of(const Lab::Goal& goal) {
   return goal.solution_model.text.empty() ? goal.solution_insert : goal.solution_model;
 }
 
-bool compute_tasks(const LabBench& bench, LabRun& run) {
+bool compute_tasks(const LabContext& context, LabRun& run) {
   bool good = true;
   double value = 0;
-  for (const Lab::Task& task : bench.lab().tasks) good = run.number(task.value, value) && good;
+  for (const Lab::Task& task : context.lab().tasks) good = run.number(task.value, value) && good;
   return good;
 }
 
-void prove_goal(const LabBench& bench, const Lab::Goal& goal) {
+void prove_goal(const LabContext& context, const Lab::Goal& goal) {
   if (solution_of(goal).text.empty()) return;  // which was reported when it was read
-  const std::optional<LocatedText> edited = edited_model(bench, goal);
+  const std::optional<LocatedText> edited = edited_model(context, goal);
   if (!edited) return;
   const bool edits = !edited->text.empty();
-  std::optional<LabRun> run = LabRun::start(bench, edits ? *edited : bench.lab().model);
+  std::optional<LabRun> run = LabRun::start(context, edits ? *edited : context.lab().model);
   if (!run) return;
-  if (edits) compute_tasks(bench, *run);
+  if (edits) compute_tasks(context, *run);
   if (!edits && !run->script(goal.solution_run, "the solution")) return;
   bool done = false;
   const bool played = play(*run, goal.solution_seconds, [&](int, const std::vector<double>&) {
@@ -50,29 +50,29 @@ void prove_goal(const LabBench& bench, const Lab::Goal& goal) {
   std::ostringstream message;
   message << "the solution does not reach the goal";
   if (goal.solution_seconds > 0) message << " within " << goal.solution_seconds << " s";
-  bench.error("E-lab-goal", solution_of(goal).span(), message.str(),
-              "mend the solution, give it more \"seconds\", or ask for less in \"done\"");
+  context.error("E-lab-goal", solution_of(goal).span(), message.str(),
+                "mend the solution, give it more \"seconds\", or ask for less in \"done\"");
 }
 
 }  // namespace
 
-bool check_at_rest(const LabBench& bench, LabRun& run) {
-  bool good = compute_tasks(bench, run);
-  if (!bench.lab().goal) return good;
-  const LocatedText& goal = bench.lab().goal->done;
+bool check_at_rest(const LabContext& context, LabRun& run) {
+  bool good = compute_tasks(context, run);
+  if (!context.lab().goal) return good;
+  const LocatedText& goal = context.lab().goal->done;
   bool done = false;
   good = run.truth(goal, done) && good;
   if (done) {
-    bench.error("E-lab-goal", goal.span(), "the goal is reached already at rest",
-                "ask for something that is not so from the start");
+    context.error("E-lab-goal", goal.span(), "the goal is reached already at rest",
+                  "ask for something that is not so from the start");
   }
   return good;
 }
 
-void evaluate_assignment(const LabBench& bench, LabResult& result) {
-  const Lab& lab = bench.lab();
-  if (lab.predict) result.predicted = measure(bench, *lab.predict);
-  if (lab.goal) prove_goal(bench, *lab.goal);
+void evaluate_assignment(const LabContext& context, LabResult& result) {
+  const Lab& lab = context.lab();
+  if (lab.predict) result.predicted = measure(context, *lab.predict);
+  if (lab.goal) prove_goal(context, *lab.goal);
 }
 
 }  // namespace mjcourse

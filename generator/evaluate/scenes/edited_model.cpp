@@ -21,15 +21,15 @@ LocatedText insert(const std::string& base, std::size_t at, const LocatedText& i
 
 }  // namespace
 
-std::optional<LocatedText> edited_model(const LabBench& bench, const Lab::Goal& goal) {
+std::optional<LocatedText> edited_model(const LabContext& context, const Lab::Goal& goal) {
   if (goal.solution_insert.text.empty()) return goal.solution_model;
-  const LocatedText& model = bench.lab().model;
+  const LocatedText& model = context.lab().model;
   const bool is_mjcf = model.text.starts_with('<');
   const std::string base =
-      is_mjcf ? model.text : read_again(bench.workshop().files(), "models/" + model.text + ".xml");
+      is_mjcf ? model.text : read_again(context.worker().files(), "models/" + model.text + ".xml");
   const auto refuse = [&](const LocatedText& text, const std::string& message,
                           const std::string& cure) {
-    bench.error("E-lab-goal", text.span(), message, cure);
+    context.error("E-lab-goal", text.span(), message, cure);
     return std::nullopt;
   };
   if (const std::string file = file_named_in(base); !file.empty()) {

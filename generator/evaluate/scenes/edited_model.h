@@ -3,13 +3,13 @@
 
 #include <optional>
 
-#include "evaluate/scenes/lab_bench.h"
+#include "evaluate/scenes/lab_context.h"
 
 namespace mjcourse {
 
 // A model's name, or MJCF: the lab's own with the solution's put in, whose bytes keep their places
 // in the lesson. Empty where the solution is a script; nothing (reported) where it cannot be put
 // in.
-std::optional<LocatedText> edited_model(const LabBench& bench, const Lab::Goal& goal);
+std::optional<LocatedText> edited_model(const LabContext& context, const Lab::Goal& goal);
 
 }  // namespace mjcourse

@@ -17,18 +17,18 @@ namespace {
 
 // From where `simulation` stands: has `look` look at each frame, until that is false. False
 // (reported) where it fails.
-bool play_frames(const Figure::Animation& animation, Simulation& simulation, const Bench& bench,
-                 const std::function<bool()>& look) {
+bool play_frames(const Figure::Animation& animation, Simulation& simulation,
+                 const BlockContext& context, const std::function<bool()>& look) {
   const auto all = step_count(simulation.model(), animation.seconds);
   if (!all) {
-    return bench.error("E-figure-simulation", animation.span, all.error(), "a larger time step");
+    return context.error("E-figure-simulation", animation.span, all.error(), "a larger time step");
   }
   int taken = 0;
   for (int frame = 0; frame < animation.frames(); ++frame) {
     end_if_cancelled();
     const int steps =
         step_count(simulation.model(), static_cast<double>(frame) / animation.rate).value();
-    if (!step_on(simulation, steps - taken, animation.span, bench)) return false;
+    if (!step_on(simulation, steps - taken, animation.span, context)) return false;
     taken = steps;
     if (!look()) return false;
   }
@@ -37,30 +37,30 @@ bool play_frames(const Figure::Animation& animation, Simulation& simulation, con
 
 // From where `simulation` stands; empty (reported) where that fails.
 std::string shoot(const Figure::Animation& animation, Simulation& simulation, View view,
-                  const Bench& bench) {
+                  const BlockContext& context) {
   view.detail = Detail::film;
   Film film(animation.rate);
-  const bool played = play_frames(animation, simulation, bench, [&] {
-    const auto picture = draw(simulation, view, "the animation", animation.span, bench);
+  const bool played = play_frames(animation, simulation, context, [&] {
+    const auto picture = draw(simulation, view, "the animation", animation.span, context);
     if (picture) film.add(*picture);
     return picture.has_value();
   });
   if (!played) return "";
-  bench.workshop().trace().file(find_program("ffmpeg"));
+  context.worker().trace().file(find_program("ffmpeg"));
   auto bytes = film.encode();
   if (bytes) return *std::move(bytes);
-  bench.error("E-figure-film", animation.span, bytes.error().message, bytes.error().cure);
+  context.error("E-figure-film", animation.span, bytes.error().message, bytes.error().cure);
   return "";
 }
 
 }  // namespace
 
 std::optional<FigureResult> evaluate_figure(const Figure& figure, const Lesson& lesson,
-                                            Workshop& workshop, Diagnostics& diagnostics) {
+                                            WorkerContext& worker, Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.size();
-  const Bench bench(lesson, workshop, diagnostics);
-  check_overlays(names_of(figure.overlays), bench);
-  std::optional<Simulation> simulation = simulate_figure(figure, bench);
+  const BlockContext context(lesson, worker, diagnostics);
+  check_overlays(names_of(figure.overlays), context);
+  std::optional<Simulation> simulation = simulate_figure(figure, context);
   if (!simulation || diagnostics.size() > before) return std::nullopt;
   const Outlook outlook{.aspect = static_cast<double>(figure.width) / figure.height};
   WholeView seen(simulation->model(), outlook);
@@ -70,19 +70,19 @@ std::optional<FigureResult> evaluate_figure(const Figure& figure, const Lesson& 
       seen.add(*simulation);
       return true;
     };
-    if (!play_frames(*figure.animation, *simulation, bench, look)) return std::nullopt;
+    if (!play_frames(*figure.animation, *simulation, context, look)) return std::nullopt;
     simulation.reset();  // a large model is not there twice
-    simulation = simulate_figure(figure, bench);
+    simulation = simulate_figure(figure, context);
     if (!simulation) return std::nullopt;
   }
   const View view{camera_of(figure.camera, seen), figure.overlays, figure.width, figure.height};
-  const auto picture = draw(*simulation, view, "the figure", figure.span, bench);
+  const auto picture = draw(*simulation, view, "the figure", figure.span, context);
   if (!picture) return std::nullopt;
   FigureResult result{poster_of(*picture, view), {}};
   if (figure.animation) {
-    result.film = Blob(shoot(*figure.animation, *simulation, view, bench));
+    result.film = Blob(shoot(*figure.animation, *simulation, view, context));
   }
-  result.pin = compare_pin(figure.pin, *picture, bench);
+  result.pin = compare_pin(figure.pin, *picture, context);
   return result;
 }
 

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 #include "findings/result.h"
 
 namespace mjcourse {
@@ -11,6 +11,6 @@ namespace mjcourse {
 // Nothing (reported) where a figure could not be drawn. One with a film that could not be made, or
 // with a picture that differs from its reference, is reported and given all the same.
 std::optional<FigureResult> evaluate_figure(const Figure& figure, const Lesson& lesson,
-                                            Workshop& workshop, Diagnostics& diagnostics);
+                                            WorkerContext& worker, Diagnostics& diagnostics);
 
 }  // namespace mjcourse

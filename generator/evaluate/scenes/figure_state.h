@@ -4,14 +4,14 @@
 
 #include <optional>
 
-#include "evaluate/context/bench.h"
+#include "evaluate/context/block_context.h"
 
 namespace mjcourse {
 
 // Nothing (reported) where the model, the script, the snapshot or the simulation fails.
-std::optional<Simulation> simulate_figure(const Figure& figure, const Bench& bench);
+std::optional<Simulation> simulate_figure(const Figure& figure, const BlockContext& context);
 
 // Go on by `steps`; false (reported at `blamed`) where that leads to trouble.
-bool step_on(Simulation& simulation, int steps, Span blamed, const Bench& bench);
+bool step_on(Simulation& simulation, int steps, Span blamed, const BlockContext& context);
 
 }  // namespace mjcourse

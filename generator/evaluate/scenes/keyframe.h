@@ -1,11 +1,11 @@
 // A keyframe that a lesson names.
 #pragma once
 
-#include "evaluate/context/bench.h"
+#include "evaluate/context/block_context.h"
 
 namespace mjcourse {
 
 // Puts `simulation` into it; false (reported) where the model has no such keyframe.
-bool reset_to(const LocatedText& keyframe, Simulation& simulation, const Bench& bench);
+bool reset_to(const LocatedText& keyframe, Simulation& simulation, const BlockContext& context);
 
 }  // namespace mjcourse

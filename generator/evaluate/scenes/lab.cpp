@@ -46,50 +46,50 @@ bool read_at_rest(const Lab& lab, LabRun& run, LabResult& result) {
 
 }  // namespace
 
-std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
+std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, WorkerContext& worker,
                                       Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.size();
   LabResult result;
   std::vector<DoubtfulScript> doubtful;
-  const LabBench bench(lab, result.scripts, lesson, workshop, diagnostics);
-  check_overlays(lab.toggles, bench);
-  check_overlays(names_of(lab.overlays), bench);
-  if (!guard_scripts(bench, result.scripts, doubtful)) return std::nullopt;
-  std::optional<LabRun> run = LabRun::start(bench, lab.model);
-  const auto memory = run ? memory_in_page(bench, run->simulation()) : std::nullopt;
+  const LabContext context(lab, result.scripts, lesson, worker, diagnostics);
+  check_overlays(lab.toggles, context);
+  check_overlays(names_of(lab.overlays), context);
+  if (!guard_scripts(context, result.scripts, doubtful)) return std::nullopt;
+  std::optional<LabRun> run = LabRun::start(context, lab.model);
+  const auto memory = run ? memory_in_page(context, run->simulation()) : std::nullopt;
   if (!memory) return std::nullopt;
   result.memory = *memory;
   result.script_names = run->world().names();
   result.keyframes = find_keyframes(lab, run->simulation().model());
   const bool read = read_at_rest(lab, *run, result);
   // What fails at rest would fail again after every control.
-  const bool at_rest = check_at_rest(bench, *run);
+  const bool at_rest = check_at_rest(context, *run);
   WholeView view(run->simulation().model(), outlook_of(lab));
   run.reset();  // a large model is not there twice
   if (at_rest && read) {
-    result.runs = rehearse(bench, lab.camera ? nullptr : &view);
-    evaluate_assignment(bench, result);
+    result.runs = rehearse(context, lab.camera ? nullptr : &view);
+    evaluate_assignment(context, result);
   }
-  if (std::optional<LabModel> model = find_lab_model(bench)) result.model = *std::move(model);
+  if (std::optional<LabModel> model = find_lab_model(context)) result.model = *std::move(model);
   if (diagnostics.size() == before) {
-    for (const DoubtfulScript& script : doubtful) bench.error(script.error, *script.text);
+    for (const DoubtfulScript& script : doubtful) context.error(script.error, *script.text);
   }
   if (diagnostics.size() > before) return std::nullopt;
   result.camera = camera_of(lab.camera, view);
   return result;
 }
 
-std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
+std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, WorkerContext& worker,
                                       Diagnostics& diagnostics) {
-  std::optional<LabResult> result = rehearse_lab(lab, lesson, workshop, diagnostics);
+  std::optional<LabResult> result = rehearse_lab(lab, lesson, worker, diagnostics);
   const LabScripts none;
-  const LabBench bench(lab, result ? result->scripts : none, lesson, workshop, diagnostics);
-  const std::optional<LabRun> run = result ? LabRun::start(bench, lab.model) : std::nullopt;
+  const LabContext context(lab, result ? result->scripts : none, lesson, worker, diagnostics);
+  const std::optional<LabRun> run = result ? LabRun::start(context, lab.model) : std::nullopt;
   if (!run) return std::nullopt;
   const View view{result->camera, lab.overlays, kPosterWidth, lab.height};
-  if (const auto picture = draw(run->simulation(), view, "the poster", lab.span, bench)) {
+  if (const auto picture = draw(run->simulation(), view, "the poster", lab.span, context)) {
     result->poster = poster_of(*picture, view);
-    result->pin = compare_pin(lab.pin, *picture, bench);
+    result->pin = compare_pin(lab.pin, *picture, context);
   }
   return result;
 }

@@ -8,16 +8,16 @@
 
 #include <optional>
 
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 #include "findings/result.h"
 
 namespace mjcourse {
 
 // As evaluate_lab(), but without the poster.
-std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
+std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, WorkerContext& worker,
                                       Diagnostics& diagnostics);
 
-std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, Workshop& workshop,
+std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, WorkerContext& worker,
                                       Diagnostics& diagnostics);
 
 }  // namespace mjcourse

@@ -35,14 +35,15 @@ std::string mebibytes_up(std::uint64_t bytes) {
 
 }  // namespace
 
-std::optional<std::uint64_t> memory_in_page(const LabBench& bench, const Simulation& simulation) {
-  const std::uint64_t bytes = bytes_in_page(bench.lab(), simulation);
+std::optional<std::uint64_t> memory_in_page(const LabContext& context,
+                                            const Simulation& simulation) {
+  const std::uint64_t bytes = bytes_in_page(context.lab(), simulation);
   if (kBase + bytes <= kEngine) return bytes;
-  bench.error("E-lab-memory", bench.lab().model.span(),
-              "live, this model takes " + mebibytes_up(kBase + bytes) +
-                  " MiB of memory, and a page has 2048 MiB for it",
-              "a smaller model, or a smaller `njmax`, `nconmax` or `nstack` in its `<size>`; "
-              "a figure shows it as it is");
+  context.error("E-lab-memory", context.lab().model.span(),
+                "live, this model takes " + mebibytes_up(kBase + bytes) +
+                    " MiB of memory, and a page has 2048 MiB for it",
+                "a smaller model, or a smaller `njmax`, `nconmax` or `nstack` in its `<size>`; "
+                "a figure shows it as it is");
   return std::nullopt;
 }
 

@@ -8,12 +8,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "evaluate/scenes/lab_bench.h"
+#include "evaluate/scenes/lab_context.h"
 #include "physics/simulation.h"
 
 namespace mjcourse {
 
 // Bytes that the lab takes of it; reports the lab's model where the page would have no room for it.
-std::optional<std::uint64_t> memory_in_page(const LabBench& bench, const Simulation& simulation);
+std::optional<std::uint64_t> memory_in_page(const LabContext& context,
+                                            const Simulation& simulation);
 
 }  // namespace mjcourse

@@ -5,10 +5,10 @@
 
 namespace mjcourse {
 
-std::optional<LabModel> find_lab_model(const LabBench& bench) {
-  const LocatedText& named = bench.lab().model;
+std::optional<LabModel> find_lab_model(const LabContext& context) {
+  const LocatedText& named = context.lab().model;
   const auto refuse = [&](const std::string& message, const std::string& cure) {
-    bench.error("E-lab-files", named.span(), message, cure);
+    context.error("E-lab-files", named.span(), message, cure);
     return std::nullopt;
   };
   if (named.text.starts_with('<')) {
@@ -17,7 +17,7 @@ std::optional<LabModel> find_lab_model(const LabBench& bench) {
     return refuse("a model inside a lesson cannot name files; this one names " + file,
                   "put the model into a file of its own, models/NAME.xml");
   }
-  const std::filesystem::path& root = bench.workshop().root();
+  const std::filesystem::path& root = context.worker().root();
   const tl::expected<ModelSources, std::string> sources =
       find_model_sources(root, "models/" + named.text + ".xml");
   if (!sources) return refuse(sources.error(), "rename a file, or leave one out");

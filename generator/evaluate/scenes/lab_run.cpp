@@ -50,25 +50,25 @@ struct ValueAtStart {
 
 }  // namespace
 
-LabRun::Actor::Actor(const LabBench& bench, Simulation loaded)
-    : simulation(std::move(loaded)), world(bench.workshop().world_bundle(), simulation) {}
+LabRun::Actor::Actor(const LabContext& context, Simulation loaded)
+    : simulation(std::move(loaded)), world(context.worker().world_bundle(), simulation) {}
 
-std::unique_ptr<LabRun::Actor> LabRun::load(const LabBench& bench, const LocatedText& model) {
-  std::optional<Simulation> simulation = bench.simulate(model);
+std::unique_ptr<LabRun::Actor> LabRun::load(const LabContext& context, const LocatedText& model) {
+  std::optional<Simulation> simulation = context.simulate(model);
   if (!simulation) return nullptr;
-  return std::make_unique<Actor>(bench, *std::move(simulation));
+  return std::make_unique<Actor>(context, *std::move(simulation));
 }
 
-std::optional<LabRun> LabRun::start(const LabBench& bench, const LocatedText& model) {
-  LabRun run(bench, load(bench, model));
+std::optional<LabRun> LabRun::start(const LabContext& context, const LocatedText& model) {
+  LabRun run(context, load(context, model));
   if (!run.main_) return std::nullopt;
-  run.blamed_ = bench.lab().span;
-  if (&model != &bench.lab().model) run.solution_ = &model;
+  run.blamed_ = context.lab().span;
+  if (&model != &context.lab().model) run.solution_ = &model;
   if (!run.begin(*run.main_)) return std::nullopt;
-  if (bench.lab().ghost) {
-    run.ghost_ = load(bench, model);
+  if (context.lab().ghost) {
+    run.ghost_ = load(context, model);
     const bool begun = run.ghost_ && run.begin(*run.ghost_) &&
-                       run.run(*run.ghost_, bench.lab().ghost->run) && run.forward(*run.ghost_);
+                       run.run(*run.ghost_, context.lab().ghost->run) && run.forward(*run.ghost_);
     if (!begun) return std::nullopt;
   }
   run.after_ = "Play";
@@ -77,7 +77,7 @@ std::optional<LabRun> LabRun::start(const LabBench& bench, const LocatedText& mo
 
 bool LabRun::begin(Actor& actor) {
   bool any = false;
-  for (const Lab::Control& control : bench_.lab().controls) {
+  for (const Lab::Control& control : context_.lab().controls) {
     const auto value = std::visit(ValueAtStart{}, control);
     if (!value) continue;
     any = true;
@@ -104,23 +104,23 @@ bool LabRun::script(const LocatedText& text, const std::string& what) {
 
 bool LabRun::apply(Actor& actor, const Lab::Control& control, const ControlValue& value) {
   if (const auto* slider = std::get_if<Lab::Slider>(&control)) {
-    auto set = actor.world.assign(bench_.guarded(slider->bind, ScriptKind::assignment),
+    auto set = actor.world.assign(context_.guarded(slider->bind, ScriptKind::assignment),
                                   std::get<double>(value));
     if (set) return true;
     if (set.error().id == "E-script-value" && set.error().cure.empty()) {
       set.error().cure = "choose \"min\", \"max\" and \"step\" so that every value fits";
     }
-    return bench_.error(set.error(), slider->bind, solution_);
+    return context_.error(set.error(), slider->bind, solution_);
   }
   if (const auto* keyframe = std::get_if<Lab::Keyframe>(&control)) {
-    return reset_to(keyframe->key, actor.simulation, bench_);
+    return reset_to(keyframe->key, actor.simulation, context_);
   }
   return run(actor, std::visit(ScriptOf{value}, control));
 }
 
 bool LabRun::run(Actor& actor, const LocatedText& text) {
-  const auto done = actor.world.run(bench_.guarded(text, ScriptKind::script));
-  return done || bench_.error(done.error(), text, solution_);
+  const auto done = actor.world.run(context_.guarded(text, ScriptKind::script));
+  return done || context_.error(done.error(), text, solution_);
 }
 
 bool LabRun::forward(Actor& actor) {
@@ -132,8 +132,8 @@ bool LabRun::sound(const Actor& actor) const {
   const std::optional<Simulation::Trouble>& trouble = actor.simulation.trouble();
   if (!trouble) return true;
   const bool of_ghost = &actor == ghost_.get();
-  return bench_.error(
-      "E-lab-simulation", of_ghost ? bench_.lab().ghost->run.span() : blamed_,
+  return context_.error(
+      "E-lab-simulation", of_ghost ? context_.lab().ghost->run.span() : blamed_,
       (of_ghost ? "in the ghost, after " : "after ") + after_ + ": " + trouble->what,
       trouble->cure.empty() ? cure_ : trouble->cure);
 }
@@ -141,8 +141,8 @@ bool LabRun::sound(const Actor& actor) const {
 std::optional<int> LabRun::steps_in(double seconds) const {
   const auto steps = step_count(main_->simulation.model(), seconds);
   if (steps) return *steps;
-  bench_.error("E-lab-simulation", blamed_, "after " + after_ + ": " + steps.error(),
-               "a larger time step");
+  context_.error("E-lab-simulation", blamed_, "after " + after_ + ": " + steps.error(),
+                 "a larger time step");
   return std::nullopt;
 }
 
@@ -163,26 +163,27 @@ bool LabRun::follow() {
     if (!sound(*ghost_)) return false;
   }
   if (ghost.data()->time >= until) return true;
-  return bench_.error("E-lab-simulation", bench_.lab().ghost->run.span(),
-                      "the ghost cannot keep up: its time step is too small", "a larger time step");
+  return context_.error("E-lab-simulation", context_.lab().ghost->run.span(),
+                        "the ghost cannot keep up: its time step is too small",
+                        "a larger time step");
 }
 
 bool LabRun::number(const LocatedText& expression, double& value) {
-  const auto found = main_->world.number(bench_.guarded(expression, ScriptKind::value));
-  if (!found) return bench_.error(found.error(), expression, solution_);
+  const auto found = main_->world.number(context_.guarded(expression, ScriptKind::value));
+  if (!found) return context_.error(found.error(), expression, solution_);
   value = *found;
   return true;
 }
 
 bool LabRun::truth(const LocatedText& expression, bool& value) {
-  const auto found = main_->world.truth(bench_.guarded(expression, ScriptKind::value));
-  if (!found) return bench_.error(found.error(), expression, solution_);
+  const auto found = main_->world.truth(context_.guarded(expression, ScriptKind::value));
+  if (!found) return context_.error(found.error(), expression, solution_);
   value = *found;
   return true;
 }
 
 bool LabRun::read(std::vector<double>& readouts) {
-  const Lab& lab = bench_.lab();
+  const Lab& lab = context_.lab();
   readouts.resize(lab.readouts.size());
   for (std::size_t i = 0; i < readouts.size(); ++i) {
     if (!number(lab.readouts[i].expression, readouts[i])) return false;
@@ -192,8 +193,9 @@ bool LabRun::read(std::vector<double>& readouts) {
     for (const Lab::Readout& trace : plot.traces) {
       if (!number(trace.expression, ignored)) return false;
       if (!ghost_) continue;
-      const auto found = ghost_->world.number(bench_.guarded(trace.expression, ScriptKind::value));
-      if (!found) return bench_.error(found.error(), trace.expression, solution_);
+      const auto found =
+          ghost_->world.number(context_.guarded(trace.expression, ScriptKind::value));
+      if (!found) return context_.error(found.error(), trace.expression, solution_);
     }
   }
   bool done = false;

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluate/scenes/lab_bench.h"
+#include "evaluate/scenes/lab_context.h"
 #include "findings/result.h"
 #include "script/world.h"
 
@@ -20,7 +20,7 @@ namespace mjcourse {
 class LabRun {
  public:
   // Each run loads `model` anew: scripts may change a model too.
-  static std::optional<LabRun> start(const LabBench& bench, const LocatedText& model);
+  static std::optional<LabRun> start(const LabContext& context, const LocatedText& model);
 
   bool act(const Lab::Control& control, const ControlValue& value);
   // `what` names the script where it leads to trouble: "the solution".
@@ -41,16 +41,16 @@ class LabRun {
 
  private:
   struct Actor {  // stays where it is: the world looks into the simulation
-    Actor(const LabBench& bench, Simulation loaded);
+    Actor(const LabContext& context, Simulation loaded);
     Simulation simulation;
     World world;
   };
 
-  LabRun(const LabBench& bench, std::unique_ptr<Actor> main)
-      : bench_(bench), main_(std::move(main)) {}
+  LabRun(const LabContext& context, std::unique_ptr<Actor> main)
+      : context_(context), main_(std::move(main)) {}
 
   // Null (reported) where the model does not compile.
-  static std::unique_ptr<Actor> load(const LabBench& bench, const LocatedText& model);
+  static std::unique_ptr<Actor> load(const LabContext& context, const LocatedText& model);
   bool begin(Actor& actor);
   bool apply(Actor& actor, const Lab::Control& control, const ControlValue& value);
   bool run(Actor& actor, const LocatedText& text);
@@ -58,7 +58,7 @@ class LabRun {
   bool follow();
   bool sound(const Actor& actor) const;
 
-  const LabBench& bench_;
+  const LabContext& context_;
   std::unique_ptr<Actor> main_, ghost_;
   const LocatedText* solution_ = nullptr;  // the model, where it is not the lab's own
   int steps_ = 0;

@@ -1,6 +1,6 @@
 #include "evaluate/scenes/lab_scripts.h"
 
-#include "evaluate/scenes/lab_bench.h"
+#include "evaluate/scenes/lab_context.h"
 
 namespace mjcourse {
 namespace {
@@ -8,11 +8,11 @@ namespace {
 // Goes through all of a lab; every mistake is shown.
 class Guarding {
  public:
-  Guarding(const LabBench& bench, LabScripts& scripts, std::vector<DoubtfulScript>& doubtful)
-      : bench_(bench), scripts_(scripts), doubtful_(doubtful) {}
+  Guarding(const LabContext& context, LabScripts& scripts, std::vector<DoubtfulScript>& doubtful)
+      : context_(context), scripts_(scripts), doubtful_(doubtful) {}
 
   bool run() {
-    const Lab& lab = bench_.lab();
+    const Lab& lab = context_.lab();
     for (const Lab::Control& control : lab.controls) std::visit(*this, control);
     for (const Lab::Readout& readout : lab.readouts) add(readout.expression, ScriptKind::value);
     for (const Lab::Plot& plot : lab.plots) {
@@ -47,8 +47,9 @@ class Guarding {
  private:
   bool add(const LocatedText& text, ScriptKind kind) {
     if (text.text.empty()) return true;
-    Workshop& workshop = bench_.workshop();
-    const auto safe = workshop.script_guard().guard(text.text, kind, workshop.script_names());
+    WorkerContext& worker_context = context_.worker();
+    const auto safe =
+        worker_context.script_guard().guard(text.text, kind, worker_context.script_names());
     if (safe) {
       if (*safe != text.text) scripts_[lab_script_key(text.text, kind)] = *safe;
       return true;
@@ -56,12 +57,12 @@ class Guarding {
     if (safe.error().id == "E-script-syntax" || safe.error().id == "E-script-name") {
       doubtful_.push_back({&text, safe.error()});
     } else {
-      good_ = bench_.error(safe.error(), text);
+      good_ = context_.error(safe.error(), text);
     }
     return false;
   }
 
-  const LabBench& bench_;
+  const LabContext& context_;
   LabScripts& scripts_;
   std::vector<DoubtfulScript>& doubtful_;
   bool good_ = true;
@@ -69,17 +70,18 @@ class Guarding {
 
 }  // namespace
 
-bool guard_scripts(const LabBench& bench, LabScripts& scripts,
+bool guard_scripts(const LabContext& context, LabScripts& scripts,
                    std::vector<DoubtfulScript>& doubtful) {
-  return Guarding(bench, scripts, doubtful).run();
+  return Guarding(context, scripts, doubtful).run();
 }
 
-bool guard_scripts(const Lab& lab, const Lesson& lesson, Workshop& workshop, LabScripts& scripts) {
+bool guard_scripts(const Lab& lab, const Lesson& lesson, WorkerContext& worker_context,
+                   LabScripts& scripts) {
   scripts.clear();
   Diagnostics told;  // of what the worker has passed, and should not have
   std::vector<DoubtfulScript> doubtful;
-  const LabBench bench(lab, scripts, lesson, workshop, told);
-  return guard_scripts(bench, scripts, doubtful) && doubtful.empty();
+  const LabContext context(lab, scripts, lesson, worker_context, told);
+  return guard_scripts(context, scripts, doubtful) && doubtful.empty();
 }
 
 }  // namespace mjcourse

@@ -9,8 +9,8 @@
 
 namespace mjcourse {
 
-class LabBench;
-class Workshop;
+class LabContext;
+class WorkerContext;
 
 // One that does not parse, or names what there is not. The engine that runs it tells of that
 // together with all else that goes wrong; what it does not come to, or reads otherwise, is told
@@ -20,12 +20,13 @@ struct DoubtfulScript {
   ScriptError error;
 };
 
-// Of the lab on `bench`. False where the page would refuse one, which is reported.
-bool guard_scripts(const LabBench& bench, LabScripts& scripts,
+// Of the lab on `context`. False where the page would refuse one, which is reported.
+bool guard_scripts(const LabContext& context, LabScripts& scripts,
                    std::vector<DoubtfulScript>& doubtful);
 
 // The same of a lab whose result a worker has given: a page runs only what was guarded here. False
 // where a script would have been refused.
-bool guard_scripts(const Lab& lab, const Lesson& lesson, Workshop& workshop, LabScripts& scripts);
+bool guard_scripts(const Lab& lab, const Lesson& lesson, WorkerContext& worker_context,
+                   LabScripts& scripts);
 
 }  // namespace mjcourse

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 #include "evaluate/scenes/model_page.h"
 #include "evaluate/scenes/view.h"
 
@@ -24,6 +24,6 @@ std::vector<std::string> model_lab_fences(const ModelPage& page, const Model& mo
 // even the model alone can.
 std::optional<ModelPage::LiveLab> evaluate_model_lab(const std::string& name,
                                                      const std::vector<std::string>& fences,
-                                                     Workshop& workshop);
+                                                     WorkerContext& worker);
 
 }  // namespace mjcourse

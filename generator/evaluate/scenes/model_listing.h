@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "evaluate/context/workshop.h"
+#include "evaluate/context/worker_context.h"
 #include "findings/result.h"
 #include "lesson/blocks/lesson.h"
 #include "report/diagnostic.h"
@@ -13,10 +13,10 @@ namespace mjcourse {
 // Is this a part of the model's file? Line by line, whatever their indentation; a line that is `…`
 // or a comment with `…` in it stands for any lines. The model must compile.
 std::optional<ModelResult> evaluate_excerpt(const ModelExcerpt& excerpt, const Lesson& lesson,
-                                            Workshop& workshop, Diagnostics& diagnostics);
+                                            WorkerContext& worker, Diagnostics& diagnostics);
 
 // Does this model compile, or not, as the lesson says?
 std::optional<ModelResult> evaluate_inline_model(const InlineModel& model, const Lesson& lesson,
-                                                 Workshop& workshop, Diagnostics& diagnostics);
+                                                 WorkerContext& worker, Diagnostics& diagnostics);
 
 }  // namespace mjcourse

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "base/utf8.h"
-#include "evaluate/context/bench.h"
+#include "evaluate/context/block_context.h"
 #include "evaluate/scenes/model_lab.h"
 #include "evaluate/scenes/step_count.h"
 #include "evaluate/scenes/view.h"
@@ -139,10 +139,10 @@ View portrait_of(Simulation& simulation) {
 
 }  // namespace
 
-std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Bench& bench) {
-  Workshop& workshop = bench.workshop();
+std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const BlockContext& context) {
+  WorkerContext& worker = context.worker();
   std::optional<Simulation> simulation =
-      workshop.simulate_named(name, *bench.lesson().source, bench.diagnostics());
+      worker.simulate_named(name, *context.lesson().source, context.diagnostics());
   if (!simulation) return std::nullopt;
   const Model& model = simulation->model();
   ModelPage page;
@@ -155,20 +155,20 @@ std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Benc
   page.actuators = actuators_of(model);
   page.sensors = sensors_of(model);
   page.keyframes = keyframes_of(model);
-  page.files = files_of(workshop.root(), "models/" + name.text + ".xml");
+  page.files = files_of(worker.root(), "models/" + name.text + ".xml");
   for (const ModelPage::File& file : page.files) {
     if (!find_invalid_utf8(file.text)) continue;
-    bench.error("E-model-utf8", name.span(), file.path + " is not UTF-8, as its page needs it",
-                "save it as UTF-8");
+    context.error("E-model-utf8", name.span(), file.path + " is not UTF-8, as its page needs it",
+                  "save it as UTF-8");
     return std::nullopt;
   }
   const View view = portrait_of(*simulation);
-  const auto picture = draw(*simulation, view, "the model's picture", name.span(), bench);
+  const auto picture = draw(*simulation, view, "the model's picture", name.span(), context);
   if (!picture) return std::nullopt;
   page.poster = poster_of(*picture, view);
   const std::vector<std::string> fences = model_lab_fences(page, model, view);
   simulation.reset();  // a large model is not there twice
-  page.lab = evaluate_model_lab(page.name, fences, workshop);
+  page.lab = evaluate_model_lab(page.name, fences, worker);
   return page;
 }
 

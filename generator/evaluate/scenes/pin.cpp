@@ -41,19 +41,19 @@ std::string percent(const PictureDifference& difference) {
 
 class Pin {
  public:
-  Pin(const LocatedText& pin, const Picture& picture, const Bench& bench)
+  Pin(const LocatedText& pin, const Picture& picture, const BlockContext& context)
       : pin_(pin),
         picture_(picture),
-        bench_(bench),
-        path_(reference_path(bench.lesson(), pin.text)) {}
+        context_(context),
+        path_(reference_path(context.lesson(), pin.text)) {}
 
   PinComparison compare() {
     result_.name = pin_.text;
     keep(std::min(kReferenceWidth, picture_.width));
-    const Files& files = bench_.workshop().files();
+    const Files& files = context_.worker().files();
     if (const std::string why = files.refusal(path_); !why.empty()) {
-      bench_.diagnostics().push_back(
-          refused_file(place_of(*bench_.lesson().source, pin_.span()), path_, why));
+      context_.diagnostics().push_back(
+          refused_file(place_of(*context_.lesson().source, pin_.span()), path_, why));
       return result_;
     }
     if (!files.exists(path_)) {
@@ -103,15 +103,15 @@ class Pin {
   }
 
   void report(const char* id, const std::string& message, const std::string& cure) {
-    bench_.error(id, pin_.span(), message, cure);
-    bench_.diagnostics().back().edit =
+    context_.error(id, pin_.span(), message, cure);
+    context_.diagnostics().back().edit =
         Edit{path_, std::nullopt, actual_,
-             "the reference picture \"" + pin_.text + "\" of lesson " + bench_.lesson().number};
+             "the reference picture \"" + pin_.text + "\" of lesson " + context_.lesson().number};
   }
 
   const LocatedText& pin_;
   const Picture& picture_;
-  const Bench& bench_;
+  const BlockContext& context_;
   std::string path_;
   Picture small_;       // the picture, at the reference's size
   std::string actual_;  // the same as PNG
@@ -121,9 +121,9 @@ class Pin {
 }  // namespace
 
 std::optional<PinComparison> compare_pin(const LocatedText& pin, const Picture& picture,
-                                         const Bench& bench) {
+                                         const BlockContext& context) {
   if (pin.text.empty()) return std::nullopt;
-  return Pin(pin, picture, bench).compare();
+  return Pin(pin, picture, context).compare();
 }
 
 }  // namespace mjcourse

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "evaluate/context/bench.h"
+#include "evaluate/context/block_context.h"
 #include "findings/result.h"
 
 namespace mjcourse {
@@ -16,6 +16,6 @@ namespace mjcourse {
 // What came of holding `picture` against the reference named `pin`; nothing where none is named.
 // A reference that is not there, cannot be read, or is not like `picture`, is reported.
 std::optional<PinComparison> compare_pin(const LocatedText& pin, const Picture& picture,
-                                         const Bench& bench);
+                                         const BlockContext& context);
 
 }  // namespace mjcourse

@@ -53,34 +53,34 @@ std::string text_of(double number) {
 
 // What is written must be read again, for the slider shows what it reads: where it starts, at both
 // of its ends, and a step from one.
-bool check_slider(const LabBench& bench, const Lab::Slider& slider) {
-  std::optional<LabRun> run = LabRun::start(bench, bench.lab().model);
+bool check_slider(const LabContext& context, const Lab::Slider& slider) {
+  std::optional<LabRun> run = LabRun::start(context, context.lab().model);
   double found = 0;
   if (!run || !run->number(slider.bind, found)) return false;
   if (found < slider.min || found > slider.max) {
-    return bench.error("E-lab-slider", slider.bind.span(),
-                       "this is " + text_of(found) + " at rest, outside of the slider",
-                       "widen \"min\" and \"max\", or give the slider a \"value\"");
+    return context.error("E-lab-slider", slider.bind.span(),
+                         "this is " + text_of(found) + " at rest, outside of the slider",
+                         "widen \"min\" and \"max\", or give the slider a \"value\"");
   }
   for (const double value : {slider.min, slider.min + slider.step_size(), slider.max}) {
     if (!run->act(slider, value) || !run->number(slider.bind, found)) return false;
     if (std::abs(found - value) <= 1e-6 * std::max(slider.max - slider.min, std::abs(value))) {
       continue;
     }
-    return bench.error("E-lab-slider", slider.bind.span(),
-                       "set to " + text_of(value) + ", this reads " + text_of(found),
-                       "bind the slider to something that keeps what is written");
+    return context.error("E-lab-slider", slider.bind.span(),
+                         "set to " + text_of(value) + ", this reads " + text_of(found),
+                         "bind the slider to something that keeps what is written");
   }
   return true;
 }
 
 // Of the control with this index, or of none. `view`, which may be null, sees it all.
-std::optional<LabRunResult> run_of(const LabBench& bench, std::optional<std::size_t> control,
+std::optional<LabRunResult> run_of(const LabContext& context, std::optional<std::size_t> control,
                                    const Deed& deed, WholeView* view) {
-  std::optional<LabRun> run = LabRun::start(bench, bench.lab().model);
+  std::optional<LabRun> run = LabRun::start(context, context.lab().model);
   if (!run) return std::nullopt;
   for (const ControlValue& value : deed.values) {
-    if (!run->act(bench.lab().controls[control.value()], value)) return std::nullopt;
+    if (!run->act(context.lab().controls[control.value()], value)) return std::nullopt;
   }
   if (!run->steps_in(kRehearsal)) return std::nullopt;
   LabRunResult result;
@@ -120,18 +120,18 @@ bool play(LabRun& run, double seconds,
   return true;
 }
 
-std::vector<LabRunResult> rehearse(const LabBench& bench, WholeView* view) {
+std::vector<LabRunResult> rehearse(const LabContext& context, WholeView* view) {
   std::vector<LabRunResult> runs;
   // What fails by itself would fail again after every control.
-  std::optional<LabRunResult> alone = run_of(bench, std::nullopt, {}, view);
+  std::optional<LabRunResult> alone = run_of(context, std::nullopt, {}, view);
   if (!alone) return runs;
   runs.push_back(*std::move(alone));
-  const std::vector<Lab::Control>& controls = bench.lab().controls;
+  const std::vector<Lab::Control>& controls = context.lab().controls;
   for (std::size_t i = 0; i < controls.size(); ++i) {
     const auto* slider = std::get_if<Lab::Slider>(&controls[i]);
-    if (slider != nullptr && !check_slider(bench, *slider)) continue;
+    if (slider != nullptr && !check_slider(context, *slider)) continue;
     for (const Deed& deed : std::visit(DeedsOf{}, controls[i])) {
-      std::optional<LabRunResult> run = run_of(bench, i, deed, nullptr);
+      std::optional<LabRunResult> run = run_of(context, i, deed, nullptr);
       if (!run) break;
       runs.push_back(*std::move(run));
     }

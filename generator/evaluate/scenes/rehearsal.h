@@ -17,6 +17,6 @@ bool play(LabRun& run, double seconds,
 
 // Two seconds of every control in every value, and of none, in which `view`, which may be null,
 // sees all that there is. A control that fails is reported, and left out of what is given.
-std::vector<LabRunResult> rehearse(const LabBench& bench, WholeView* view);
+std::vector<LabRunResult> rehearse(const LabContext& context, WholeView* view);
 
 }  // namespace mjcourse

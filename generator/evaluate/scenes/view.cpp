@@ -19,12 +19,12 @@ PictureSize size_of(const View& view) {
 
 }  // namespace
 
-void check_overlays(const std::vector<LocatedText>& names, const Bench& bench) {
+void check_overlays(const std::vector<LocatedText>& names, const BlockContext& context) {
   const std::vector<std::string> known = overlay_names();
   for (const LocatedText& name : names) {
     if (std::find(known.begin(), known.end(), name.text) != known.end()) continue;
-    bench.error("E-overlay-unknown", name.span(), "there is no overlay \"" + name.text + "\"",
-                suggest(name.text, known));
+    context.error("E-overlay-unknown", name.span(), "there is no overlay \"" + name.text + "\"",
+                  suggest(name.text, known));
   }
 }
 
@@ -41,10 +41,10 @@ Lab::Camera camera_of(const std::optional<Lab::Camera>& camera, const WholeView&
 }
 
 std::optional<Picture> draw(const Simulation& simulation, const View& view, const std::string& what,
-                            Span blamed, const Bench& bench) {
-  const tl::expected<Renderer*, std::string> renderer = bench.workshop().renderer();
+                            Span blamed, const BlockContext& context) {
+  const tl::expected<Renderer*, std::string> renderer = context.worker().renderer();
   if (!renderer) {
-    bench.error("E-picture", blamed, "no picture can be drawn: " + renderer.error());
+    context.error("E-picture", blamed, "no picture can be drawn: " + renderer.error());
     return std::nullopt;
   }
   Overlays overlays;
@@ -53,7 +53,7 @@ std::optional<Picture> draw(const Simulation& simulation, const View& view, cons
   tl::expected<Picture, std::string> picture = (*renderer)->render(
       simulation, {azimuth, elevation, distance, target}, overlays, size_of(view), view.detail);
   if (picture) return *std::move(picture);
-  bench.error("E-picture", blamed, what + " cannot be drawn: " + picture.error());
+  context.error("E-picture", blamed, what + " cannot be drawn: " + picture.error());
   return std::nullopt;
 }
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "evaluate/context/bench.h"
+#include "evaluate/context/block_context.h"
 #include "findings/result.h"
 #include "physics/whole_view.h"
 
@@ -18,7 +18,7 @@ struct View {
 };
 
 // Report the names that are no overlay of MuJoCo's.
-void check_overlays(const std::vector<LocatedText>& names, const Bench& bench);
+void check_overlays(const std::vector<LocatedText>& names, const BlockContext& context);
 std::vector<LocatedText> names_of(const std::vector<Lab::Overlay>& overlays);
 
 // Without one of the author's, all of the model is seen.
@@ -26,7 +26,7 @@ Lab::Camera camera_of(const std::optional<Lab::Camera>& camera, const WholeView&
 
 // Nothing (reported at `blamed`) where it cannot be drawn; `what` names it: "the poster".
 std::optional<Picture> draw(const Simulation& simulation, const View& view, const std::string& what,
-                            Span blamed, const Bench& bench);
+                            Span blamed, const BlockContext& context);
 
 Poster poster_of(const Picture& picture, const View& view);
 

@@ -11,9 +11,9 @@
 #include <variant>
 #include <vector>
 
-#include "lesson/blocks/chart.h"
 #include "lesson/blocks/figure.h"
 #include "lesson/blocks/lab.h"
+#include "lesson/blocks/plot.h"
 #include "lesson/blocks/quiz.h"
 #include "lesson/syntax/located_text.h"
 #include "lesson/syntax/markdown.h"
@@ -145,6 +145,6 @@ struct Shown {};
 
 using Block =
     std::variant<Math, InlineValue, TermUse, Example, Unchecked, Snippet, Commands, ModelExcerpt,
-                 InlineModel, Output, Image, Io, Callout, Lab, Figure, Chart, Quiz, Demo, Shown>;
+                 InlineModel, Output, Image, Io, Callout, Lab, Figure, Plot, Quiz, Demo, Shown>;
 
 }  // namespace mjcourse

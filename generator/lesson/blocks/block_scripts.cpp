@@ -43,7 +43,7 @@ class Collector {
     for (const LocatedText& value : proof.values) add(value);
   }
   template <AnyOf<Lab::Keyframe, Math, TermUse, Example, Unchecked, Snippet, Commands, ModelExcerpt,
-                  InlineModel, Output, Image, Io, Callout, Chart, Demo, Shown>
+                  InlineModel, Output, Image, Io, Callout, Plot, Demo, Shown>
                 Other>
   void operator()(const Other&) {}
 

@@ -15,7 +15,7 @@ std::string block_name(const Lesson& lesson, std::size_t index) {
   const Block& block = lesson.blocks[index];
   const char* kind = std::holds_alternative<Lab>(block)      ? "lab"
                      : std::holds_alternative<Figure>(block) ? "figure"
-                     : std::holds_alternative<Chart>(block)  ? "plot"
+                     : std::holds_alternative<Plot>(block)   ? "plot"
                                                              : nullptr;
   return kind == nullptr ? ""
                          : std::string(kind) + "-" + std::to_string(block_number(lesson, index));

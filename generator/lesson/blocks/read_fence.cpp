@@ -5,13 +5,13 @@
 #include "base/nearest.h"
 #include "lesson/blocks/fence.h"
 #include "lesson/blocks/lesson_reader.h"
-#include "lesson/blocks/read_chart.h"
 #include "lesson/blocks/read_code.h"
 #include "lesson/blocks/read_commands.h"
 #include "lesson/blocks/read_figure.h"
 #include "lesson/blocks/read_io.h"
 #include "lesson/blocks/read_lab.h"
 #include "lesson/blocks/read_model_fence.h"
+#include "lesson/blocks/read_plot.h"
 #include "lesson/blocks/read_quiz.h"
 #include "lesson/blocks/read_unchecked.h"
 #include "lesson/blocks/read_view.h"
@@ -88,7 +88,7 @@ void LessonReader::read_fence(cmark_node* node, Region& region) {
                      "write `lab simlab`");
     }
   } else if (kind == "plot") {
-    if (auto chart = read_chart(fence, *this)) add(node, std::move(*chart));
+    if (auto plot = read_plot(fence, *this)) add(node, std::move(*plot));
   } else if (kind == "quiz") {
     if (auto quiz = read_quiz(fence, *this)) {
       refuse_second_quiz(*quiz, fence.span());

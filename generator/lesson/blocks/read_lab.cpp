@@ -5,7 +5,7 @@
 
 #include "lesson/blocks/read_assignment.h"
 #include "lesson/blocks/read_control.h"
-#include "lesson/blocks/read_plot.h"
+#include "lesson/blocks/read_lab_plots.h"
 #include "lesson/blocks/read_view.h"
 #include "lesson/json/json_object.h"
 #include "lesson/json/lab_vocabulary.h"
@@ -48,7 +48,7 @@ std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
     if (auto read = read_control(control, reading)) lab.controls.push_back(std::move(*read));
   }
   lab.readouts = read_readouts(object, reading);
-  lab.plots = read_plots(object, reading);
+  lab.plots = read_lab_plots(object, reading);
   lab.speed = object.number("speed", lab.speed);
   lab.predict = read_predict(object.find("predict"), reader);
   lab.editable = read_editable(object.find("editable"), reader, lab.tasks);

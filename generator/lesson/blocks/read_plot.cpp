@@ -1,73 +1,60 @@
 #include "lesson/blocks/read_plot.h"
 
-#include <string>
 #include <utility>
 
-#include "lesson/json/lab_vocabulary.h"
+#include "lesson/json/json_object.h"
+#include "lesson/json/plot_vocabulary.h"
 
 namespace mjcourse {
 namespace {
 
-Lab::Readout read_readout(const JsonValue& value, Reading& reading) {
-  JsonObject object(value, words::kReadout, reading);
-  Lab::Readout readout;
-  readout.label = object.string("label");
-  readout.expression = object.string("expr");
-  readout.digits = object.whole("digits", readout.digits);
-  readout.unit = object.string("unit").text;
-  object.finish();
-  return readout;
-}
+constexpr const char* kDataCure = "write \"data\": {\"name\": \"EXAMPLE/TABLE\"}";
 
-Lab::Readout read_trace(const JsonValue& value, Reading& reading) {
-  JsonObject object(value, words::kTrace, reading);
-  Lab::Readout trace;
-  trace.label = object.string("label");
-  trace.expression = object.string("expr");
-  object.finish();
-  return trace;
-}
-
-Lab::Plot read_plot(const JsonValue& value, Reading& reading) {
-  JsonObject object(value, words::kPlot, reading);
-  Lab::Plot plot;
-  plot.ylabel = object.string("ylabel").text;
-  plot.window = object.number("window", plot.window);
-  plot.ymin = object.optional_number("ymin");
-  plot.ymax = object.optional_number("ymax");
-  if (plot.ymin && plot.ymax && !(*plot.ymin < *plot.ymax)) {
-    reading.error("E-json-range", object.find("ymax")->span,
-                  "\"ymax\" is the upper end of the plot: more than \"ymin\"");
+// {"name": "EXAMPLE/TABLE"}
+void read_data(const JsonValue& value, Reading& reading, Plot& plot) {
+  JsonObject data(value, words::kPlotData, reading);
+  // What Vega-Lite takes as well.
+  for (const char* other : {"url", "values", "sequence", "sphere", "graticule", "format"}) {
+    const JsonValue* found = data.misplaced(other);
+    if (found == nullptr) continue;
+    reading.error("E-plot-data", found->span,
+                  "a plot shows a table that an example of the course reported, and no other data",
+                  kDataCure);
+    return;
   }
-  for (const JsonValue& value_of_trace :
-       object.list("traces", "add a trace: {\"label\": …, \"expr\": …}")) {
-    Lab::Readout trace = read_trace(value_of_trace, reading);
-    if (!trace.expression.text.empty()) plot.traces.push_back(std::move(trace));
+  const LocatedText name = data.string("name");
+  data.finish();
+  if (name.text.empty()) return;
+  const std::size_t slash = name.text.find('/');
+  if (slash == std::string::npos || slash == 0 || slash + 1 == name.text.size()) {
+    reading.error("E-plot-data", name.span(), "this does not name a table of an example",
+                  kDataCure);
+    return;
   }
-  const auto most = static_cast<std::size_t>(words::kPlot.find("traces")->limits.most);
-  if (plot.traces.size() > most) {
-    reading.error("E-lab-plot", plot.traces[most].label.span(),
-                  "a plot has colours for four traces", "put the others into a plot of their own");
-  }
-  object.finish();
-  return plot;
+  plot.example = name.part(0, slash);
+  plot.table = name.part(slash + 1, name.text.size());
 }
 
 }  // namespace
 
-std::vector<Lab::Readout> read_readouts(JsonObject& lab, Reading& reading) {
-  std::vector<Lab::Readout> readouts;
-  for (const JsonValue& value : lab.list("readouts")) {
-    Lab::Readout readout = read_readout(value, reading);
-    if (!readout.expression.text.empty()) readouts.push_back(std::move(readout));
+std::optional<Plot> read_plot(Fence& fence, LessonReader& reader) {
+  Reading& reading = reader.reading();
+  fence.finish("plot", {}, reading);
+  std::optional<JsonValue> json = parse_json(fence.body(), reading);
+  if (!json) return std::nullopt;
+  JsonObject object(*json, words::kPlot, reading);
+  if (!object.is_object()) return std::nullopt;
+  Plot plot;
+  plot.span = fence.span();
+  if (const JsonValue* data = object.require("data", "this plot has no \"data\"", kDataCure)) {
+    read_data(*data, reading, plot);
   }
-  return readouts;
-}
-
-std::vector<Lab::Plot> read_plots(JsonObject& lab, Reading& reading) {
-  std::vector<Lab::Plot> plots;
-  for (const JsonValue& value : lab.list("plots")) plots.push_back(read_plot(value, reading));
-  return plots;
+  plot.caption = reader.fragment(object.string("caption"));
+  plot.alt = object.string("alt").text;
+  object.finish();
+  plot.json = fence.body().text;
+  plot.tree = *std::move(json);
+  return plot;
 }
 
 }  // namespace mjcourse

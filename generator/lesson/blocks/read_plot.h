@@ -1,15 +1,16 @@
-// What a lab reads of its simulation: readouts, and the plots' traces.
+// Reading a ```plot fence: whose table it shows and what is said of it. Its spec is Vega-Lite's
+// language; whether it is well said is found out by those who draw it.
 #pragma once
 
-#include <vector>
+#include <optional>
 
-#include "lesson/blocks/lab.h"
-#include "lesson/json/json_object.h"
+#include "lesson/blocks/fence.h"
+#include "lesson/blocks/lesson_reader.h"
+#include "lesson/blocks/plot.h"
 
 namespace mjcourse {
 
-// Without those that read nothing.
-std::vector<Lab::Readout> read_readouts(JsonObject& lab, Reading& reading);
-std::vector<Lab::Plot> read_plots(JsonObject& lab, Reading& reading);
+// Nothing (reported) when the fence holds no JSON object.
+std::optional<Plot> read_plot(Fence& fence, LessonReader& reader);
 
 }  // namespace mjcourse

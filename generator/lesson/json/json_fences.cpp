@@ -2,9 +2,9 @@
 
 #include <array>
 
-#include "lesson/json/chart_vocabulary.h"
 #include "lesson/json/figure_vocabulary.h"
 #include "lesson/json/lab_vocabulary.h"
+#include "lesson/json/plot_vocabulary.h"
 #include "lesson/json/quiz_vocabulary.h"
 
 namespace mjcourse {
@@ -12,7 +12,7 @@ namespace mjcourse {
 std::span<const JsonFence> json_fences() {
   static constexpr std::array all{
       JsonFence{"lab", "lab simlab", &words::kLab}, JsonFence{"quiz", "quiz", &words::kQuiz},
-      JsonFence{"figure", "figure", &words::kFigure}, JsonFence{"plot", "plot", &words::kChart}};
+      JsonFence{"figure", "figure", &words::kFigure}, JsonFence{"plot", "plot", &words::kPlot}};
   return all;
 }
 

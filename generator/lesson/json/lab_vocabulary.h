@@ -87,7 +87,7 @@ inline constexpr Vocabulary kReadout{"readout", kReadoutKeys};
 inline constexpr std::array kTraceKeys{kLabelKey, kExpressionKey};
 inline constexpr Vocabulary kTrace{"trace", kTraceKeys};
 
-inline constexpr std::array kPlotKeys{
+inline constexpr std::array kLabPlotKeys{
     Key{"ylabel", KeyKind::text, "What is written beside the plot: quantities and units."},
     Key{"window",
         KeyKind::number,
@@ -102,7 +102,7 @@ inline constexpr std::array kPlotKeys{
         Need::filled,
         {1, 4, "has colours for four"},
         &kTrace}};
-inline constexpr Vocabulary kPlot{"plot", kPlotKeys};
+inline constexpr Vocabulary kLabPlot{"plot", kLabPlotKeys};
 
 inline constexpr std::array kPredictionKeys{
     Key{"q", KeyKind::markdown, "What the reader is to guess.", Need::filled},
@@ -182,7 +182,7 @@ inline constexpr std::array kLabKeys{
         Need::none,
         {},
         &kReadout},
-    Key{"plots", KeyKind::objects, "Plots over time.", Need::none, {}, &kPlot},
+    Key{"plots", KeyKind::objects, "Plots over time.", Need::none, {}, &kLabPlot},
     Key{"speed",
         KeyKind::number,
         "Simulated seconds in a second; 1 where nothing is said.",

@@ -125,7 +125,7 @@ json PageWriter::data_of(const InlineModel& model, std::size_t index) {
 
 json PageWriter::listing(const std::string& code, const std::string& language) {
   const json highlighted =
-      code.empty() ? json() : json(press_.highlighter.highlight(code, language));
+      code.empty() ? json() : json(context_.highlighter.highlight(code, language));
   return {{"id", nullptr},       {"file", nullptr},    {"download", nullptr}, {"zip", nullptr},
           {"code", highlighted}, {"unchecked", false}, {"because", ""},       {"output", nullptr}};
 }
@@ -174,7 +174,7 @@ json PageWriter::data_of(const Io& io) const {
 }
 
 json PageWriter::data_of(const Demo& demo) {
-  return {{"source", press_.highlighter.highlight(demo.source, "lesson")},
+  return {{"source", context_.highlighter.highlight(demo.source, "lesson")},
           {"body", html(demo.document)}};
 }
 

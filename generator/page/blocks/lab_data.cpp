@@ -98,13 +98,13 @@ json PageWriter::live_data(const Lab& lab, const LabResult& result, std::size_t 
   const std::string number = lesson_.number + "-" + std::to_string(block_number(lesson_, index));
   LabFiles files = write_lab_module(lab, result, number, *this);
   json data = nullptr;
-  if (press_.manifest.contains("engine.wasm")) {
+  if (context_.manifest.contains("engine.wasm")) {
     data = {{"module", from_root(files.module)}};
     for (const auto& [name, asset] : {std::pair("code", "lab.js"),
                                       {"style", "lab.css"},
                                       {"engine", "engine.mjs"},
                                       {"wasm", "engine.wasm"}}) {
-      data[name] = from_root(press_.manifest.at(asset).get<std::string>());
+      data[name] = from_root(context_.manifest.at(asset).get<std::string>());
     }
     data["large"] = result.memory > kMostUnasked;
   }

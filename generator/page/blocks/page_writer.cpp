@@ -11,7 +11,7 @@
 #include "page/html/place_marks.h"
 #include "page/html/placeholder.h"
 #include "page/html/site_paths.h"
-#include "script/known_scripts.h"
+#include "script/script_bundles.h"
 
 namespace mjcourse {
 namespace {
@@ -92,21 +92,21 @@ void fill_in(std::string& html, const std::string& name, const std::string& key,
 }
 
 PageWriter::PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results,
-                       Press press)
-    : course_(course), lesson_(lesson), results_(results), press_(std::move(press)) {
-  if (press_.page.empty()) press_.page = page_path(lesson);
+                       PageContext context)
+    : course_(course), lesson_(lesson), results_(results), context_(std::move(context)) {
+  if (context_.page.empty()) context_.page = page_path(lesson);
   writer_.takes = [this](cmark_node* node) { return takes(node); };
   writer_.write = [this](cmark_node* node, const std::string& inner) { return write(node, inner); };
 }
 
 std::string PageWriter::body() {
-  if (!press_.places) return html(lesson_.document);
+  if (!context_.places) return html(lesson_.document);
   const PlaceMarks marks(lesson_, results_);
   return html(lesson_.document) + kEndOfPlaces;
 }
 
 std::string PageWriter::render(const std::string& name, const nlohmann::json& data) {
-  return render_template(press_.templates, name, data);
+  return render_template(context_.templates, name, data);
 }
 
 bool PageWriter::takes(cmark_node* node) const {
@@ -207,7 +207,7 @@ std::string PageWriter::write_link(cmark_node* node, const std::string& inner) c
   const std::string anchor = resolved->anchor.empty() ? "" : "#" + resolved->anchor;
   const std::string path =
       resolved->lesson != nullptr ? page_path(*resolved->lesson) : resolved->page;
-  const bool here = path == press_.page && !anchor.empty();
+  const bool here = path == context_.page && !anchor.empty();
   return "<a href=\"" + (here ? "" : from_root(path)) + anchor + "\"" + title + ">" + inner +
          "</a>";
 }
@@ -217,16 +217,16 @@ std::string PageWriter::write_term(const TermUse& term, const std::string& inner
   if (known == nullptr) return inner;
   const std::string path = page_path(course_.glossary->page);
   std::string title;
-  if (press_.definitions != nullptr) {
-    title = " title=\"" + escape_html(press_.definitions->at(term.key)) + "\"";
+  if (context_.definitions != nullptr) {
+    title = " title=\"" + escape_html(context_.definitions->at(term.key)) + "\"";
   }
-  return "<a class=\"term\" href=\"" + (path == press_.page ? "" : from_root(path)) + "#" +
+  return "<a class=\"term\" href=\"" + (path == context_.page ? "" : from_root(path)) + "#" +
          known->id + "\"" + title + ">" + inner + "</a>";
 }
 
 // The way from the page being written to a file below the site's root.
 std::string PageWriter::from_root(const std::string& path) const {
-  return way_to_root(press_.page) + site_address(path);
+  return way_to_root(context_.page) + site_address(path);
 }
 
 std::string PageWriter::children_html(cmark_node* node) const {
@@ -290,7 +290,7 @@ std::string PageWriter::write_block(cmark_node* node, std::size_t i, const std::
       },
       [&](const Lab& lab) { return render("lab", data_of(lab, i)); },
       [&](const Figure& figure) { return render("figure", data_of(figure, i)); },
-      [&](const Chart& chart) { return render("plot", data_of(chart, i)); },
+      [&](const Plot& plot) { return render("plot", data_of(plot, i)); },
       [&](const Quiz& quiz) {
         const nlohmann::json data = data_of(quiz, i);
         tell_later(data);

@@ -23,7 +23,7 @@
 namespace mjcourse {
 
 // The tools that all pages share.
-struct Press {
+struct PageContext {
   Templates& templates;
   Highlighter& highlighter;
   const nlohmann::json& manifest;  // the way from a plain name of an asset to its path
@@ -37,7 +37,8 @@ struct Press {
 
 class PageWriter {
  public:
-  PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results, Press press);
+  PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results,
+             PageContext context);
 
   std::string body();
   // The headings as a two-level list; complete once body() was written.
@@ -60,7 +61,7 @@ class PageWriter {
   std::string children_html(cmark_node* node) const;
   // For a script to put into the page: the stylesheet of the page has what it needs.
   std::string scripted_html(const Document& document) const {
-    return press_.styles.take(html(document));
+    return context_.styles.take(html(document));
   }
 
  private:
@@ -98,7 +99,7 @@ class PageWriter {
   nlohmann::json asked_data(const Lab& lab) const;
   nlohmann::json live_data(const Lab& lab, const LabResult& result, std::size_t index);
   nlohmann::json data_of(const Figure& figure, std::size_t index);
-  nlohmann::json data_of(const Chart& chart, std::size_t index);
+  nlohmann::json data_of(const Plot& plot, std::size_t index);
   nlohmann::json data_of(const Quiz& quiz, std::size_t index);
   nlohmann::json data_of(const Question& question, const QuestionResult& result,
                          const std::string& id, std::size_t number);
@@ -114,7 +115,7 @@ class PageWriter {
   const Course& course_;
   const Lesson& lesson_;
   const LessonResults& results_;
-  Press press_;
+  PageContext context_;
   NodeWriter writer_;
   nlohmann::json contents_ = nlohmann::json::array();
   nlohmann::json answers_ = nlohmann::json::array();

@@ -76,9 +76,9 @@ class Reader {
     say(figure.alt + " ");
     read(figure.caption);
   }
-  void operator()(const Chart& chart) {
-    say(chart.alt + " ");
-    read(chart.caption);
+  void operator()(const Plot& plot) {
+    say(plot.alt + " ");
+    read(plot.caption);
   }
   void operator()(const Quiz& quiz) {
     say(quiz.title + " ");

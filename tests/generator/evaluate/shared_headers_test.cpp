@@ -4,7 +4,7 @@
 
 #include "base/temporary_folder.h"
 #include "course/course_of.h"
-#include "evaluate/context/setting.h"
+#include "evaluate/context/run_context.h"
 
 namespace mjcourse {
 namespace {
@@ -13,9 +13,9 @@ class ProgramOf : public Task {
  public:
   ProgramOf(const Lesson& lesson, std::vector<std::string> roots)
       : Task(lesson, 0, 0, "compile"), roots_(std::move(roots)) {}
-  std::vector<std::string> warm_roots(const Setting&) const override { return roots_; }
-  Dependencies recipe(const Setting&) const override { return {}; }
-  bool work(Workshop&, Finding&) override { return true; }
+  std::vector<std::string> warm_roots(const RunContext&) const override { return roots_; }
+  Dependencies recipe(const RunContext&) const override { return {}; }
+  bool work(WorkerContext&, Finding&) override { return true; }
 
  private:
   std::vector<std::string> roots_;
@@ -34,13 +34,14 @@ class SharedHeadersTest : public testing::Test {
         waiting.push_back(tasks.back().get());
       }
     }
-    return shared_headers(setting_, waiting);
+    return shared_headers(run_context_, waiting);
   }
 
   TemporaryFolder folder_;
   CourseOf course_ = course_of("", "");
   const DiskFiles assets_{MJCOURSE_ASSETS};
-  Setting setting_{*course_.course, folder_.path(), assets_, {}, folder_.path() / "prepared"};
+  RunContext run_context_{
+      *course_.course, folder_.path(), assets_, {}, folder_.path() / "prepared"};
 };
 
 TEST_F(SharedHeadersTest, AreOfNoUseToOneProgram) {
@@ -61,13 +62,13 @@ TEST_F(SharedHeadersTest, AreThoroughForMany) {
 }
 
 TEST_F(SharedHeadersTest, AreNotMadeWhereTheyCannotBeKept) {
-  const Setting setting(*course_.course, folder_.path(), assets_);
+  const RunContext run_context(*course_.course, folder_.path(), assets_);
   const ProgramOf program(course_.course->lessons[0], {"vector"});
-  EXPECT_TRUE(shared_headers(setting, {&program, &program}).empty());
+  EXPECT_TRUE(shared_headers(run_context, {&program, &program}).empty());
 }
 
 TEST_F(SharedHeadersTest, AreMadeOnce) {
-  setting_.compiler()->make_header({"vector"}, Warmth::quick);
+  run_context_.compiler()->make_header({"vector"}, Warmth::quick);
   EXPECT_TRUE(headers_for({{{"vector"}, 100}}).empty());
 }
 

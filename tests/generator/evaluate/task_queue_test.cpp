@@ -19,8 +19,8 @@ class Work : public Task {
   bool draws() const override { return kind_ == Kind::drawing; }
   bool compiles() const override { return kind_ == Kind::compiling; }
   double effort() const override { return effort_; }
-  Dependencies recipe(const Setting&) const override { return {}; }
-  bool work(Workshop&, Finding&) override { return true; }
+  Dependencies recipe(const RunContext&) const override { return {}; }
+  bool work(WorkerContext&, Finding&) override { return true; }
 
  private:
   double effort_;

@@ -41,8 +41,8 @@ class WorkerTest : public testing::Test {
 
   std::string found_by(const fs::path& program, WorkLimits limits = {}) {
     const DiskFiles assets(MJCOURSE_ASSETS);
-    const Setting setting(course_, folder_.path(), assets);
-    Worker worker(setting, {program, MJCOURSE_ASSETS}, limits);
+    const RunContext run_context(course_, folder_.path(), assets);
+    Worker worker(run_context, {program, MJCOURSE_ASSETS}, limits);
     return found_by(worker);
   }
 
@@ -90,9 +90,9 @@ TEST_F(WorkerTest, WorksAsTheTaskWouldHere) {
 
 TEST_F(WorkerTest, IsBegunAnewBehindItsEnd) {
   const DiskFiles assets(MJCOURSE_ASSETS);
-  const Setting setting(course_, folder_.path(), assets);
+  const RunContext run_context(course_, folder_.path(), assets);
   write("models/deed.txt", "leave");
-  Worker worker(setting, {MJCOURSE_HOSTILE_WORKER, MJCOURSE_ASSETS});
+  Worker worker(run_context, {MJCOURSE_HOSTILE_WORKER, MJCOURSE_ASSETS});
   EXPECT_NE(found_by(worker), "");
   write("models/deed.txt", "say {\"failure\": \"it is back\"}");
   EXPECT_EQ(found_by(worker), "it is back");

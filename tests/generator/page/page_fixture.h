@@ -11,7 +11,7 @@
 #include "base/files.h"
 #include "page/blocks/page_writer.h"
 #include "reading_of.h"
-#include "script/known_scripts.h"
+#include "script/script_bundles.h"
 
 namespace mjcourse {
 

@@ -10,7 +10,7 @@
 
 #include "base/files.h"
 #include "base/temporary_folder.h"
-#include "session/quick_store.h"
+#include "session/write_behind_store.h"
 
 namespace mjcourse {
 namespace {
@@ -85,7 +85,7 @@ class LiveSessionTest : public testing::Test {
 
   const TemporaryFolder folder_;
   BreakingFiles assets_{MJCOURSE_ASSETS};
-  QuickStore store_{nullptr};
+  WriteBehindStore store_{nullptr};
   std::mutex mutex_;
   std::condition_variable more_;
   std::deque<SnapshotPtr> told_;

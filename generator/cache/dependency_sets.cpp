@@ -1,0 +1,73 @@
+#include "cache/dependency_sets.h"
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+
+#include "base/sha256.h"
+#include "cache/stored_json.h"
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+using FilesWithHashes = std::vector<std::pair<std::string, std::string>>;
+
+constexpr std::string_view kPrefix = "files ";
+
+// The list that is kept at this address.
+template <typename List>
+std::optional<List> list_at(Store& store, const std::string& address) {
+  return stored_json<List>(store.get("cas/" + address));
+}
+
+}  // namespace
+
+bool DependencySets::is_name(const std::string& dependency) {
+  return dependency.starts_with(kPrefix);
+}
+
+std::string DependencySets::keep(const std::string& list) {
+  std::string address = sha256(list);
+  store_.put("cas/" + address, list);
+  return address;
+}
+
+std::string DependencySets::name_of(const std::vector<std::string>& files) {
+  return std::string(kPrefix) + keep(json(files).dump());
+}
+
+std::string DependencySets::now(const std::string& name) {
+  const auto files = list_at<std::vector<std::string>>(store_, name.substr(kPrefix.size()));
+  if (!files) return kAbsent;
+  json found = json::array();
+  for (const std::string& file : *files) found.push_back({file, fingerprints_.of(file)});
+  std::string value = keep(found.dump());
+  const std::lock_guard lock(mutex_);
+  known_[name] = value;
+  return value;
+}
+
+std::string DependencySets::known(const std::string& name) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = known_.find(name); known != known_.end()) return known->second;
+  }
+  return now(name);
+}
+
+Dependencies DependencySets::one_by_one(const Dependencies& dependencies) {
+  Dependencies all;
+  for (const Dependency& one : dependencies) {
+    const auto files =
+        is_name(one.name) ? list_at<FilesWithHashes>(store_, one.value) : std::nullopt;
+    if (!files) {
+      all.push_back(one);
+      continue;
+    }
+    for (const auto& [file, hash] : *files) all.push_back({file, hash});
+  }
+  return all;
+}
+
+}  // namespace mjcourse

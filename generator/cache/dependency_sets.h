@@ -1,0 +1,47 @@
+// DependencySets: many files that results depend on alike, as one dependency.
+//
+// Behind each program stand the same hundreds of headers. As a dependency they have one name,
+// `files HASH`, and one value. Both are addresses in the store: of the list of their names, and of
+// that list with what is behind each. So to look whether a result may be used again takes one
+// comparison, and who wants to know which of the files has changed finds it out.
+#pragma once
+
+#include <map>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "base/store.h"
+#include "cache/dependency.h"
+#include "cache/fingerprints.h"
+
+namespace mjcourse {
+
+class DependencySets {
+ public:
+  // Both must outlive this.
+  DependencySets(Store& store, Fingerprints& fingerprints)
+      : store_(store), fingerprints_(fingerprints) {}
+
+  static bool is_name(const std::string& dependency);
+
+  // All from any thread.
+  std::string name_of(const std::vector<std::string>& files);
+  // What is behind the files of a name; `now`, or when that was last looked at here. Where the
+  // store has lost their names, they are absent.
+  std::string now(const std::string& name);
+  std::string known(const std::string& name);
+
+  // With each file of a set as a dependency of its own, as far as the store has it.
+  Dependencies one_by_one(const Dependencies& dependencies);
+
+ private:
+  std::string keep(const std::string& list);
+
+  Store& store_;
+  Fingerprints& fingerprints_;
+  std::mutex mutex_;
+  std::map<std::string, std::string> known_;  // by names
+};
+
+}  // namespace mjcourse

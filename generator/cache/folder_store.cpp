@@ -1,0 +1,239 @@
+#include "cache/folder_store.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <cstdint>
+#include <exception>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "base/content_hash.h"
+#include "base/file_lock.h"
+#include "base/files.h"
+#include "base/replace_file.h"
+#include "base/utf8.h"
+#include "cache/fingerprints.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+using Entry = FolderStore::Entry;
+
+constexpr const char* kManifest = "current";
+constexpr const char* kLock = "lock";
+constexpr const char* kStaging = "making";
+constexpr const char* kRefused = "refused";  // in the place of an entry's name
+
+// As content_hash() makes them: a name, and no way to elsewhere.
+bool is_entry_name(const std::string& name) {
+  return !name.empty() && std::ranges::all_of(name, is_word_character);
+}
+
+// What `current` says: the entry's name, then a line "HASH NAME" for each input.
+struct Manifest {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> inputs;
+
+  std::string text() const {
+    std::string text = name + "\n";
+    for (const auto& [hash, path] : inputs) text.append(hash).append(" ").append(path) += '\n';
+    return text;
+  }
+};
+
+// Empty where there is no such file. Each program asks for the same hundreds.
+std::string hash_of_file(const fs::path& path) {
+  static FingerprintCache hashed;
+  struct stat status {};
+  if (stat(path.c_str(), &status) != 0) return "";
+  if (auto known = hashed.find(path.string(), status)) return *std::move(known);
+  const auto bytes = read_file(path);
+  if (!bytes) return "";
+  std::string hash = content_hash(*bytes);
+  hashed.keep(path.string(), status, hash);
+  return hash;
+}
+
+Manifest manifest_of(const std::vector<std::string>& names,
+                     const FolderStore::TruePath& true_path) {
+  Manifest manifest;
+  std::string all;
+  for (const std::string& name : names) {
+    manifest.inputs.emplace_back(hash_of_file(true_path(name)), name);
+    all += manifest.inputs.back().first + name;
+  }
+  manifest.name = content_hash(all);
+  return manifest;
+}
+
+std::optional<Manifest> read_manifest(const fs::path& folder) {
+  const auto text = DiskFiles(folder).read(kManifest);
+  if (!text) return std::nullopt;
+  std::istringstream lines(*text);
+  Manifest manifest;
+  std::getline(lines, manifest.name);
+  if (!is_entry_name(manifest.name) && manifest.name != kRefused) return std::nullopt;
+  for (std::string hash, path; lines >> hash && lines.get() && std::getline(lines, path);) {
+    manifest.inputs.emplace_back(hash, path);
+  }
+  return manifest;
+}
+
+void bring_to_disk(const fs::path& path) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool synced = descriptor >= 0 && fsync(descriptor) == 0;
+  const int reason = errno;
+  if (descriptor >= 0) close(descriptor);
+  if (!synced) throw std::system_error(reason, std::generic_category(), path.string());
+}
+
+std::uintmax_t size_of(const fs::path& folder) {
+  std::uintmax_t bytes = 0;
+  for (const fs::directory_entry& file : fs::recursive_directory_iterator(folder)) {
+    if (file.is_regular_file()) bytes += file.file_size();
+  }
+  return bytes;
+}
+
+// Removes what was not used for longest, until the rest is small enough. `kept` stays.
+void prune(const fs::path& all, const fs::path& kept, std::uintmax_t most_bytes) {
+  std::vector<std::pair<fs::file_time_type, fs::path>> requests;
+  std::uintmax_t bytes = 0;
+  for (const fs::directory_entry& request : fs::directory_iterator(all)) {
+    if (!fs::is_directory(request.symlink_status())) continue;
+    bytes += size_of(request.path());
+    std::error_code none;
+    const fs::file_time_type used = fs::last_write_time(request.path() / kManifest, none);
+    if (request.path() != kept) {
+      requests.emplace_back(none ? fs::file_time_type::min() : used, request.path());
+    }
+  }
+  std::sort(requests.begin(), requests.end());
+  for (const auto& [used, request] : requests) {
+    if (bytes <= most_bytes) return;
+    const FileLock lock(request / kLock, FileLock::Patience::try_once);
+    if (!lock.held()) continue;
+    bytes -= size_of(request);
+    fs::remove_all(request);
+  }
+}
+
+}  // namespace
+
+FolderStore::Found FolderStore::look(const fs::path& folder) const {
+  const std::optional<Manifest> manifest = read_manifest(folder);
+  if (!manifest) return {};
+  Entry entry{folder / manifest->name, {}};
+  for (const auto& [hash, name] : manifest->inputs) {
+    entry.inputs.push_back(true_path_(name));
+    if (hash_of_file(entry.inputs.back()) != hash) return {};
+  }
+  std::sort(entry.inputs.begin(), entry.inputs.end());
+  std::error_code ignored;  // somebody else's cache may be read, but not be written to
+  fs::last_write_time(folder / kManifest, fs::file_time_type::clock::now(), ignored);
+  if (manifest->name == kRefused) return {true, nullptr};
+  if (!fs::is_directory(entry.folder)) return {};
+  return {true, std::make_shared<const Entry>(std::move(entry))};
+}
+
+// Under the folder's lock.
+std::shared_ptr<const Entry> FolderStore::make_anew(const fs::path& folder, const Make& make) {
+  const fs::path staging = folder / kStaging;
+  for (const fs::directory_entry& old : fs::directory_iterator(folder)) {
+    // The last entry, and what a maker left who was killed. A compiler that reads the last entry
+    // just now says so, and its program is compiled without.
+    if (old.is_directory()) fs::remove_all(old.path());
+  }
+  fs::create_directory(staging);
+  std::optional<Made> made;
+  try {
+    made = make(folder, staging);
+  } catch (...) {
+    fs::remove_all(staging);  // what a full disk took of it
+    throw;
+  }
+  if (!made) {
+    fs::remove_all(staging);
+    return nullptr;
+  }
+  Manifest manifest = manifest_of(made->inputs, true_path_);
+  if (!made->worked) manifest.name = kRefused;
+  if (made->worked) {
+    for (const fs::directory_entry& file : fs::directory_iterator(staging)) {
+      bring_to_disk(file.path());
+    }
+    fs::rename(staging, folder / manifest.name);
+    bring_to_disk(folder);
+  } else {
+    fs::remove_all(staging);
+  }
+  const auto before = DiskFiles(folder).read(kManifest);
+  replace_file(folder, kManifest, before ? std::optional(*before) : std::nullopt, manifest.text());
+  return look(folder).entry;
+}
+
+std::shared_ptr<const Entry> FolderStore::find(const std::string& request) {
+  if (!folder_) return nullptr;
+  const std::lock_guard lock(mutex_);
+  if (const auto known = found_.find(request); known != found_.end()) return known->second;
+  try {
+    const Found found = look(*folder_ / content_hash(request));
+    if (found.current && found.entry) return found_[request] = found.entry;
+  } catch (const std::system_error&) {
+    // A cache that cannot be read is one that is not there.
+  }
+  return nullptr;
+}
+
+std::shared_ptr<const Entry> FolderStore::get(const std::string& request, const Make& make) {
+  if (!folder_) return nullptr;
+  std::promise<std::shared_ptr<const Entry>> promise;
+  std::shared_future<std::shared_ptr<const Entry>> future;
+  bool first = false;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto [place, added] = asked_.try_emplace(request);
+    if (added) place->second = promise.get_future().share();
+    future = place->second;
+    first = added;
+  }
+  if (!first) return future.get();
+  std::shared_ptr<const Entry> entry;
+  try {
+    entry = find_or_make(*folder_ / content_hash(request), make);
+  } catch (const std::system_error&) {
+    // A cache that cannot be read or written is one that is not there.
+  } catch (...) {
+    promise.set_exception(std::current_exception());  // for who waits: the work was cancelled
+    throw;
+  }
+  promise.set_value(entry);
+  return entry;
+}
+
+std::shared_ptr<const Entry> FolderStore::find_or_make(const fs::path& folder, const Make& make) {
+  if (const Found found = look(folder); found.current) return found.entry;
+  // What is made anew removes what was there, and a link leads to what is somebody's.
+  if (fs::is_symlink(folder)) fs::remove(folder);
+  fs::create_directories(folder);
+  const FileLock lock(folder / kLock);
+  // Somebody else may have made it while we waited.
+  if (const Found found = look(folder); found.current) return found.entry;
+  auto entry = make_anew(folder, make);
+  prune(*folder_, folder, most_bytes_);
+  return entry;
+}
+
+void FolderStore::drop(const Entry& entry) {
+  std::error_code ignored;
+  fs::remove(entry.folder.parent_path() / kManifest, ignored);
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,51 @@
+#include "evaluate/former_names.h"
+
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/sha256.h"
+#include "cache/stored_json.h"
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+
+std::string key_of(const Task& task) {
+  return task.lesson().source->path() + " " + task.name();
+}
+
+}  // namespace
+
+FormerNames::FormerNames(Store& store, const std::filesystem::path& root)
+    : store_(store), name_("ac/" + Sha256().add("last").add(root.string()).hex()) {}
+
+FormerNames::~FormerNames() {
+  // Nobody must fail here, whatever a lesson's file is called.
+  if (changed_)
+    store_.put(name_, json(results_).dump(-1, ' ', true, json::error_handler_t::replace));
+}
+
+void FormerNames::read() {
+  if (was_read_) return;
+  was_read_ = true;
+  auto known = stored_json<std::map<std::string, std::string>>(store_.get(name_));
+  if (known) results_ = *std::move(known);
+}
+
+std::string FormerNames::find(const Task& task) {
+  const std::lock_guard lock(mutex_);
+  read();
+  const auto found = results_.find(key_of(task));
+  return found != results_.end() ? found->second : "";
+}
+
+void FormerNames::note(const Task& task, const std::string& result) {
+  const std::lock_guard lock(mutex_);
+  read();
+  std::string& last = results_[key_of(task)];
+  changed_ = changed_ || last != result;
+  last = result;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,27 @@
+// The context that a lab is rehearsed on.
+#pragma once
+
+#include "evaluate/context/block_context.h"
+#include "evaluate/scenes/lab_scripts.h"
+
+namespace mjcourse {
+
+class LabContext : public BlockContext {
+ public:
+  // `scripts` may be filled later; it outlives the context.
+  LabContext(const Lab& lab, const LabScripts& scripts, const Lesson& lesson, WorkerContext& worker,
+             Diagnostics& diagnostics)
+      : BlockContext(lesson, worker, diagnostics), lab_(lab), scripts_(scripts) {}
+
+  const Lab& lab() const { return lab_; }
+  // What is run of the author's `text`.
+  const std::string& guarded(const LocatedText& text, ScriptKind kind) const {
+    return mjcourse::guarded(scripts_, text.text, kind);
+  }
+
+ private:
+  const Lab& lab_;
+  const LabScripts& scripts_;
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,78 @@
+// Scheduler: the tasks of a course, worked off on several threads.
+//
+// Steps of a task: it is prepared; its finding is looked up among those that were kept, or else
+// worked out, and kept if it is whole and came without a word; it is concluded. One thread first
+// looks up all that compiles, so that it is known which programs are to come, and makes what they
+// share (shared_headers.h). The task with the most work begins first; those that quote programs
+// wait until all programs have been run. A scheduler that only looks does not work: what was not
+// kept stays open, and with it all that quotes. What always holds: findings do not depend on the
+// number of threads, nor on which of them were kept.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/stopwatch.h"
+#include "evaluate/plan.h"
+#include "evaluate/progress.h"
+#include "evaluate/task_queue.h"
+#include "evaluate/task_store.h"
+#include "evaluate/worker.h"
+#include "findings/evaluation.h"
+
+namespace mjcourse {
+
+enum class Effort { all, looks };
+
+using TaskRecords = std::vector<TaskRecord>;  // one for each task, in their order
+
+class Scheduler {
+ public:
+  // `archive` may be null. All must outlive this. Without a `worker`, all is worked on in this
+  // process.
+  Scheduler(const RunContext& run_context, TaskStore* task_store, Progress& progress,
+            std::size_t threads, Effort effort = Effort::all,
+            std::optional<WorkerProgram> worker = {})
+      : run_context_(run_context),
+        task_store_(task_store),
+        progress_(progress),
+        threads_(threads),
+        effort_(effort),
+        worker_(std::move(worker)) {}
+
+  // After run(): how long it took to make what programs share.
+  const std::vector<TaskTime>& header_times() const { return header_times_; }
+
+  // `publish` is called once, when all that quotes nothing has been begun and all programs are
+  // done, and before any that quotes begins. What a task throws is told at its block. Throws
+  // MissingAssets, and Cancelled where the caller's work is cancelled (base/cancellation.h).
+  // The blocks `first` come first.
+  TaskRecords run(const Tasks& tasks, const Blocks& first,
+                  const std::function<void(const TaskRecords&)>& publish);
+
+ private:
+  // What one thread works with.
+  struct Tools {
+    std::optional<WorkerContext> worker_context;
+    std::optional<Worker> worker;
+  };
+
+  void look(Task& task, WorkerContext& worker_context, TaskRecord& record) const;
+  bool work(Task& task, Tools& tools, TaskRecord& record) const;
+  void do_task(Task& task, Tools& tools, TaskRecord& record) const;
+  void attempt(Task& task, Tools& tools, TaskRecord& record) const;
+  void prepare_programs(const Tasks& tasks, WorkerContext& worker_context, TaskRecords& records,
+                        TaskQueue& queue, const Stopwatch& stopwatch);
+
+  const RunContext& run_context_;
+  TaskStore* task_store_;
+  Progress& progress_;
+  std::size_t threads_;
+  Effort effort_;
+  std::optional<WorkerProgram> worker_;
+  std::vector<TaskTime> header_times_;
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,63 @@
+// The data that the template of a plot is fed with; its own comment describes it.
+#include <cstdio>
+#include <string>
+
+#include "page/blocks/page_writer.h"
+#include "page/html/site_paths.h"
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t kMostRows = 12;  // more of them are only to be downloaded
+
+json drawing_data(const PlotDrawing& drawing) {
+  return {{"svg", drawing.svg}, {"width", drawing.width}, {"height", drawing.height}};
+}
+
+// To six digits, with a minus that is one.
+std::string in_cell(double value) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.6g", value == 0 ? 0 : value);
+  std::string text;
+  for (const char* c = digits; *c != '\0'; ++c) text += *c == '-' ? "\u2212" : std::string(1, *c);
+  return text;
+}
+
+json rows_of(const Table& table) {
+  json rows = json::array();
+  const std::size_t count = table.front().values.size();
+  for (std::size_t row = 0; row < count && count <= kMostRows; ++row) {
+    json cells = json::array();
+    for (const Column& column : table) cells.push_back(in_cell(column.values[row]));
+    rows.push_back(std::move(cells));
+  }
+  return rows;
+}
+
+}  // namespace
+
+json PageWriter::data_of(const Plot& plot, std::size_t index) {
+  json data{{"id", block_name(lesson_, index)},
+            {"alt", plot.alt},
+            {"caption", inline_html(plot.caption)},
+            {"wide", nullptr},
+            {"narrow", nullptr}};
+  const auto* result = results_.get<PlotResult>(index);
+  if (result == nullptr) return data;
+  const PlotDrawings& drawings = result->drawings;
+  data["wide"] = drawing_data(drawings.wide);
+  if (drawings.narrow) data["narrow"] = drawing_data(*drawings.narrow);
+  data["program"] = {{"name", plot.example.text + ".cpp"},
+                     {"href", "../" + site_address(result->file)}};
+  json columns = json::array();
+  for (const Column& column : result->table) columns.push_back(column.name);
+  data["table"] = {{"columns", std::move(columns)},
+                   {"rows", rows_of(result->table)},
+                   {"count", result->table.front().values.size()},
+                   {"href", "../" + site_address(block_path(lesson_, index)) + ".csv"}};
+  return data;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,51 @@
+// WriteBehindStore: a store that remembers what it was asked for, before one on the disk.
+//
+// Whoever looks for the same results many times a minute has no need to read and verify their files
+// each time, nor to wait until a disk has what was put. Blobs, which are large and seldom looked
+// at, stay there.
+#pragma once
+
+#include <condition_variable>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "base/store.h"
+
+namespace mjcourse {
+
+class WriteBehindStore : public Store {
+ public:
+  // `slow` must outlive this; it may be null, and then what is put lives as long as this.
+  explicit WriteBehindStore(Store* slow);
+  // Waits until the other store has all that was put.
+  ~WriteBehindStore() override;
+  WriteBehindStore(const WriteBehindStore&) = delete;
+  WriteBehindStore& operator=(const WriteBehindStore&) = delete;
+
+  std::optional<std::string> get(const std::string& name) override;
+  bool put(const std::string& name, std::string_view bytes) override;
+
+ private:
+  struct Entry {
+    std::string name, bytes;
+  };
+
+  void hand_on();
+  std::optional<std::string> find(const std::string& name) const;
+  void remember(const std::string& name, std::string_view bytes);
+
+  Store* slow_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::map<std::string, std::string> known_;
+  std::deque<Entry> waiting_;  // for the other store, in the order in which they came
+  std::size_t known_bytes_ = 0, waiting_bytes_ = 0;
+  bool stopped_ = false;
+  std::jthread thread_;  // last: it uses the rest
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,170 @@
+#include "cache/folder_store.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "base/cancellation.h"
+#include "base/files.h"
+#include "base/temporary_folder.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PreparedFilesTest : public testing::Test {
+ protected:
+  PreparedFilesTest() { write_file(input_, "1"); }
+
+  // The bytes of the entry, which are the input's and `more`; asked for in a new run.
+  std::string get(const std::string& request, const std::string& more = "",
+                  std::uintmax_t most_bytes = 1000) {
+    FolderStore files(
+        cache_, [](const std::string& name) { return name; }, most_bytes);
+    const auto entry = files.get(request, [&](const fs::path&, const fs::path& staging) {
+      ++made_;
+      write_file(staging / "a", bytes(input_) + more);
+      return FolderStore::Made{worked_, {input_.string()}};
+    });
+    return entry ? bytes(entry->folder / "a") : "nothing";
+  }
+  static std::string bytes(const fs::path& file) {
+    return DiskFiles(file.parent_path()).read(file.filename().string()).value();
+  }
+  std::ptrdiff_t requests() const {
+    return std::distance(fs::directory_iterator(cache_), fs::directory_iterator());
+  }
+
+  TemporaryFolder folder_;
+  fs::path input_ = folder_.path() / "input with blanks", cache_ = folder_.path() / "cache";
+  bool worked_ = true;
+  int made_ = 0;  // how many times
+};
+
+TEST_F(PreparedFilesTest, AreMadeOnceForOneInput) {
+  EXPECT_EQ(get("x"), "1");
+  EXPECT_EQ(get("x"), "1");
+  EXPECT_EQ(made_, 1);
+  write_file(input_, "2");
+  EXPECT_EQ(get("x"), "2");
+  EXPECT_EQ(made_, 2);
+  fs::remove(input_);
+  write_file(input_, "2");
+  EXPECT_EQ(get("x"), "2");
+  EXPECT_EQ(made_, 2);
+}
+
+TEST_F(PreparedFilesTest, GoThroughNoLink) {
+  EXPECT_EQ(get("x"), "1");
+  const fs::path request = fs::directory_iterator(cache_)->path();
+  const fs::path elsewhere = folder_.path() / "elsewhere";
+  fs::remove_all(request);
+  write_file(elsewhere / "folder" / "file", "precious");
+  fs::create_symlink(elsewhere, request);
+  fs::create_symlink(elsewhere, cache_ / "another");
+  EXPECT_EQ(get("x", "", 0), "1");
+  EXPECT_EQ(bytes(elsewhere / "folder" / "file"), "precious");
+  EXPECT_EQ(std::distance(fs::directory_iterator(elsewhere), {}), 1);
+}
+
+TEST_F(PreparedFilesTest, AreFoundByWhoDoesNotMakeThem) {
+  EXPECT_FALSE(FolderStore(cache_).find("x"));
+  EXPECT_EQ(get("x"), "1");
+  FolderStore files(cache_);
+  EXPECT_EQ(bytes(files.find("x")->folder / "a"), "1");
+  write_file(input_, "2");
+  EXPECT_FALSE(FolderStore(cache_).find("x"));
+  EXPECT_TRUE(files.find("x"));  // in one run, all is compiled with the same
+}
+
+TEST_F(PreparedFilesTest, AreFoundWhereInputsLieElsewhere) {
+  const FolderStore::Make make = [](const fs::path&, const fs::path& staging) {
+    write_file(staging / "a", "");
+    return FolderStore::Made{true, {"/virtual/input"}};
+  };
+  const auto find = [&](const fs::path& place) {
+    FolderStore files(cache_, [&](const std::string&) { return place.string(); });
+    return files.get("x", make);
+  };
+  EXPECT_EQ(find(input_)->inputs, std::vector{input_.string()});
+  const fs::path moved = folder_.path() / "moved";
+  fs::rename(input_, moved);
+  EXPECT_EQ(find(moved)->inputs, std::vector{moved.string()});
+}
+
+TEST_F(PreparedFilesTest, AreNotTriedAgainWhereTheInputsDoNotGiveThem) {
+  worked_ = false;
+  EXPECT_EQ(get("x"), "nothing");
+  EXPECT_EQ(get("x"), "nothing");
+  EXPECT_EQ(made_, 1);
+  worked_ = true;
+  write_file(input_, "2");
+  EXPECT_EQ(get("x"), "2");
+}
+
+TEST_F(PreparedFilesTest, AreTriedAgainWhereTheyCouldNotBeTried) {
+  FolderStore files(cache_);
+  EXPECT_FALSE(files.get(
+      "x", [](const fs::path&, const fs::path&) { return std::optional<FolderStore::Made>(); }));
+  EXPECT_EQ(get("x"), "1");
+}
+
+// All that wait for them end, and the next one begins anew.
+TEST_F(PreparedFilesTest, AreGivenUpWhereTheWorkIsCancelled) {
+  FolderStore files(cache_);
+  const FolderStore::Make cancelled = [](const fs::path&,
+                                         const fs::path&) -> std::optional<FolderStore::Made> {
+    throw Cancelled();
+  };
+  EXPECT_THROW(files.get("x", cancelled), Cancelled);
+  EXPECT_THROW(files.get("x", cancelled), Cancelled);
+  EXPECT_EQ(get("x"), "1");
+}
+
+TEST_F(PreparedFilesTest, ClearUpAfterAMakerThatWasKilled) {
+  get("x");
+  const fs::path request = fs::directory_iterator(cache_)->path();
+  write_file(request / "making/half", "0");
+  fs::remove(request / "current");
+  EXPECT_EQ(get("x"), "1");
+  EXPECT_FALSE(fs::exists(request / "making"));
+}
+
+TEST_F(PreparedFilesTest, LoseWhatWasNotUsedForLongest) {
+  get("a");
+  get("b");
+  get("a");
+  EXPECT_EQ(made_, 2);
+  get("c", std::string(1000, '.'));  // which alone is too much
+  EXPECT_EQ(requests(), 1);
+  const auto size = [&] {
+    std::uintmax_t all = 0;
+    for (const auto& file : fs::recursive_directory_iterator(cache_)) {
+      if (file.is_regular_file()) all += file.file_size();
+    }
+    return all;
+  };
+  fs::remove_all(cache_);
+  get("a");
+  const std::uintmax_t one = size();
+  get("b");
+  get("a");
+  made_ = 0;
+  get("c", "", 2 * one);
+  EXPECT_EQ(requests(), 2);
+  get("a");
+  EXPECT_EQ(made_, 1);  // c; b is gone
+}
+
+TEST_F(PreparedFilesTest, AreNotThereWithoutAFolder) {
+  FolderStore files(std::nullopt);
+  EXPECT_FALSE(
+      files.get("x", [](const fs::path&, const fs::path&) -> std::optional<FolderStore::Made> {
+        ADD_FAILURE();
+        return std::nullopt;
+      }));
+}
+
+}  // namespace
+}  // namespace mjcourse
