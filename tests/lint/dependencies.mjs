@@ -1,4 +1,4 @@
-// README's tables name every package that the project installs, and no other; and the lock file
+// CONTRIBUTING's tables name every package that the project installs, and no other; and the lock file
 // names packages, not the registry that some machine took them from.
 //
 //   node tests/lint/dependencies.mjs
@@ -11,12 +11,12 @@ const read = (name) => readFileSync(new URL(`../../${name}`, import.meta.url), "
 
 // The names in the first column of the tables that begin with `| HEADING | why |`.
 function tableOf(heading) {
-  const [, table] = read("README.md").split(`| ${heading} | why |\n|---|---|\n`);
+  const [, table] = read("CONTRIBUTING.md").split(`| ${heading} | why |\n|---|---|\n`);
   const rows = table.split("\n\n")[0].trim().split("\n");
   return rows.flatMap((row) => row.split("|")[1].split(",")).map((name) => name.trim());
 }
 
-test("README's table has the Debian packages of packages.txt", () => {
+test("CONTRIBUTING's table has the Debian packages of packages.txt", () => {
   const installed = read("packages.txt")
     .split("\n")
     .filter((line) => /^[a-z]/.test(line))
@@ -24,7 +24,7 @@ test("README's table has the Debian packages of packages.txt", () => {
   assert.deepEqual(tableOf("package").sort(), installed.sort());
 });
 
-test("README's table has the npm packages of site/package.json", () => {
+test("CONTRIBUTING's table has the npm packages of site/package.json", () => {
   const { dependencies, devDependencies } = JSON.parse(read("site/package.json"));
   const installed = Object.keys({ ...dependencies, ...devDependencies });
   assert.deepEqual(tableOf("npm package").sort(), installed.sort());
