@@ -1,7 +1,7 @@
-# The arrows between the rooms of the generator, stated once: which others the files of each may
-# include. A room comes after all that it includes. generator/CMakeLists.txt links along the arrows;
+# The arrows between the folders of the generator, stated once: which others the files of each may
+# include. A folder comes after all that it includes. generator/CMakeLists.txt links along the arrows;
 # tests/lint/arrows.mjs holds every include and the table of generator/README.md against them.
-set(rooms base process report lesson/syntax lesson/json lesson/blocks lesson course findings
+set(folders base process report lesson/syntax lesson/json lesson/blocks lesson course findings
     physics/mistakes physics script cache toolchain evaluate/context evaluate/programs
     evaluate/scenes evaluate/answers evaluate/claims evaluate session page/html page/blocks page
     preview lsp cli)
@@ -43,7 +43,7 @@ set(lsp_includes session evaluate physics course lesson lesson/blocks lesson/jso
 set(cli_includes lsp preview page page/blocks page/html session evaluate evaluate/claims toolchain
     physics findings course lesson report process base)
 
-# What a room does not reach through headers of others either, of rooms and of libraries: data knows
+# What a folder does not reach through headers of others either, of folders and of libraries: data knows
 # nothing of those who find it out, and what shows it computes no physics.
 set(report_never mujoco JavaScriptCore)
 set(lesson/syntax_never mujoco JavaScriptCore)

@@ -1,12 +1,12 @@
-// The arrows between the rooms of the generator run one way (generator/arrows.cmake): no file includes
-// a room that is not named for its own, and none reaches, through however many headers, what is
+// The arrows between the folders of the generator run one way (generator/arrows.cmake): no file includes
+// a folder that is not named for its own, and none reaches, through however many headers, what is
 // forbidden to it.
 //
 //   node tests/lint/arrows.mjs GENERATOR [README]
 //
-// With README, the last column of its table of rooms is held against the arrows too.
+// With README, its table has these folders in this order, each with a link to a README that is there.
 
-import { globSync, readFileSync } from "node:fs";
+import { existsSync, globSync, readFileSync } from "node:fs";
 import { dirname, join } from "node:path";
 
 const [generator, readme] = process.argv.slice(2);
@@ -17,7 +17,7 @@ const listed = new Map(
     words.split(/\s+/).filter(Boolean),
   ]),
 );
-const rooms = listed.get("rooms");
+const folders = listed.get("folders");
 const problems = [];
 
 const files = new Map(
@@ -28,7 +28,8 @@ const files = new Map(
   }),
 );
 // "evaluate/scenes", or a library's "mujoco".
-const roomOf = (file) => (rooms.includes(dirname(file)) ? dirname(file) : file.split("/", 1)[0]);
+const folderOf = (file) =>
+  folders.includes(dirname(file)) ? dirname(file) : file.split("/", 1)[0];
 
 // What `file` includes, each header with the way to it.
 function reached(file) {
@@ -44,45 +45,47 @@ function reached(file) {
   return ways;
 }
 
-rooms.forEach((room, i) => {
-  for (const included of listed.get(`${room}_includes`)) {
-    const place = rooms.indexOf(included);
-    if (place < 0 || place >= i) problems.push(`arrows.cmake: ${included} is not before ${room}`);
+folders.forEach((folder, i) => {
+  for (const included of listed.get(`${folder}_includes`)) {
+    const place = folders.indexOf(included);
+    if (place < 0 || place >= i) problems.push(`arrows.cmake: ${included} is not before ${folder}`);
   }
 });
 
 let checked = 0;
 for (const file of files.keys()) {
   if (!file.includes("/")) continue; // main.cpp
-  const room = dirname(file);
-  if (!rooms.includes(room)) {
-    problems.push(`${file}: arrows.cmake has no room ${room}`);
+  const folder = dirname(file);
+  if (!folders.includes(folder)) {
+    problems.push(`${file}: arrows.cmake has no folder ${folder}`);
     continue;
   }
-  const allowed = [room, ...listed.get(`${room}_includes`)];
-  const never = listed.get(`${room}_never`) ?? [];
+  const allowed = [folder, ...listed.get(`${folder}_includes`)];
+  const never = listed.get(`${folder}_never`) ?? [];
   const wrong = new Set();
   for (const [to, way] of reached(file)) {
-    const its = roomOf(to);
-    const inRoom = rooms.includes(its);
-    if (inRoom) checked++;
-    const against = way.length === 1 && inRoom && !allowed.includes(its);
+    const its = folderOf(to);
+    const isOurs = folders.includes(its);
+    if (isOurs) checked++;
+    const against = way.length === 1 && isOurs && !allowed.includes(its);
     const forbidden = never.includes(its) || never.includes(its.split("/", 1)[0]);
     if ((!against && !forbidden) || wrong.has(its)) continue;
     wrong.add(its);
     const what = against ? "include" : "reach";
-    problems.push(`${file}: ${room} may not ${what} ${its}: ${way.join(" includes ")}`);
+    problems.push(`${file}: ${folder} may not ${what} ${its}: ${way.join(" includes ")}`);
   }
 }
 if (checked === 0) problems.push(`no includes were found below ${generator}`);
 
 if (readme !== undefined) {
-  const rows = readFileSync(readme, "utf8").matchAll(/^\| `([\w/]+)\/` \|.*\| ([^|]*) \|$/gm);
-  const told = new Map([...rows].map(([, room, words]) => [room, words]));
-  for (const room of rooms) {
-    const words = listed.get(`${room}_includes`).join(", ") || "nothing of ours";
-    if (told.get(room) === words) continue;
-    problems.push(`${readme}: \`${room}/\` may include ${words}, and not ${told.get(room)}`);
+  const rows = [...readFileSync(readme, "utf8").matchAll(/^\| \[`([\w/]+)\/`\]\(([^)#]+)/gm)];
+  const told = rows.map(([, folder]) => folder);
+  if (told.join() !== folders.join()) {
+    problems.push(`${readme}: its table has ${told.join(" ")}, and not ${folders.join(" ")}`);
+  }
+  for (const [, folder, page] of rows) {
+    const whole = folder.startsWith(dirname(page)) && existsSync(join(dirname(readme), page));
+    if (!whole) problems.push(`${readme}: \`${folder}/\` is not told in ${page}`);
   }
 }
 
