@@ -80,8 +80,8 @@ std::vector<Code> code_of(const Block& block, const Result& result) {
   if (const auto* snippet = std::get_if<Snippet>(&block)) {
     found.push_back({snippet->shown, snippet->span});
   }
-  for (const LocatedText* script : scripts_of(block)) {
-    found.push_back({script->text, script->span()});
+  for (const BlockScript& script : scripts_of(block)) {
+    found.push_back({script.text->text, script.text->span()});
   }
   return found;
 }

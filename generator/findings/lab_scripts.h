@@ -4,16 +4,17 @@
 #include <map>
 #include <string>
 
+#include "lesson/blocks/block_scripts.h"
+
 namespace mjcourse {
 
-enum class ScriptKind { script, value, assignment };
-
-// By lab_script_key; of those alone that guards were put into.
+// By lab_script_key.
 using LabScripts = std::map<std::string, std::string>;
 
 std::string lab_script_key(const std::string& text, ScriptKind kind);
 
-// What is run of the author's `text`.
+// What is run of the author's `text`. Throws std::logic_error where nobody has guarded it: a page
+// must not get a script that was not looked at.
 const std::string& guarded(const LabScripts& scripts, const std::string& text, ScriptKind kind);
 
 }  // namespace mjcourse

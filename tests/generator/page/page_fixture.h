@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "findings/lab_scripts.h"
 #include "page/blocks/page_writer.h"
 #include "reading_of.h"
 #include "script/script_bundles.h"
@@ -34,8 +35,24 @@ class PageWriterTest : public testing::Test {
     course_.add(
         std::move(reading_of_file("---\ntitle: Two\n---\n## There\n", "content/1-a/1.2-y.md")
                       .lesson.value()));
+    for (std::size_t i = 0; i < course_.lessons[0].blocks.size(); ++i) {
+      const auto* lab = std::get_if<Lab>(&course_.lessons[0].blocks[i]);
+      const auto result = results_.of_block.find(i);
+      if (lab != nullptr && result != results_.of_block.end()) {
+        pass_scripts(*lab, std::get<LabResult>(result->second));
+      }
+    }
     return {
         course_, course_.lessons[0], results_, {*templates_, *highlighter_, manifest_, styles_}};
+  }
+
+  // As the guard passes what needs none.
+  static void pass_scripts(const Lab& lab, LabResult& result) {
+    for (const auto& [text, kind] : scripts_of(lab)) {
+      result.scripts[lab_script_key(text->text, kind)] = text->text;
+      if (kind != ScriptKind::assignment) continue;
+      result.scripts[lab_script_key(text->text, ScriptKind::value)] = text->text;
+    }
   }
 
   std::string body(const std::string& markdown) {

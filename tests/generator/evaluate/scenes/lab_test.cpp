@@ -175,6 +175,7 @@ TEST(Lab, HasGuardsAroundWhatItsTextDoesNotTell) {
   EXPECT_EQ(
       found.result<LabResult>().scripts,
       (LabScripts{{"0data.qvel[0] = data.qpos[0]", "own$((data.qvel))/*$*/[0] = data.qpos[0]"},
+                  {"1data.qpos[0]", "data.qpos[0]"},
                   {"2data.qpos[0]", "own$((data.qpos))/*$*/[0]"}}));
 }
 

@@ -2,18 +2,23 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "reading_of.h"
 
 namespace mjcourse {
 namespace {
 
-// All scripts of a lesson's blocks, with blanks between them.
+// All scripts of a lesson's blocks, with blanks between them; values have `=` behind them, and
+// those that can be set `:=`.
 std::string scripts_in(const std::string& markdown) {
   const ReadingOf reading = reading_of(markdown);
   std::string text = reading.mistakes();
   for (const Block& block : reading.lesson.value().blocks) {
-    for (const LocatedText* script : scripts_of(block)) {
-      text += (text.empty() ? "" : " ") + script->text;
+    for (const BlockScript& script : scripts_of(block)) {
+      constexpr std::array kMarks{"", "=", ":="};
+      text += (text.empty() ? "" : " ") + script.text->text +
+              kMarks.at(static_cast<std::size_t>(script.kind));
     }
   }
   return text;
@@ -35,7 +40,7 @@ TEST(BlockScripts, AreThoseOfALab) {
  "editable": {"tasks": [{"q": "Q", "value": "n", "tol": 1}]}}
 ```
 )"),
-            "a b c d e f g h i j k l n");
+            "a b:= c d e f= g= h i= j= k l n=");
 }
 
 TEST(BlockScripts, AreThoseOfAnswersFiguresAndValues) {
@@ -53,7 +58,7 @@ TEST(BlockScripts, AreThoseOfAnswersFiguresAndValues) {
    "verify": [{"model": "m", "options": ["e", "f"]}]}]}
 ```
 )"),
-            "a b c d e f");
+            "a= b c d= e= f=");
 }
 
 TEST(BlockScripts, AreNoneOfPrograms) {

@@ -25,7 +25,9 @@ class LabModuleTest : public PageWriterTest {
                              members + "}\n```\n");
     for (const Block& block : course_.lessons[0].blocks) {
       const auto* lab = std::get_if<Lab>(&block);
-      if (lab != nullptr) return write_lab_module(*lab, result_, name, with);
+      if (lab == nullptr) continue;
+      pass_scripts(*lab, result_);
+      return write_lab_module(*lab, result_, name, with);
     }
     ADD_FAILURE() << "no lab";
     return {};
