@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lesson/front_matter.h"
 #include "lsp/lesson_fences.h"
 
 namespace mjcourse {
@@ -60,13 +61,21 @@ int heading_level(std::string_view line) {
   return is_heading ? static_cast<int>(level) : 0;
 }
 
+// Where the lesson's text begins: a comment of the front matter is no heading.
+int first_line(const SourceText& text) {
+  Diagnostics published_elsewhere;
+  Reading reading(text, published_elsewhere);
+  const std::optional<Span> front = find_front_matter(reading);
+  return front ? text.position(front->end).line + 1 : 1;
+}
+
 std::vector<Entry> entries_of(const SourceText& text) {
   std::vector<Entry> entries;
   const std::vector<LessonFence> fences = fences_of(text);
   for (const LessonFence& fence : fences) {
     if (auto entry = entry_of(text, fence)) entries.push_back(*std::move(entry));
   }
-  for (int number = 1; number <= text.line_count(); ++number) {
+  for (int number = first_line(text); number <= text.line_count(); ++number) {
     const std::string_view line = text.line(number);
     const Span span{text.line_start(number), text.line_start(number) + line.size()};
     const int level = heading_level(line);
