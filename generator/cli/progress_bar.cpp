@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <string_view>
+
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -19,6 +22,18 @@ constexpr std::size_t kBar = 24;  // characters
 int terminal_width() {
   winsize size{};
   return ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+// The beginning of `line` that takes so many columns at most: a longer one would go on in the next
+// line of the terminal, where nobody wipes it.
+std::string beginning_within(const std::string& line, int columns) {
+  std::size_t end = 0;
+  while (end < line.size()) {
+    const std::size_t next = character_end(line, end);
+    if (count_columns(std::string_view(line).substr(0, next)) > columns) break;
+    end = next;
+  }
+  return line.substr(0, end);
 }
 
 }  // namespace
@@ -44,8 +59,7 @@ void ProgressBar::draw() {
   for (std::size_t i = 0; i < kBar; ++i) line += i < filled ? '=' : ' ';
   line += "] " + std::to_string(finished_) + "/" + std::to_string(tasks_) + " ";
   for (const std::string& what : running_) line += (&what == &running_.front() ? " " : ", ") + what;
-  line.resize(std::min(line.size(), static_cast<std::size_t>(terminal_width() - 1)));
-  std::cerr << '\r' << line << "\033[K" << std::flush;
+  std::cerr << '\r' << beginning_within(line, terminal_width() - 1) << "\033[K" << std::flush;
 }
 
 void ProgressBar::plan(std::size_t tasks) {

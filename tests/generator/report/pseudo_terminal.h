@@ -1,4 +1,4 @@
-// A terminal so many columns wide, which nobody looks at.
+// A terminal so many columns wide.
 //
 // There is none where devpts is not mounted, as in a bare chroot: a test that needs one skips then.
 #pragma once
@@ -7,7 +7,9 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cstdlib>
+#include <string>
 
 namespace mjcourse {
 
@@ -31,6 +33,17 @@ class PseudoTerminal {
   static bool exists() { return PseudoTerminal(80).descriptor() >= 0; }
 
   int descriptor() const { return descriptor_; }
+
+  // All that was written to it since this was asked last.
+  std::string written() const {
+    fcntl(main_, F_SETFL, O_NONBLOCK);
+    std::string text;
+    std::array<char, 4096> part;
+    for (ssize_t count; (count = read(main_, part.data(), part.size())) > 0;) {
+      text.append(part.data(), static_cast<std::size_t>(count));
+    }
+    return text;
+  }
 
  private:
   int main_, descriptor_ = -1;
