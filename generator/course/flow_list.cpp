@@ -6,13 +6,18 @@
 namespace mjcourse {
 namespace {
 
-// Behind the text in quotes that begins at `at`.
+// Behind the text in quotes that begins at `at`. `\"` inside of "…" is a quote, as is `''` of '…'.
 std::size_t skip_quoted(std::string_view text, std::size_t at) {
   const char quote = text[at];
-  for (++at; at < text.size() && text[at] != quote; ++at) {
-    if (quote == '"' && text[at] == '\\') ++at;
+  for (++at; at < text.size(); ++at) {
+    const bool doubled = quote == '\'' && text.substr(at, 2) == "''";
+    if (doubled || (quote == '"' && text[at] == '\\')) {
+      ++at;
+    } else if (text[at] == quote) {
+      break;
+    }
   }
-  return std::min(at + 1, text.size());  // '' inside of '…' is two texts side by side
+  return std::min(at + 1, text.size());
 }
 
 struct Bracket {
