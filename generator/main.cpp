@@ -1,3 +1,4 @@
+// Tested by tests/courses.
 #include <csignal>
 
 #include "cli/run.h"

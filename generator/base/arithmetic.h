@@ -2,6 +2,7 @@
 //
 // The C library has variants of sine, cosine and their kin for some processors, which round
 // otherwise, and so have the libraries that draw. A result is kept for processors of the same kind.
+// Tested by tests/generator/process/loaded_libraries_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // A file descriptor that closes itself.
+// Tested by tests/generator/process/launch_news_test.cpp.
 #pragma once
 
 #include <filesystem>

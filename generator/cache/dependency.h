@@ -4,6 +4,7 @@
 // the course, `/usr/include/…` one of the system, `program l1_2_example` what a program reported,
 // and `text`, `MuJoCo`, `compiler` are what they say. No name or value holds where the course lies,
 // a host, a user or a time.
+// Tested by tests/generator/cache/fingerprints_test.cpp.
 #pragma once
 
 #include <filesystem>

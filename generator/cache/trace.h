@@ -2,6 +2,7 @@
 //
 // Whoever evaluates a block reads files through `files()` and names whatever else it uses. So a
 // result's dependencies are those that it had, and not those that somebody thought it had.
+// Tested by tests/generator/cache/result_store_test.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// Tested by tests/generator/cli/run_test.cpp.
 #include <iostream>
 #include <string>
 #include <utility>

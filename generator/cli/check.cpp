@@ -1,3 +1,4 @@
+// Tested by tests/courses.
 #include <iostream>
 
 #include "cli/commands.h"

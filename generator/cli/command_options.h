@@ -1,4 +1,5 @@
 // What each command takes on its command line.
+// Tested by tests/generator/cli/run_test.cpp.
 #pragma once
 
 #include "cli/command_line.h"

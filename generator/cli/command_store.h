@@ -1,4 +1,5 @@
 // CommandStore: the store that a command works with, from opening it to what is said of it.
+// Tested by tests/generator/cli/run_test.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // course.yaml for those who add to it: its text, what it lists, and the text with more in it.
+// Tested by tests/generator/cli/new_part_test.cpp.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
 // What `accept` does to a file, for the one who is to agree.
+// Tested by tests/accept.
 #pragma once
 
 #include <string>

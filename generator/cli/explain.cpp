@@ -3,6 +3,7 @@
 // Steps for the rest: find the lessons that are meant; look up what would be kept; tell of each
 // task whether it is, what has changed if not, and, where a lesson or a line was named, all that it
 // depends on.
+// Tested by tests/store/dependencies.mjs.
 #include "evaluate/explain.h"
 
 #include <unistd.h>

@@ -1,4 +1,5 @@
 // Which lesson is meant by the words behind `new lesson`.
+// Tested by tests/generator/cli/new_part_test.cpp.
 #pragma once
 
 #include <string>

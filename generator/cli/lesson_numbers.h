@@ -1,6 +1,7 @@
 // Which numbers the lessons of a course have, and which the next one gets.
 //
 // A file that nothing lists yet has its number as well, so nobody gets it twice.
+// Tested by tests/generator/cli/new_part_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // `mjcourse lsp`: the course in an editor, by the Language Server Protocol on stdin and stdout.
+// Tested by tests/lsp/sessions.mjs.
 #include <chrono>
 #include <iostream>
 #include <memory>

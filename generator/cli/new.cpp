@@ -1,5 +1,6 @@
 // `mjcourse new KIND NAME`. Steps: find the kind; ask it for the files (new_part.h); write all of
 // them, or none; say which.
+// Tested by tests/generator/cli/new_part_test.cpp.
 #include <iostream>
 
 #include "base/beneath.h"

@@ -1,3 +1,4 @@
+// Tested by tests/generator/cli/new_part_test.cpp.
 #include <re2/re2.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // A model and an example: one file each.
+// Tested by tests/generator/cli/new_part_test.cpp.
 #include <re2/re2.h>
 
 #include <algorithm>

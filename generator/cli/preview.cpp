@@ -1,4 +1,5 @@
 // `mjcourse preview`: the course in a browser, kept up to date while it is being written.
+// Tested by tests/preview/edits.mjs.
 #include "preview/preview.h"
 
 #include <fcntl.h>

@@ -1,4 +1,5 @@
 // `mjcourse store prune --keep SIZE`.
+// Tested by tests/generator/cli/run_test.cpp.
 #include <iostream>
 #include <system_error>
 

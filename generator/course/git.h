@@ -8,6 +8,7 @@
 // git itself refuses a repository of another owner ("dubious ownership"), which every container
 // has, since its configuration could make git start that owner's programs. Here it cannot, so a
 // repository of any owner is read, without an entry in `safe.directory`.
+// Tested by tests/generator/course/last_changed_test.cpp.
 #pragma once
 
 #include <filesystem>

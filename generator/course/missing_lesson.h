@@ -1,4 +1,5 @@
 // A lesson that course.yaml lists and that cannot be had: what is wrong, and what to write instead.
+// Tested by tests/generator/course/read_course_test.cpp.
 #pragma once
 
 #include <string>

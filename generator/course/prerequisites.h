@@ -5,6 +5,7 @@
 // has it first. Its level's earlier lessons are read before a lesson, and its prerequisites, and
 // what these need in turn. Where a lesson leans on what another explains, outside of those, one of
 // its readers has never heard of it.
+// Tested by tests/courses/prerequisite.
 #pragma once
 
 #include "course/course.h"

@@ -1,5 +1,6 @@
 // BlockTask: a block that is found out about by itself: a lab, a figure, a plot, a quiz, a value, a
 // listing of a model, an image.
+// Tested by tests/generator/evaluate/evaluate_test.cpp.
 #pragma once
 
 #include "evaluate/task.h"

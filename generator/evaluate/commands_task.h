@@ -1,4 +1,5 @@
 // CommandsTask: the commands of one fence.
+// Tested by tests/generator/evaluate/programs/commands_test.cpp.
 #pragma once
 
 #include "evaluate/task.h"

@@ -1,6 +1,7 @@
 // Explaining: what each task depends on, whether its finding is kept, and if not, what has changed.
 //
 // Nothing is worked out. So what quotes a program that would have to run is not known to be kept.
+// Tested by tests/store/dependencies.mjs.
 #pragma once
 
 #include <string>

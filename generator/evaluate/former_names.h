@@ -3,6 +3,7 @@
 //
 // It is a question about this folder, and not about what is in it: one entry of the store, read
 // when it is first needed, and written at the end where anything is another.
+// Tested by tests/store/dependencies.mjs.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // FormulasTask: all formulas of a lesson, which are too many and too quick to be kept one by one.
+// Tested by tests/generator/evaluate/answers/formula_test.cpp.
 #pragma once
 
 #include "evaluate/task.h"

@@ -1,4 +1,5 @@
 // ModelPageTask: what the page of a model tells.
+// Tested by tests/generator/evaluate/scenes/model_page_test.cpp.
 #pragma once
 
 #include "evaluate/task.h"

@@ -1,4 +1,5 @@
 // The plan: all that is to be found out about a course, as tasks.
+// Tested by tests/generator/evaluate/result_fits_test.cpp.
 #pragma once
 
 #include <memory>

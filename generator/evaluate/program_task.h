@@ -1,5 +1,6 @@
 // ProgramTask: a program of examples/, compiled and run, whether a fence shows all of it or regions
 // alone.
+// Tested by tests/generator/evaluate/programs/example_test.cpp.
 #pragma once
 
 #include <optional>

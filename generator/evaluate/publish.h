@@ -1,4 +1,5 @@
 // Publishing: what programs reported, for those who quote it.
+// Tested by tests/store/dependencies.mjs.
 #pragma once
 
 #include "cache/fingerprints.h"

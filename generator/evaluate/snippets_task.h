@@ -1,4 +1,5 @@
 // SnippetsTask: all snippets of a lesson, which are one program.
+// Tested by tests/generator/evaluate/programs/snippets_test.cpp.
 #pragma once
 
 #include "evaluate/task.h"

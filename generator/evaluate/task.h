@@ -4,6 +4,7 @@
 // What always holds: a task sees the lesson, the course's files by the worker context's trace, and
 // what its recipe names; nothing else. So a finding that was kept under both is what working would
 // give.
+// Tested by tests/generator/evaluate/worker_test.cpp.
 #pragma once
 
 #include <cstddef>

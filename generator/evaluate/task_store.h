@@ -1,4 +1,5 @@
 // TaskStore: the findings of tasks, kept in a store under what they depend on.
+// Tested by tests/generator/evaluate/evaluate_test.cpp.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,5 @@
 // Finding out with which versions everything is found out.
+// Tested by tests/generator/evaluate/claims/claims_test.cpp.
 #pragma once
 
 #include "base/files.h"

@@ -1,4 +1,5 @@
 // Make ready what the next program of a course takes longest for.
+// Tested by tests/generator/session/live_session_test.cpp.
 #pragma once
 
 #include "course/course.h"

@@ -1,5 +1,6 @@
 // What a worker does (worker.h): read a question from stdin, work on its task, write the answer to
 // stdout; until stdin ends.
+// Tested by tests/generator/evaluate/worker_test.cpp.
 #pragma once
 
 #include <filesystem>

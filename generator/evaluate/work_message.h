@@ -4,6 +4,7 @@
 // A worker has had to do with what strangers wrote, so an answer is looked at like a stranger's: it
 // is of the task that was asked for, names files of the course alone, and changes nothing but what
 // such a task may.
+// Tested by tests/generator/evaluate/worker_test.cpp.
 #pragma once
 
 #include <cstddef>

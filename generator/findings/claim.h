@@ -3,6 +3,7 @@
 // Claims are the one source of every count: the line in the terminal, the foot of a page, the
 // verification page, the report. They are made of a lesson's blocks and results, once all of these
 // are there (evaluate/claims/claims.h).
+// Tested by tests/generator/page/verification_page_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
 // The scripts of a lab, as they are run: with their guards (script/script_guard.h).
+// Tested by tests/generator/page/blocks/lab_module_test.cpp.
 #pragma once
 
 #include <map>

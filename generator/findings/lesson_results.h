@@ -1,4 +1,5 @@
 // LessonResults: all that was found out about one lesson.
+// Tested by tests/generator/evaluate/scenes/pin_test.cpp.
 #pragma once
 
 #include <cstddef>

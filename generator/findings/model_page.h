@@ -1,4 +1,5 @@
 // What the page of a model tells, `[text](model:joint_zoo)`: a picture, sizes, joints, files.
+// Tested by tests/generator/evaluate/scenes/model_lab_test.cpp.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
 // Tally: how much of a lesson, or of a course, was verified.
+// Tested by tests/generator/evaluate/claims/claims_test.cpp.
 #pragma once
 
 #include "findings/claim.h"

@@ -1,6 +1,7 @@
 // A model page's lab as the one block of a lesson.
 //
 // The page is written as a lesson's is, and what a lab's result must have is known from its fence.
+// Tested by tests/generator/evaluate/scenes/model_lab_test.cpp.
 #pragma once
 
 #include <string>

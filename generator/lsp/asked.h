@@ -1,4 +1,5 @@
 // Asked: what an editor asks about: a place in a text, and all that is known around it.
+// Tested by tests/lsp/sessions.mjs.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // Definition: where what is named at a place is: a model's file, a program's, a heading, a term of
 // the glossary.
+// Tested by tests/lsp/sessions.mjs.
 #pragma once
 
 #include "lsp/asked.h"

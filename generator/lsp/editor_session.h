@@ -1,5 +1,6 @@
 // EditorSession: one course in an editor: its open documents, the session that evaluates them, and
 // the answers to what is asked about them.
+// Tested by tests/lsp/sessions.mjs.
 #pragma once
 
 #include <condition_variable>

@@ -1,5 +1,6 @@
 // What could be written in the JSON of a lab, a quiz, a figure or a plot: keys, values, names in
 // scripts.
+// Tested by tests/lsp/sessions.mjs.
 #pragma once
 
 #include "lsp/asked.h"

@@ -5,6 +5,7 @@
 // the course behind it (session/live_session.h), with the open documents for the saved ones, once
 // nobody has typed for a moment; so typing never waits. Bytes that are no message, and questions
 // that we do not know, are refused, and the next message is taken.
+// Tested by tests/lsp/hostile.mjs.
 #pragma once
 
 #include <iosfwd>

@@ -1,4 +1,5 @@
 // What could be written outside of JSON: in the text, and behind the marks of a fence.
+// Tested by tests/lsp/sessions.mjs.
 #pragma once
 
 #include "lsp/asked.h"

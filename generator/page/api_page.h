@@ -1,4 +1,5 @@
 // The page of MuJoCo's names: what each is that the course links to, and who speaks of it.
+// Tested by tests/site/references.mjs.
 #pragma once
 
 #include <string>

@@ -3,6 +3,7 @@
 //
 // The generator knows nothing of readers. It lists what there is to be remembered, and the pages'
 // own scripts (site/client/progress, site/client/review, site/client/offline) say what was.
+// Tested by tests/site/review.mjs.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,5 @@
 // The page of a lesson: its text, between what leads to it and what leads on.
+// Tested by tests/generator/page/blocks/page_writer_test.cpp.
 #pragma once
 
 #include <cstddef>

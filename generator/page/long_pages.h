@@ -1,4 +1,5 @@
 // The pages that list all lessons, put together of what each lesson gave (page/lesson_parts.h).
+// Tested by tests/site/verification.mjs.
 #pragma once
 
 #include <vector>

@@ -2,6 +2,7 @@
 //
 // A site of files cannot answer with a redirect, so each is a small page that sends its reader on:
 // by a script, which keeps the heading that was linked to; without it, by a refresh; and in words.
+// Tested by tests/generator/page/web_files_test.cpp.
 #pragma once
 
 #include "page/html/site_files.h"

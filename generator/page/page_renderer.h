@@ -3,6 +3,7 @@
 // Enter with write(), which puts a body into the frame that all pages have. Script engines serve
 // one thread each, so every thread that writes pages has a renderer of its own; what they share
 // (site_data.h) they only read.
+// Tested by tests/site/policy.mjs.
 #pragma once
 
 #include <functional>

@@ -6,6 +6,7 @@
 //
 // They are scripts and not JSON, since a page that was opened from the disk may load nothing else;
 // and pages do not name the hash themselves, or each edit would change all of them.
+// Tested by tests/site/search.mjs.
 #pragma once
 
 #include <cstddef>

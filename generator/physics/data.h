@@ -1,4 +1,5 @@
 // An mjData that deletes itself.
+// Tested by tests/generator/physics/field_table_test.cpp.
 #pragma once
 
 #include <mujoco/mujoco.h>

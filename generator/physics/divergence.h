@@ -3,6 +3,7 @@
 // MuJoCo checks qpos, qvel and qacc before and within each step; when an entry is not a number or
 // beyond mjMAXVAL it notes which, resets the data and goes on. We look at its notes, and at the
 // state itself by the same measure.
+// Tested by tests/generator/physics/simulation_test.cpp.
 #pragma once
 
 #include <optional>

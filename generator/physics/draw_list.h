@@ -3,6 +3,7 @@
 // MuJoCo leaves out what does not fit into its list. How much there is depends on the overlays and
 // on the state as well as on the model, so the list grows when it is full. In the page it is the
 // same one.
+// Tested by tests/generator/physics/shape_reach_test.cpp.
 #pragma once
 
 #include <mujoco/mujoco.h>

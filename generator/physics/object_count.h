@@ -1,4 +1,5 @@
 // MuJoCo's objects are named by a type and an id; this says where the ids end.
+// Tested by tests/generator/physics/model_test.cpp.
 #pragma once
 
 #include <mujoco/mujoco.h>

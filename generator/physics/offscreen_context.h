@@ -2,6 +2,7 @@
 //
 // It brings OpenGL's state and a tiny default buffer; MuJoCo draws into a framebuffer object of its
 // own, of any size.
+// Tested by tests/generator/physics/renderer_test.cpp.
 #pragma once
 
 #include <GL/osmesa.h>

@@ -1,4 +1,5 @@
 // Reading files for whoever asks over the network: only what lies inside of a folder.
+// Tested by tests/generator/base/beneath_test.cpp.
 #pragma once
 
 #include <filesystem>

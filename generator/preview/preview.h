@@ -4,6 +4,7 @@
 //
 // Each save becomes a new version; the pages that are open hear of it, ask for what they show, and
 // put the parts in place that are others now (site/preview/).
+// Tested by tests/preview/edits.mjs.
 #pragma once
 
 #include <condition_variable>

@@ -2,6 +2,7 @@
 //
 // Bundling is the site's own (site/restyle.mjs), by a Node process that stays: to start one for
 // each save would take longer than all else.
+// Tested by tests/preview/styles.mjs.
 #pragma once
 
 #include <sys/types.h>

@@ -2,6 +2,7 @@
 //
 // Everything that allocates happens in the constructor, before there is a child; enter() makes
 // system calls and nothing else, since the child works in our memory (process/launch.h).
+// Tested by tests/generator/process/sandbox_test.cpp.
 #pragma once
 
 #include <sys/resource.h>

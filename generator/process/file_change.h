@@ -4,6 +4,7 @@
 // Landlock looks at none of them, or only where it is new. If the kernel went on with a call of
 // whose path we approved, a thread of the program could put another file there in between. So we
 // open the file, look where it lies, and change what we opened.
+// Tested by tests/generator/process/confined_calls_test.cpp.
 #pragma once
 
 #include <seccomp.h>

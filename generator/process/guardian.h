@@ -4,6 +4,7 @@
 // whose parent ends. Of what that child has started itself, the kernel knows nothing. So each
 // program tells its process group, which a confined one cannot leave, to a process of ours that
 // does nothing but wait for our end.
+// Tested by tests/generator/process/subprocess_test.cpp.
 #pragma once
 
 #include <sys/types.h>

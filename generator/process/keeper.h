@@ -3,6 +3,7 @@
 // Enter with run() of subprocess.h for a program that does its work and ends. One that works for as
 // long as it is asked to is kept by a Keeper: question and answer are bytes behind their number, as
 // 8 bytes in this machine's order.
+// Tested by tests/generator/process/subprocess_test.cpp.
 #pragma once
 
 #include <sys/types.h>

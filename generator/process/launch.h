@@ -3,6 +3,7 @@
 // The child works in our memory until then, as after vfork: to copy the page tables of a generator
 // that has read a course, and to give the copy up, takes longer than many a program. So it makes
 // system calls and changes nothing of ours, and everything that allocates is done before.
+// Tested by tests/generator/process/subprocess_test.cpp.
 #pragma once
 
 #include <sys/types.h>

@@ -1,4 +1,5 @@
 // The system calls that name a file, and what each is about to do with it.
+// Tested by tests/generator/process/confined_calls_test.cpp.
 #pragma once
 
 #include <span>

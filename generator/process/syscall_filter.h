@@ -4,6 +4,7 @@
 // the network, mounts, namespaces, keys, kernel interfaces with a long record of holes, memory and
 // queues that outlive a process; and every call that is newer than the list, of which nobody knows
 // what it may reach. Calls that name a file are put to a watcher, where there is one.
+// Tested by tests/generator/process/confined_calls_test.cpp.
 #pragma once
 
 #include <linux/filter.h>

@@ -1,4 +1,5 @@
 // Giving up root, for good, in a process that is about to become somebody else's program.
+// Tested by tests/generator/process/sandbox_test.cpp.
 #pragma once
 
 #include <sys/types.h>

@@ -5,6 +5,7 @@
 // is to be stopped, and the author told what it tried. The names are read from the program's
 // memory, which one of its threads may change in between; so what keeps files safe is Landlock, and
 // this only tells of it.
+// Tested by tests/generator/process/confined_calls_test.cpp.
 #pragma once
 
 #include <seccomp.h>

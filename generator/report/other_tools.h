@@ -1,4 +1,5 @@
 // What the formats for other tools have in common.
+// Tested by tests/generator/report/github_test.cpp.
 #pragma once
 
 #include <string>

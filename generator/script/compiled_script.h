@@ -4,6 +4,7 @@
 // that columns stay as they are: a script; an expression; a script with an expression that sees its
 // variables; and an expression that is assigned to. The third is a generator function, which stops
 // between the two: time can pass there, and each half has a time limit of its own.
+// Tested by tests/generator/script/world_test.cpp.
 #pragma once
 
 #include <JavaScriptCore/JavaScript.h>

@@ -1,4 +1,5 @@
 // A JavaScript exception, read out into C++ and put into words.
+// Tested by tests/generator/script/world_test.cpp.
 #pragma once
 
 #include <JavaScriptCore/JavaScript.h>

@@ -3,6 +3,7 @@
 // Strings are UTF-8 on our side and end at their first NUL. A script's need not be whole: whatever
 // comes out of an engine goes through text_of() or json_of(), which see to that. A value lives
 // while a JavaScript variable, this stack or a Protected holds it.
+// Tested by tests/generator/script/engine_test.cpp.
 #pragma once
 
 #include <JavaScriptCore/JavaScript.h>

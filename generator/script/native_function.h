@@ -1,4 +1,5 @@
 // C++ functions that scripts call.
+// Tested by tests/generator/script/mujoco_functions_test.cpp.
 #pragma once
 
 #include <JavaScriptCore/JavaScript.h>

@@ -1,4 +1,5 @@
 // ScriptBundles: bundles that were read, shared by who evaluates again and again.
+// Tested by tests/generator/session/live_session_test.cpp.
 #pragma once
 
 #include <map>

@@ -2,6 +2,7 @@
 // what is wrong with it beside them.
 //
 // `check` and `build`, the preview and the editor all come through here, so that they say the same.
+// Tested by tests/courses/course.
 #pragma once
 
 #include "evaluate/evaluate.h"

@@ -1,5 +1,6 @@
 // FormerResults: what was known of a block before its lesson was edited, to be shown until it is
 // known anew.
+// Tested by tests/generator/session/live_session_test.cpp.
 #pragma once
 
 #include <map>

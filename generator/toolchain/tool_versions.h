@@ -1,6 +1,7 @@
 // What the compiler and the linker call themselves, without starting them each time.
 //
 // A tool says its version when it is first seen, and that is believed until its file changes.
+// Tested by tests/generator/toolchain/compiler_test.cpp.
 #pragma once
 
 #include <filesystem>

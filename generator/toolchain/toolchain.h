@@ -1,4 +1,5 @@
 // Toolchain: which compiler and which linker there are, and how they are called.
+// Tested by tests/generator/toolchain/compiler_test.cpp.
 #pragma once
 
 #include <filesystem>

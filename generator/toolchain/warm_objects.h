@@ -10,6 +10,7 @@
 //
 // A header that makes the compiler say anything is not warmed, so that each program shows it. No
 // path of the course is in what is kept (course_headers.h), so that all checkouts share it.
+// Tested by tests/generator/toolchain/warm_header_test.cpp.
 #pragma once
 
 #include <filesystem>

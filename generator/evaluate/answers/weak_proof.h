@@ -1,5 +1,6 @@
 // Proofs that prove nothing: of an expression that is the same whatever the model does, and of
 // options that the proof cannot tell apart.
+// Tested by tests/courses/quiz.
 #pragma once
 
 #include <functional>

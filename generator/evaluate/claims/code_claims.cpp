@@ -1,4 +1,5 @@
 // The claims of programs, and of what a lesson shows of them.
+// Tested by tests/generator/evaluate/claims/claims_test.cpp.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>

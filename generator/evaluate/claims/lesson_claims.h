@@ -4,6 +4,7 @@
 // found out, how far, and what its key covers. They are kept by what they are about:
 // code_claims.cpp has programs and all that is shown of them, shown_claims.cpp what a reader looks
 // at and answers, prose_claims.cpp what stands in the text.
+// Tested by tests/generator/evaluate/claims/claims_test.cpp.
 #pragma once
 
 #include <cstddef>

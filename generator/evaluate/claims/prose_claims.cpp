@@ -1,4 +1,5 @@
 // The claims of the text itself: values, formulas and established facts.
+// Tested by tests/generator/evaluate/claims/claims_test.cpp.
 #include <utility>
 
 #include "evaluate/claims/claim_text.h"

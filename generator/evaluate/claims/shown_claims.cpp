@@ -1,4 +1,5 @@
 // The claims of what a reader looks at, plays with and answers.
+// Tested by tests/generator/evaluate/claims/claims_test.cpp.
 #include <nlohmann/json.hpp>
 #include <utility>
 

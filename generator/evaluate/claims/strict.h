@@ -1,4 +1,5 @@
 // What `check --strict` does not let pass: whatever nobody proved and nobody gave a reason for.
+// Tested by tests/generator/evaluate/claims/claims_test.cpp.
 #pragma once
 
 #include "findings/claim.h"

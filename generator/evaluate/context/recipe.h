@@ -1,4 +1,5 @@
 // Recipes: what results depend on as is known before the work.
+// Tested by tests/generator/evaluate/evaluate_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // RunContext: what all threads that evaluate a course have in common.
+// Tested by tests/generator/evaluate/context/workshop_test.cpp.
 #pragma once
 
 #include <filesystem>

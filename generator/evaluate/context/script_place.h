@@ -1,4 +1,5 @@
 // The place in a lesson of a mistake in one of its scripts.
+// Tested by tests/generator/evaluate/answers/inline_value_test.cpp.
 #pragma once
 
 #include "lesson/syntax/located_text.h"

@@ -1,5 +1,6 @@
 // What a compiled program depends on: the recipe as it is known before, and the files that the
 // compiler read and the program opened.
+// Tested by tests/store/dependencies.mjs.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,5 @@
 // The code of an example, which its fence and its file in examples/ hold both.
+// Tested by tests/generator/evaluate/programs/example_test.cpp.
 #pragma once
 
 #include <cstddef>

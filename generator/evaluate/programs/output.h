@@ -1,4 +1,5 @@
 // Outputs: what the lesson says an example prints, held against what it printed.
+// Tested by tests/generator/evaluate/programs/example_test.cpp.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,6 @@
 // The files that a program needs beside itself where somebody else builds it: headers of the
 // course, handlers.cpp, and the models that it opened with all that these are made of.
+// Tested by tests/site/programs-to-build.mjs.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // The model that a reader of an editable lab is to arrive at, as the goal's solution says.
+// Tested by tests/generator/evaluate/scenes/assignment_test.cpp.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,6 @@
 // The state that a figure shows: the model's own, a keyframe's or an example's, and what a script
 // and time make of it.
+// Tested by tests/courses/figure.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
 // A keyframe that a lesson names.
+// Tested by tests/generator/evaluate/scenes/rehearsal_test.cpp.
 #pragma once
 
 #include "evaluate/context/block_context.h"

@@ -4,6 +4,7 @@
 // followed by forward(); step_to() is mj_step and nothing else. With a ghost there is a second
 // simulation, which takes part in everything. Whatever fails is reported, and the method gives
 // false; the run is then of no more use.
+// Tested by tests/generator/evaluate/scenes/rehearsal_test.cpp.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,5 @@
 // Putting guards into the scripts of a lab (script/script_guard.h).
+// Tested by tests/generator/evaluate/scenes/lab_test.cpp.
 #pragma once
 
 #include <vector>

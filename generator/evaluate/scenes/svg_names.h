@@ -1,4 +1,5 @@
 // The elements and attributes of SVG that draw.
+// Tested by tests/generator/evaluate/scenes/svg_faults_test.cpp.
 #pragma once
 
 #include <string_view>

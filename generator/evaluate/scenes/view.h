@@ -1,4 +1,5 @@
 // How labs and figures are seen, and the pictures of that.
+// Tested by tests/generator/evaluate/scenes/lab_test.cpp.
 #pragma once
 
 #include <optional>

@@ -2,6 +2,7 @@
 //
 // A reader hands its options to Fence::finish, which refuses all others; an editor offers the same.
 // Enter at fence_kinds(), where all are; a reader takes its own from `fences`.
+// Tested by tests/generator/lsp/fence_suggestions_test.cpp.
 #pragma once
 
 #include <array>

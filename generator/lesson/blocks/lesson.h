@@ -4,6 +4,7 @@
 // order, every block and link knows its place in the source, and a lesson that was read with
 // errors is still a lesson (what could not be understood is left out), so that later stages find
 // their mistakes in the same run.
+// Tested by tests/generator/lesson/read_lesson_test.cpp.
 #pragma once
 
 #include <memory>

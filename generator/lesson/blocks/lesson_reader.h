@@ -2,6 +2,8 @@
 //
 // The readers of single blocks (read_lab.h and its kin) get this reader: it takes their mistakes,
 // and reads the Markdown that stands inside their JSON.
+// Tested by tests/generator/lesson/read_lesson_test.cpp.
+// Tested by tests/generator/lesson/bounds_test.cpp.
 #pragma once
 
 #include <map>

@@ -1,4 +1,5 @@
 // What a fence's first word means, and which program an output belongs to.
+// Tested by tests/generator/lesson/output_test.cpp.
 #include <algorithm>
 #include <string_view>
 

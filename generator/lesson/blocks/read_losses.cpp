@@ -1,4 +1,5 @@
 // What cmark loses of a text without a word (loss.h), told at its place.
+// Tested by tests/courses/text.
 #include <algorithm>
 
 #include "base/counted.h"

@@ -1,4 +1,5 @@
 // Paragraphs, headings and rows in which something is mere text that was meant otherwise.
+// Tested by tests/generator/lesson/syntax/mere_text_test.cpp.
 #include <algorithm>
 
 #include "lesson/blocks/lesson_reader.h"

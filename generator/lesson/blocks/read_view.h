@@ -1,5 +1,6 @@
 // What labs and figures have in common: how they are seen, and the reference picture that holds
 // them to it.
+// Tested by tests/generator/lesson/blocks/read_figure_test.cpp.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,5 @@
 // The fences whose bodies are JSON, each with its vocabulary.
+// Tested by tests/generator/lesson/json/vocabulary_test.cpp.
 #pragma once
 
 #include <span>

@@ -1,6 +1,7 @@
 // YamlMap: read a YAML mapping key by key, and complain about what was not asked for.
 //
 // The YAML twin of JsonObject, for front matter and course.yaml.
+// Tested by tests/generator/lesson/front_matter_test.cpp.
 #pragma once
 
 #include <yaml-cpp/yaml.h>

@@ -1,5 +1,6 @@
 // BoundedTables: while it lives, the tables that cmark reads on this thread end at kMostCells
 // (lesson/syntax/markdown.h), and what they lose is known.
+// Tested by tests/generator/lesson/bounds_test.cpp.
 #pragma once
 
 #include "lesson/syntax/loss.h"

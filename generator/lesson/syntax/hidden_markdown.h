@@ -2,6 +2,7 @@
 //
 // Such a block goes on until an empty line, and CommonMark leaves all of it as it is: a fence below
 // `<details>` is shown as backticks, and nobody runs it.
+// Tested by tests/generator/lesson/blocks/read_html_test.cpp.
 #pragma once
 
 #include <cstddef>

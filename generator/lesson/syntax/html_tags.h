@@ -1,4 +1,5 @@
 // The tags of raw HTML, as far as it is whole: raw_html.h says where it is not.
+// Tested by tests/generator/lesson/blocks/read_html_test.cpp.
 #pragma once
 
 #include <cstddef>

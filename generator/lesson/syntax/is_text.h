@@ -1,5 +1,6 @@
 // Whatever an author writes is text: UTF-8, without control characters but tabs and line ends, and
 // not larger than a person writes and reads.
+// Tested by tests/generator/lesson/read_lesson_test.cpp.
 #pragma once
 
 #include <string>

@@ -2,6 +2,7 @@
 //
 // A fence's body loses its indentation and its `> `, a JSON string loses its escapes; scripts,
 // formulas and programs found inside are still blamed at the right column of the lesson.
+// Tested by tests/generator/lesson/json/json_value_test.cpp.
 #pragma once
 
 #include <cstddef>

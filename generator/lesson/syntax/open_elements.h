@@ -3,6 +3,7 @@
 // An element may hold Markdown, so its two tags are in different nodes of the tree; but it must end
 // in the paragraph, the item or the quote that it began in, or browsers differ in what they show. A
 // browser itself ends the elements that need no end tag in HTML, such as `<li>`.
+// Tested by tests/generator/lesson/blocks/read_html_test.cpp.
 #pragma once
 
 #include <map>

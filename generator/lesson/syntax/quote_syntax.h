@@ -2,6 +2,7 @@
 //
 // cmark finds the pairs, as it does for English. This extension of it takes each pair and writes
 // the marks. A quote that is none of a pair stays as cmark has it: an apostrophe, or English.
+// Tested by tests/generator/lesson/syntax/markdown_test.cpp.
 #pragma once
 
 #include "lesson/syntax/syntax_pointer.h"

@@ -4,6 +4,7 @@
 // it is a list of what may stand there, of elements that only mark text and of attributes that only
 // describe them; all else is refused. Tags are read more strictly than browsers read them, so what
 // passes here means the same there.
+// Tested by tests/generator/lesson/blocks/read_html_test.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // Definitions of references, `[name]: https://…`, that cmark drops: those that nothing names, and
 // of two with one name the second, where it has another address.
+// Tested by tests/courses/text.
 #pragma once
 
 #include <map>

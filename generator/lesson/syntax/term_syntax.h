@@ -5,6 +5,7 @@
 // table's cell may hold nothing else that has children. What stands in code and in formulas is no
 // text, and so no term; neither is `[[` that a word character precedes (`a[[0]]`), or that has
 // brackets in it.
+// Tested by tests/generator/lesson/blocks/read_term_test.cpp.
 #pragma once
 
 #include <cstddef>

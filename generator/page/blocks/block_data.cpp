@@ -1,4 +1,5 @@
 // The data that each block's template is fed with; the templates' own comments describe it.
+// Tested by tests/generator/page/blocks/page_writer_test.cpp.
 #include <algorithm>
 #include <cctype>
 #include <cstddef>

@@ -1,4 +1,5 @@
 // The data that the templates of a knowledge check are fed with; their own comments describe it.
+// Tested by tests/generator/page/blocks/page_writer_test.cpp.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

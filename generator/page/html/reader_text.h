@@ -1,4 +1,5 @@
 // What a reader sees of Markdown with all markup gone: for titles and tooltips, which take no HTML.
+// Tested by tests/generator/page/html/search_text_test.cpp.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
 // A rendered still as a page shows it: the data of picture.hbs.
+// Tested by tests/generator/page/blocks/figure_data_test.cpp.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,4 +1,5 @@
 // The links back: which lessons and sections speak of what a reference page explains.
+// Tested by tests/generator/page/glossary_page_test.cpp.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,6 @@
 // Where a mistake stands of which MuJoCo tells no line: in an included file, in a keyframe, in
 // a sensor, among the actuators, in the size of its stack.
+// Tested by tests/generator/physics/mistakes/model_error_test.cpp.
 #pragma once
 
 #include <functional>

@@ -110,7 +110,7 @@ TEST_F(TypesetterTest, BoundsWhatMacrosBecome) {
   std::string doubled = "\\def\\a{x}";
   for (int i = 0; i < 30; ++i) doubled += "\\edef\\a{\\a\\a}";
   EXPECT_EQ(error(doubled + "\\a"),
-            "0+0 Too many expansions: infinite loop or need to increase maxExpand run_context | ");
+            "0+0 Too many expansions: infinite loop or need to increase maxExpand setting | ");
   EXPECT_EQ(error("x"), "no error");
 }
 
