@@ -4,9 +4,9 @@
 // so it serves light and dark. Whatever Vega or Vega-Lite doubt is a fault, and so is what they
 // would pass over: words that they do not know, columns that are not there, numbers that are none.
 // What was drawn before changes nothing of a drawing.
-// Tested by tests/generator/script/chart_press_test.cpp.
-// Tested by tests/generator/script/chart_gallery_test.cpp.
-// Tested by tests/generator/script/chart_limits_test.cpp.
+// Tested by tests/generator/script/plot_renderer_test.cpp.
+// Tested by tests/generator/script/plot_gallery_test.cpp.
+// Tested by tests/generator/script/plot_limits_test.cpp.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // RunContext: what all threads that evaluate a course have in common.
-// Tested by tests/generator/evaluate/context/workshop_test.cpp.
+// Tested by tests/generator/evaluate/context/worker_context_test.cpp.
 #pragma once
 
 #include <filesystem>
