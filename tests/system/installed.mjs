@@ -2,7 +2,7 @@
 // place and without this repository's environment, they begin a course, check it strictly and build
 // its site; also a course that has no helper header of its own.
 //
-//   node tests/installed.mjs BUILD
+//   node tests/system/installed.mjs BUILD
 
 import assert from "node:assert/strict";
 import { execFileSync, spawnSync } from "node:child_process";

@@ -2,7 +2,7 @@
 // lesson and in its file alike, and the check fails at the lines that are no longer true. `accept`
 // then changes these lines and no others.
 //
-//   node tests/changed_program.mjs MJCOURSE COURSE
+//   node tests/system/changed_program.mjs MJCOURSE COURSE
 
 import { spawnSync } from "node:child_process";
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";

@@ -2,7 +2,7 @@
 // line, column and id. Looked at are the first tiny course of each folder, and all of those whose
 // mistakes lie beside lessons; or those whose names hold one of the words that are given.
 //
-//   node tests/same_everywhere.mjs MJCOURSE [WORD ...]
+//   node tests/system/same_everywhere.mjs MJCOURSE [WORD ...]
 
 import { execFile, spawn } from "node:child_process";
 import { existsSync, globSync, mkdtempSync, rmSync } from "node:fs";
@@ -12,10 +12,10 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 
 const mjcourse = resolve(process.argv[2]);
 const wanted = process.argv.slice(3);
-const courses = join(import.meta.dirname, "courses");
+const courses = join(import.meta.dirname, "../courses");
 const patience = 20_000;
 
-// Not those that mean harm, which tests/hostile.mjs keeps watch over, nor those that are checked with
+// Not those that mean harm, which tests/system/hostile.mjs keeps watch over, nor those that are checked with
 // further arguments.
 const cases = globSync("*/*/content/course.yaml", { cwd: courses })
   .map((file) => file.replace("/content/course.yaml", ""))

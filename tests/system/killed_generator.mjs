@@ -1,7 +1,7 @@
 // A generator takes the programs and the commands of the course along however it ends, and all that
 // these have started; and the next one removes what they left in the folder for temporary files.
 //
-//   node tests/killed_generator.mjs MJCOURSE
+//   node tests/system/killed_generator.mjs MJCOURSE
 
 import { spawn, spawnSync } from "node:child_process";
 import {

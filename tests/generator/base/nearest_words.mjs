@@ -1,11 +1,11 @@
 // Which name was meant? The generator's answer, held against that of the scripts in the page.
 //
-//   node tests/nearest_words.mjs build/release/tests/nearest_words
+//   node tests/generator/base/nearest_words.mjs build/release/tests/nearest_words
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 
-import { nearest } from "../site/script/suggest.ts";
+import { nearest } from "../../../site/script/suggest.ts";
 
 const known = [
   ..."qpos qvel qacc act ctrl time xpos xquat xmat xfrc_applied sensordata".split(" "),

@@ -1,7 +1,7 @@
 // What ./mjcourse says while it sets up, in a checkout of its own whose tools (apt, sudo, ninja and the
 // generator) are scripts that only say what the real ones would.
 //
-//   node --test tests/launcher.mjs
+//   node --test tests/system/launcher.mjs
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -34,7 +34,7 @@ beforeEach(() => {
   rmSync(checkout, { recursive: true, force: true });
   rmSync(tools, { recursive: true, force: true });
   mkdirSync(join(checkout, "site/node_modules"), { recursive: true });
-  cpSync(resolve(import.meta.dirname, "../mjcourse"), join(checkout, "mjcourse"));
+  cpSync(resolve(import.meta.dirname, "../../mjcourse"), join(checkout, "mjcourse"));
   writeFileSync(join(checkout, "packages.txt"), "[build]\nfirst\nsecond or other\n");
   writeFileSync(join(checkout, "site/package-lock.json"), "{}\n");
   writeFileSync(join(checkout, "site/node_modules/.mjcourse-lock"), "all\n{}\n");

@@ -1,7 +1,7 @@
 // The Debian package on a machine that has nothing else: it is installed in a bare Debian root, with
 // what it says it needs and no more, and begins, checks and builds a course there.
 //
-//   node tests/bare_root.mjs BUILD
+//   node tests/system/bare_root.mjs BUILD
 //
 // Packages come from where this machine has its own. Only who may mount and make devices can make such
 // a root; for others there is no such test.

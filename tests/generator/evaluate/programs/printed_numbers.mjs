@@ -1,7 +1,7 @@
 // When do two printed words agree? The generator's answer for many random pairs, held against an oracle that
 // computes with whole numbers of any length.
 //
-//   node tests/printed_numbers.mjs build/release/tests/printed_numbers
+//   node tests/generator/evaluate/programs/printed_numbers.mjs build/release/tests/printed_numbers
 
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";

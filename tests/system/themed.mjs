@@ -1,7 +1,7 @@
 // A course has its own look: what it says in theme/ stands in the place of what it is given, page by
 // page, and what stands for nothing there is said at its line.
 //
-//   node --test tests/themed.mjs     the generator is named by the environment: MJCOURSE
+//   node --test tests/system/themed.mjs     the generator is named by the environment: MJCOURSE
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
@@ -10,8 +10,8 @@ import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { after, test } from "node:test";
 
-import { launch } from "./site/chromium.mjs";
-import { serve } from "./site/server.mjs";
+import { launch } from "../site/chromium.mjs";
+import { serve } from "../site/server.mjs";
 
 const mjcourse = resolve(process.env.MJCOURSE ?? "build/release/generator/mjcourse");
 const folder = mkdtempSync(join(tmpdir(), "mjcourse-test-"));

@@ -1,7 +1,7 @@
 // Places that cannot be written, and a disk that is full: what is said of them, before or behind the
 // work, and that nothing comes to lie there by halves.
 //
-//   node tests/unwritable.mjs MJCOURSE
+//   node tests/system/unwritable.mjs MJCOURSE
 
 import { spawnSync } from "node:child_process";
 import {

@@ -1,7 +1,7 @@
 // A course is begun and goes on: what `init` and `new` write holds at once, also by --strict, and
 // nothing that was there is touched.
 //
-//   node --test tests/begin.mjs     the generator is named by the environment: MJCOURSE
+//   node --test tests/system/begin.mjs     the generator is named by the environment: MJCOURSE
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";

@@ -1,7 +1,7 @@
 // The guide's first chapter, step by step, as a newcomer follows it in this course: its commands, the
 // lesson that they begin, the same lesson by hand, and the wrong answer that it tells to try.
 //
-//   node tests/first_lesson.mjs MJCOURSE COURSE
+//   node tests/system/first_lesson.mjs MJCOURSE COURSE
 
 import { spawnSync } from "node:child_process";
 import { cpSync, existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";

@@ -1,7 +1,7 @@
 // The Containerfile makes an image, with which a course is begun, checked and built where there is no
 // network, by users who are not root: its own, and one whom it does not know.
 //
-//   node tests/container.mjs BUILD
+//   node tests/system/container.mjs BUILD
 //
 // No registry of images is asked: what the Containerfile begins from is made here of the release's
 // packages, as small as Debian's own slim image. buildah's chroot isolation wants no more than a root
@@ -66,7 +66,7 @@ const skip = reason && `no image can be made here: ${reason}`;
 test("the image serves a course without a network and without root", { skip }, (context) => {
   const deb = makePackage(build, join(folder, "package"));
   makeBase("localhost/base");
-  const containerfile = new URL("../Containerfile", import.meta.url).pathname;
+  const containerfile = new URL("../../Containerfile", import.meta.url).pathname;
   buildah(
     ...["build", "--quiet", "--isolation", "chroot", "--pull-never", "--from", "localhost/base"],
     ...["--file", containerfile, "--tag", "localhost/mjcourse", dirname(deb)],

@@ -1,7 +1,7 @@
 // What is too much to be read is refused, soon and in little memory: each course below once took
 // gigabytes or minutes. The limits of memory and of CPU time are several times what is needed.
 //
-//   node tests/bounds.mjs MJCOURSE
+//   node tests/system/bounds.mjs MJCOURSE
 
 import { spawn } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";

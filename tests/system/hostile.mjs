@@ -2,7 +2,7 @@
 // survives: no process, and no file. As we are, and where we are root, as an ordinary user as well;
 // and with Landlock as older kernels have it, down to none, where nothing is run.
 //
-//   node tests/hostile.mjs MJCOURSE
+//   node tests/system/hostile.mjs MJCOURSE
 //
 // MJCOURSE_WITHOUT is as for tests/courses/run.mjs.
 
@@ -22,7 +22,7 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
 const mjcourse = resolve(process.argv[2]);
-const courses = join(import.meta.dirname, "courses", "hostile");
+const courses = join(import.meta.dirname, "../courses", "hostile");
 const ordinary = 54321; // a user who has nothing
 const outside = "/var/tmp/mjcourse-was-here"; // what a program tries to write
 

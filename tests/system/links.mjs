@@ -2,7 +2,7 @@
 // or written, and each ends soon with a message. As we are, and where we are root, as an ordinary
 // user as well.
 //
-//   node tests/links.mjs MJCOURSE
+//   node tests/system/links.mjs MJCOURSE
 
 import { spawnSync } from "node:child_process";
 import {

@@ -1,7 +1,7 @@
 // What an author's scripts and models are worked on in: a process that is confined, whose end costs
 // one block, and that leaves with the generator.
 //
-//   node tests/worker.mjs MJCOURSE
+//   node tests/system/worker.mjs MJCOURSE
 
 import { spawn } from "node:child_process";
 import { globSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";

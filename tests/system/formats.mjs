@@ -1,7 +1,7 @@
 // What `check --format NAME` prints for other tools, of a course with mistakes and of this one: the
 // documents agree with each other, and SARIF with its types, which are made of its schema.
 //
-//   node tests/formats.mjs MJCOURSE COURSE
+//   node tests/system/formats.mjs MJCOURSE COURSE
 
 import { spawnSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
@@ -9,8 +9,8 @@ import { join, resolve } from "node:path";
 
 const mjcourse = resolve(process.argv[2]);
 const clean = resolve(process.argv[3]);
-const broken = join(import.meta.dirname, "courses/together/several-mistakes");
-const site = join(import.meta.dirname, "../site");
+const broken = join(import.meta.dirname, "../courses/together/several-mistakes");
+const site = join(import.meta.dirname, "../../site");
 const failures = [];
 
 function expect(good, what) {
