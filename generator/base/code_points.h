@@ -1,5 +1,5 @@
 // UTF-8 as the code points it stands for. The engine in the browser has this too, and no more of
-// UTF-8 (site/engine/wasm/generator.txt).
+// UTF-8 (site/browser/engine/wasm/generator.txt).
 #pragma once
 
 #include <cstddef>

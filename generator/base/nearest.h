@@ -1,5 +1,5 @@
 // "Did you mean …?": every message about an unknown name ends with the nearest known one. Scripts
-// also run where there is no C++, so site/script/suggest.ts says it again.
+// also run where there is no C++, so site/press/script/suggest.ts says it again.
 #pragma once
 
 #include <string>

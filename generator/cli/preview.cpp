@@ -77,7 +77,7 @@ class Teller {
 // The site's sources, where this program and its assets lie in a build tree of theirs.
 fs::path site_sources() {
   const fs::path site = fs::weakly_canonical(assets_folder() / "../../../site");
-  const bool edited = fs::exists(site / "restyle.mjs") && fs::exists(site / "node_modules");
+  const bool edited = fs::exists(site / "bundle/restyle.mjs") && fs::exists(site / "node_modules");
   return edited ? site : fs::path();
 }
 

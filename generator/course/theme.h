@@ -5,7 +5,7 @@
 //                              partials of these
 //   theme/style.css            is loaded behind the site's stylesheet, whose rules are all in
 //                              layers: so each rule here wins. Colours, faces and sizes are custom
-//                              properties (site/styles/tokens.css).
+//                              properties (site/browser/styles/tokens.css).
 // Tested by tests/courses/course.
 #pragma once
 

@@ -10,7 +10,7 @@
 namespace mjcourse {
 namespace {
 
-// What each lookup of scripts finds (site/script/lookups.ts).
+// What each lookup of scripts finds (site/press/script/lookups.ts).
 const std::map<std::string, mjtObj>& lookups() {
   static const std::map<std::string, mjtObj> all{
       {"qpos", mjOBJ_JOINT},    {"qvel", mjOBJ_JOINT},   {"joint", mjOBJ_JOINT},

@@ -2,7 +2,8 @@
 // come again after some days, and the pages that can be read without a network.
 //
 // The generator knows nothing of readers. It lists what there is to be remembered, and the pages'
-// own scripts (site/client/progress, site/client/review, site/client/offline) say what was.
+// own scripts (site/browser/client/progress, site/browser/client/review,
+// site/browser/client/offline) say what was.
 // Tested by tests/site/review.mjs.
 #pragma once
 
@@ -19,8 +20,8 @@ void write_progress(const SiteData& site, const std::vector<LessonParts>& parts,
                     PageRenderer& context, Spool& spool);
 
 // With the file of all questions: a script and no JSON, as a page that was opened from the disk can
-// load nothing else. It calls itself `mjcourseQuestions`; site/client/review/deck.ts says what it
-// is.
+// load nothing else. It calls itself `mjcourseQuestions`; site/browser/client/review/deck.ts says
+// what it is.
 void write_review(const SiteData& site, const std::vector<LessonParts>& parts,
                   PageRenderer& context, SiteFiles& directory, const Spool& spool);
 

@@ -21,8 +21,8 @@ struct Run {
   double seconds;
 };
 
-// Replaces what an earlier report left in `out`. `assets` is what site/build.mjs made. Throws as
-// write_site does.
+// Replaces what an earlier report left in `out`. `assets` is what site/bundle/build.mjs made.
+// Throws as write_site does.
 void write_report(const Run& run, const std::filesystem::path& assets,
                   const std::filesystem::path& out);
 

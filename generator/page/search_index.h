@@ -1,8 +1,9 @@
 // What the search of the pages looks through: two scripts below the site's root.
 //
 //   search.js         names the other one and the search's own code; small, always asked for anew
-//   search-HASH.js    mjcourse.pages = […]: all text, page by page; site/client/search/pages.ts has
-//                     its shape. Its name is made of its content, so a browser may keep it for ever
+//   search-HASH.js    mjcourse.pages = […]: all text, page by page, in the shape that
+//                     site/browser/client/search/pages.ts has. Its name is made of its content, so
+//                     a browser may keep it for ever
 //
 // They are scripts and not JSON, since a page that was opened from the disk may load nothing else;
 // and pages do not name the hash themselves, or each edit would change all of them.

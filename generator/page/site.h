@@ -20,7 +20,7 @@ namespace mjcourse {
 
 struct SitePaths {
   std::filesystem::path course;  // the course's folder
-  std::filesystem::path assets;  // what site/build.mjs made
+  std::filesystem::path assets;  // what site/bundle/build.mjs made
   std::filesystem::path out;     // the site
   std::size_t threads = 1;       // on which the lessons are written
   bool compress = false;         // precompressed.h

@@ -19,8 +19,8 @@ namespace mjcourse {
 
 class SitePages {
  public:
-  // `root` is the course's folder, `assets` what site/build.mjs made; these, the course and what
-  // came of it must outlive this.
+  // `root` is the course's folder, `assets` what site/bundle/build.mjs made; these, the course and
+  // what came of it must outlive this.
   SitePages(const Course& course, const Evaluation& evaluation, const std::filesystem::path& root,
             const Files& assets, SiteFiles& out, bool places = false, LastChanges changes = {},
             CardClaims claims_of_card = {});

@@ -1,4 +1,4 @@
-// The data of site/templates/verification.hbs, whose own comment describes it.
+// The data of site/press/templates/verification.hbs, whose own comment describes it.
 #pragma once
 
 #include <map>

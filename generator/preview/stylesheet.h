@@ -1,7 +1,7 @@
 // Stylesheet: the site's one stylesheet, bundled anew while its sources are being edited.
 //
-// Bundling is the site's own (site/restyle.mjs), by a Node process that stays: to start one for
-// each save would take longer than all else.
+// Bundling is the site's own (site/bundle/restyle.mjs), by a Node process that stays: to start one
+// for each save would take longer than all else.
 // Tested by tests/preview/styles.mjs.
 #pragma once
 

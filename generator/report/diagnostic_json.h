@@ -1,4 +1,5 @@
-// Diagnostics as JSON, for tools that read reports; site/report/verification.ts has its shape.
+// Diagnostics as JSON, for tools that read reports; site/browser/report/verification.ts has its
+// shape.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

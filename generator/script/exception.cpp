@@ -96,8 +96,8 @@ Exception read_exception(JSContextRef context, JSValueRef exception, const std::
 
 namespace {
 
-// The ids of the strict layer (site/script/fault.ts) and of the world beneath it. Another is of the
-// script's own making.
+// The ids of the strict layer (site/press/script/fault.ts) and of the world beneath it. Another is
+// of the script's own making.
 bool is_fault(const std::string& id) {
   constexpr std::array<std::string_view, 5> known{
       "E-script-foreign", "E-script-name", "E-script-range", "E-script-value", "E-script-mujoco"};

@@ -23,7 +23,7 @@ struct Exception {
   // Names in the script to underline, best first.
   std::vector<std::string> tokens;
 
-  // What the strict layer adds (site/script/fault.ts); empty on other exceptions.
+  // What the strict layer adds (site/press/script/fault.ts); empty on other exceptions.
   std::string id;
   std::string cure;
 };

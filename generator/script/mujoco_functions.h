@@ -1,6 +1,6 @@
-// MuJoCo's functions as the native half of the world gives them (site/script/native.ts): without
-// the model and the data among the arguments, arrays as Float64Array, nothing checked. The strict
-// half (site/script/mujoco-functions.ts) checks before it calls.
+// MuJoCo's functions as the native half of the world gives them (site/press/script/native.ts):
+// without the model and the data among the arguments, arrays as Float64Array, nothing checked. The
+// strict half (site/press/script/mujoco-functions.ts) checks before it calls.
 #pragma once
 
 #include <JavaScriptCore/JavaScript.h>

@@ -47,7 +47,7 @@ JSObjectRef view_of(JSContextRef context, const mjcField& field) {
                                                nullptr, nullptr);
 }
 
-// A Table of site/script/field-table.ts.
+// A Table of site/press/script/field-table.ts.
 JSObjectRef make_table(JSContextRef context, std::vector<mjcField> fields) {
   std::erase_if(fields, [](const mjcField& field) { return field.type == mjcFIELD_CHAR; });
   nlohmann::json rows = nlohmann::json::array();

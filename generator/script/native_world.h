@@ -1,5 +1,5 @@
-// The native half of a world, over a simulation: the object that site/script/native.ts describes,
-// with tables (site/script/field-table.ts) in the place of fields.
+// The native half of a world, over a simulation: the object that site/press/script/native.ts
+// describes, with tables (site/press/script/field-table.ts) in the place of fields.
 // Tested by tests/generator/script/lookups_test.cpp.
 // Tested by tests/generator/script/strict_array_test.cpp.
 #pragma once

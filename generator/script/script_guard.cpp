@@ -45,7 +45,7 @@ std::optional<ExpressionText> ScriptGuard::ask(const std::string& run, const std
   return ExpressionText{found["world"], found["callee"], found["values"]};
 }
 
-// As site/script/guards.ts writes them; no text of an author's has them.
+// As site/press/script/guards.ts writes them; no text of an author's has them.
 std::string without_guards(std::string text) {
   for (const std::string_view mark : {"key$((", "own$((", "))/*$*/"}) {
     for (std::size_t at = 0; (at = text.find(mark, at)) != text.npos;) text.erase(at, mark.size());

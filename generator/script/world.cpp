@@ -27,7 +27,7 @@ std::vector<std::string> split_lines(const std::string& text) {
 }
 
 // The world's names become globals of the engine; gives what enterWorld() of
-// site/script/entries/world.ts gives.
+// site/press/script/entries/world.ts gives.
 JSObjectRef enter(Engine& engine, const std::string& bundle, Simulation& simulation) {
   engine.load(bundle, "world.js");
   JSContextRef context = engine.context();
@@ -159,8 +159,8 @@ tl::expected<nlohmann::json, ScriptError> World::Parts::json(const CompiledScrip
   });
 }
 
-// What a function of site/script/result.ts makes of `value`. What it refuses is the fault of the
-// whole expression.
+// What a function of site/press/script/result.ts makes of `value`. What it refuses is the fault of
+// the whole expression.
 tl::expected<JSValueRef, ScriptError> World::Parts::convert(const char* to,
                                                             const CompiledScript& script,
                                                             JSValueRef value) {

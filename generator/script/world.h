@@ -5,8 +5,8 @@
 // MuJoCo's functions and constants, Math, and nothing else. Fields are views on MuJoCo's memory: no
 // copy is made, and whatever steps the simulation is seen at once.
 //
-// The names and their strictness are made by site/script/world.ts, the same code that runs in the
-// page; this class gives it the native half (native_world.h) and finds an error's place in the
+// The names and their strictness are made by site/press/script/world.ts, the same code that runs in
+// the page; this class gives it the native half (native_world.h) and finds an error's place in the
 // author's text (author_text.h). An expression is compiled once, so sampling it at every frame
 // costs a call and no parse.
 #pragma once

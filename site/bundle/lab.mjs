@@ -31,8 +31,8 @@ async function buildCode(site, out) {
   const { metafile } = await build({
     ...forBrowsers(site, out),
     entryPoints: [
-      { in: "lab/lab.ts", out: "lab" },
-      { in: "styles/lab-live.css", out: "lab" },
+      { in: "browser/lab/lab.ts", out: "lab" },
+      { in: "browser/styles/lab-live.css", out: "lab" },
     ],
     entryNames: "assets/[name]-[hash]",
     chunkNames: "assets/[name]-[hash]",
@@ -41,7 +41,7 @@ async function buildCode(site, out) {
     format: "esm",
     legalComments: "none",
   });
-  const entries = ["lab/lab.ts", "styles/lab-live.css"];
+  const entries = ["browser/lab/lab.ts", "browser/styles/lab-live.css"];
   return manifestOf(metafile, site, out, (output) => entries.includes(output.entryPoint));
 }
 

@@ -7,7 +7,11 @@ import { forBrowsers } from "./manifest.mjs";
 export async function buildPreview(site, out) {
   await build({
     ...forBrowsers(site, out),
-    entryPoints: ["preview/preview.ts", "preview/worker.ts", "preview/preview.css"],
+    entryPoints: [
+      "browser/preview/preview.ts",
+      "browser/preview/worker.ts",
+      "browser/preview/preview.css",
+    ],
     format: "iife",
   });
 }

@@ -11,20 +11,20 @@ export function pageBuild(site, out) {
   return {
     ...forBrowsers(site, out),
     entryPoints: [
-      { in: "styles/site.css", out: "site" },
-      { in: "client/site.ts", out: "site" },
-      { in: "client/search/dialogs.ts", out: "search" },
-      { in: "styles/search.css", out: "search" },
-      { in: "client/listing.ts", out: "listing" },
-      { in: "client/reading/home.ts", out: "home" },
-      { in: "client/reading/reading.ts", out: "reading" },
-      { in: "client/progress/progress.ts", out: "progress" },
-      { in: "client/review/review.ts", out: "review" },
-      { in: "styles/learner.css", out: "learner" },
-      { in: "client/moved.ts", out: "moved" },
-      { in: "client/offline/offline.ts", out: "offline" },
-      { in: "client/offline/kept.ts", out: "kept" },
-      { in: "icons/favicon.svg", out: "favicon" },
+      { in: "browser/styles/site.css", out: "site" },
+      { in: "browser/client/site.ts", out: "site" },
+      { in: "browser/client/search/dialogs.ts", out: "search" },
+      { in: "browser/styles/search.css", out: "search" },
+      { in: "browser/client/listing.ts", out: "listing" },
+      { in: "browser/client/reading/home.ts", out: "home" },
+      { in: "browser/client/reading/reading.ts", out: "reading" },
+      { in: "browser/client/progress/progress.ts", out: "progress" },
+      { in: "browser/client/review/review.ts", out: "review" },
+      { in: "browser/styles/learner.css", out: "learner" },
+      { in: "browser/client/moved.ts", out: "moved" },
+      { in: "browser/client/offline/offline.ts", out: "offline" },
+      { in: "browser/client/offline/kept.ts", out: "kept" },
+      { in: "browser/icons/favicon.svg", out: "favicon" },
     ],
     entryNames: "assets/[name]-[hash]",
     assetNames: "assets/[name]-[hash]",
@@ -59,7 +59,7 @@ export async function buildPublic(site, out) {
   const manifest = manifestOf(metafile, site, out);
   for (const [name, piece] of Object.entries(namedFonts)) {
     if (!manifest[piece])
-      throw new Error(`the fonts have no piece ${piece} (bundle/font-cuts.mjs)`);
+      throw new Error(`the fonts have no piece ${piece} (site/bundle/font-cuts.mjs)`);
     manifest[name] = manifest[piece];
   }
   return manifest;

@@ -1,4 +1,4 @@
-// The bundles that run inside the generator: one for each script/entries/*.ts, self-contained.
+// The bundles that run inside the generator: one for each of press/script/entries/, self-contained.
 
 import { readdir } from "node:fs/promises";
 import path from "node:path";
@@ -8,11 +8,11 @@ import { build } from "esbuild";
 import { computed } from "./computed.mjs";
 
 export async function buildScripts(site, out) {
-  const folder = path.join(site, "script", "entries");
+  const folder = path.join(site, "press/script/entries");
   const names = (await readdir(folder)).filter((name) => name.endsWith(".ts")).sort();
   await build({
     absWorkingDir: site,
-    entryPoints: names.map((name) => `script/entries/${name}`),
+    entryPoints: names.map((name) => `press/script/entries/${name}`),
     outdir: path.resolve(out),
     entryNames: "[name]",
     bundle: true,

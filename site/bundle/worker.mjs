@@ -8,8 +8,8 @@ export async function buildWorker(site, out) {
   await build({
     ...forBrowsers(site, out),
     entryPoints: [
-      { in: "worker/worker.ts", out: "worker/sw" },
-      { in: "worker/farewell.ts", out: "preview/sw" },
+      { in: "browser/worker/worker.ts", out: "worker/sw" },
+      { in: "browser/worker/farewell.ts", out: "preview/sw" },
     ],
     format: "iife",
   });

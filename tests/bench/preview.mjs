@@ -129,7 +129,7 @@ await preview(mjcourse, folder, async (previewed) => {
   previewed.write(lesson, prose);
   previewed.write(file, program);
 
-  const style = join(checkout.site, "styles/prose.css");
+  const style = join(checkout.site, "browser/styles/prose.css");
   const css = readFileSync(style, "utf8");
   const colour = (text) =>
     writeFileSync(style, `${css}\n.prose > p {\n  outline-color: ${text};\n}\n`);

@@ -22,7 +22,7 @@ const run = `import { loadEngine } from "./bundle.js";
   }`;
 const files = {
   "/": ["text/html", "<!doctype html><title>engine</title>"],
-  "/bundle.js": ["text/javascript", await bundleText("engine/engine.ts")],
+  "/bundle.js": ["text/javascript", await bundleText("browser/engine/engine.ts")],
   "/run.js": ["text/javascript", run],
   "/worker.js": ["text/javascript", 'import { run } from "./run.js"; postMessage(await run());'],
   "/box.xml": ["text/xml", readFileSync(model)],

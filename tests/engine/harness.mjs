@@ -1,4 +1,4 @@
-// The engine under test, as the page has it: site/engine/ bundled, over the built engine.wasm.
+// The engine under test, as the page has it: site/browser/engine/ bundled, over the built engine.wasm.
 // MJCOURSE_ENGINE is the folder with that, MJCOURSE_NATIVE the program of native.cpp.
 
 import { execFileSync } from "node:child_process";
@@ -33,7 +33,7 @@ export async function bundleText(entry) {
   return outputFiles[0].text;
 }
 
-const module = Buffer.from(await bundleText("engine/engine.ts")).toString("base64");
+const module = Buffer.from(await bundleText("browser/engine/engine.ts")).toString("base64");
 const { loadEngine } = await import(`data:text/javascript;base64,${module}`);
 
 // A new engine with its own memory.

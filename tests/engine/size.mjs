@@ -17,7 +17,10 @@ test("the engine with its glue is at most 450 KB, compressed", (t) => {
 });
 
 test("the licence of each library is beside it", () => {
-  const pinned = readFileSync(new URL("../../site/engine/sources.txt", import.meta.url), "utf8");
+  const pinned = readFileSync(
+    new URL("../../site/browser/engine/sources.txt", import.meta.url),
+    "utf8",
+  );
   const packages = pinned.match(/^[a-z]\w+/gm);
   assert.equal(packages.length, 6);
   for (const name of packages)

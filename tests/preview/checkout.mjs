@@ -5,7 +5,7 @@ import { cpSync, mkdirSync, mkdtempSync, rmSync, symlinkSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
-const edited = ["restyle.mjs", "bundle", "styles", "templates", "client", "icons", "package.json"];
+const edited = ["browser", "bundle", "press", "package.json"];
 
 // From here on `mjcourse` finds its assets there. ROOT/site lies beside ROOT/build/release/assets.
 export function checkOut(site, assets) {

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { commonPairs } from "../../site/preview/parts.ts";
+import { commonPairs } from "../../site/browser/preview/parts.ts";
 
 const pairs = (before, after) => commonPairs([...before], [...after]);
 

@@ -12,8 +12,8 @@ const [mjcourse, folder, site, assets] = process.argv.slice(2);
 
 const address = "1-first/1.1-everything.html";
 const checkout = checkOut(site, assets);
-const style = join(checkout.site, "styles/prose.css");
-const template = join(checkout.site, "templates/lesson.hbs");
+const style = join(checkout.site, "browser/styles/prose.css");
+const template = join(checkout.site, "press/templates/lesson.hbs");
 const edit = (file, change) => writeFileSync(file, change(readFileSync(file, "utf8")));
 const panel = (page) => page.locator(".preview-panel");
 const isClean = (page) => panel(page).getByText("up to date", { exact: true }).waitFor();
@@ -33,7 +33,7 @@ async function stylesSwap(previewed, page) {
   // Beside a mistake the page stays as it was.
   writeFileSync(style, `${good}\nbody {\n  --tried: twice;\n  color red;\n}\n`);
   await panel(page).getByText("[E-style]").waitFor();
-  await panel(page).getByText("site/styles/prose.css:").first().waitFor();
+  await panel(page).getByText("site/browser/styles/prose.css:").first().waitFor();
   await becomes("once");
   writeFileSync(style, good);
   await becomes("");
@@ -81,7 +81,7 @@ async function templatesFollow(previewed, page) {
   await page.locator("h1", { hasText: "Something of everything!" }).waitFor();
   edit(template, (text) => text.replace("{{title}}!", "{{titel}}"));
   await panel(page).getByText("[E-template]").waitFor();
-  await panel(page).getByText("site/templates/lesson.hbs:").first().waitFor();
+  await panel(page).getByText("site/press/templates/lesson.hbs:").first().waitFor();
   await page.locator("h1", { hasText: "Something of everything!" }).waitFor();
   writeFileSync(template, good);
   await page.getByRole("heading", { name: "Something of everything", exact: true }).waitFor();

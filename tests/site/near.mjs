@@ -7,7 +7,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { test } from "node:test";
 
-import { isNear } from "../../site/client/quiz/near.ts";
+import { isNear } from "../../site/browser/client/quiz/near.ts";
 
 const table = JSON.parse(readFileSync(new URL("../near.json", import.meta.url), "utf8"));
 

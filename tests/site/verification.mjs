@@ -1,5 +1,5 @@
 // What was verified, as tools and readers get it: the JSON of a site and of reports has the shape
-// that site/report/verification.ts gives it, to the last key; a report of a failed run is written
+// that site/browser/report/verification.ts gives it, to the last key; a report of a failed run is written
 // too, and its page opens by itself, with a picture that differs beside its reference.
 //
 //   node tests/site/verification.mjs MJCOURSE SITE    SITE: what a course was built into
@@ -21,7 +21,7 @@ const expect = (good, what) => good || problems.push(what);
 // The compiler's complaints when `text` is taken for a `type`: keys that are missing, too many, or
 // of another kind.
 function misfits(text, type) {
-  const types = resolve("site/report/verification.ts");
+  const types = resolve("site/browser/report/verification.ts");
   const file = join(here, `${type}.ts`);
   const module = types.replace(/\.ts$/, ".js");
   writeFileSync(

@@ -1,8 +1,8 @@
 // What a lab takes of the memory that the page's engine can have.
 //
-// The engine's memory is one block of at most 2 GiB (site/engine/wasm/CMakeLists.txt), of which
-// also what MuJoCo asks for and never touches takes its part. A model that the generator can bear
-// may be too large for it, and a reader would only be told that it failed.
+// The engine's memory is one block of at most 2 GiB (site/browser/engine/wasm/CMakeLists.txt), of
+// which also what MuJoCo asks for and never touches takes its part. A model that the generator can
+// bear may be too large for it, and a reader would only be told that it failed.
 // Tested by tests/courses/lab.
 #pragma once
 

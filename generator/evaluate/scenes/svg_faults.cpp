@@ -223,7 +223,7 @@ bool has_other_references(std::string_view text) {
   return false;
 }
 
-// As site/script/plot/svg.ts writes 10 to a power.
+// As site/press/script/plot/svg.ts writes 10 to a power.
 constexpr std::string_view kClassOfPowers = "power";
 
 bool has_own_names(const XMLElement& element, const std::string& name) {

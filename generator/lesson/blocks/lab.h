@@ -1,7 +1,7 @@
 // ```lab simlab: an interactive simulation, as its author describes it.
 //
 // Scripts and expressions are kept as the author's text with its place. What the page gets of them
-// is in site/lab/lab-module.ts; the two have the same shape.
+// is in site/browser/lab/lab-module.ts; the two have the same shape.
 #pragma once
 
 #include <array>

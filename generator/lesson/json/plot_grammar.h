@@ -1,9 +1,9 @@
 // PlotGrammar: what Vega-Lite knows of a plot's spec: which keys an object has, and what may stand
 // behind each.
 //
-// It is what the drawing holds a spec against (site/script/plot/vocabulary.ts), boiled down from
-// Vega-Lite's own schema when the site was bundled (site/bundle/plot-vocabulary.mjs). The schema
-// for editors is made of it, and so is what an editor is told while one writes.
+// It is what the drawing holds a spec against (site/press/script/plot/vocabulary.ts), boiled down
+// from Vega-Lite's own schema when the site was bundled (site/bundle/plot-vocabulary.mjs). The
+// schema for editors is made of it, and so is what an editor is told while one writes.
 //
 // Enter at read_plot_grammar(); states[0] is the spec.
 #pragma once

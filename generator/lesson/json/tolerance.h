@@ -1,5 +1,5 @@
 // "tol": by how much a number may differ from the right one. What a reader gives is judged in the
-// page by the same rule (site/client/quiz/near.ts).
+// page by the same rule (site/browser/client/quiz/near.ts).
 #pragma once
 
 #include <cmath>

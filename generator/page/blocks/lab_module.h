@@ -1,4 +1,4 @@
-// The module of a lab: what the page's script gets of it (site/lab/lab-module.ts).
+// The module of a lab: what the page's script gets of it (site/browser/lab/lab-module.ts).
 //
 // Enter with write_lab_module(). The module's name has a hash of its content, so browsers may keep
 // it for ever; its models are files of their own, which labs share.

@@ -1,7 +1,8 @@
 // PageWriter: a lesson and its results as HTML.
 //
 // Enter at body(). Prose is written by cmark; each block of the lesson language by the template of
-// its name in site/templates, which this class feeds with data: no HTML of a block is made here.
+// its name in site/press/templates, which this class feeds with data: no HTML of a block is made
+// here.
 #pragma once
 
 #include <map>

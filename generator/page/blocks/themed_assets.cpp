@@ -62,7 +62,7 @@ Diagnostic template_mistake(const TemplateError& error, const Files& course) {
                     error.message);
   }
   Place place;
-  place.file = text ? path : "site/" + std::string(kTemplates) + error.name + ".hbs";
+  place.file = text ? path : "site/press/" + std::string(kTemplates) + error.name + ".hbs";
   place.line = error.line;
   return error_at(std::move(place), "E-template", error.message);
 }

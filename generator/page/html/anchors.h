@@ -23,7 +23,8 @@ std::string claim_anchor(const Lesson& lesson, std::size_t index);
 // where there is none.
 std::string place_anchor(const Lesson& lesson, const Claim& claim);
 
-// "example-NAME"; in a browser with scripts, its line 12 is "NAME-L12" (site/client/lines.ts).
+// "example-NAME"; in a browser with scripts, its line 12 is "NAME-L12"
+// (site/browser/client/lines.ts).
 std::string example_anchor(const Example& example);
 std::string question_anchor(const Quiz& quiz, std::size_t question);
 

@@ -1,5 +1,5 @@
 // What was verified, as the one JSON from which the verification page and the report are made;
-// site/report/verification.ts has its shape.
+// site/browser/report/verification.ts has its shape.
 // Tested by tests/generator/page/verification_page_test.cpp.
 #pragma once
 

@@ -5,7 +5,7 @@
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 
-import { nearest } from "../../../site/script/suggest.ts";
+import { nearest } from "../../../site/press/script/suggest.ts";
 
 const known = [
   ..."qpos qvel qacc act ctrl time xpos xquat xmat xfrc_applied sensordata".split(" "),

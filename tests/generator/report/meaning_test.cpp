@@ -39,7 +39,7 @@ Names ids_of_meanings() {
 
 TEST(Meaning, IsThereForEachIdOfTheSourcesAndForNoOther) {
   Names said;
-  for (const char* folder : {"generator", "site/script", "site/engine"}) {
+  for (const char* folder : {"generator", "site/press/script", "site/browser/engine"}) {
     said.merge(ids_in(fs::path(MJCOURSE_ROOT) / folder));
   }
   EXPECT_GT(said.size(), 100u);

@@ -1,4 +1,4 @@
-// The bundles that site/build.mjs wrote, as the generator gets them.
+// The bundles that site/bundle/build.mjs wrote, as the generator gets them.
 #pragma once
 
 #include <fstream>
@@ -8,7 +8,7 @@
 
 namespace mjcourse {
 
-// The text of script/`name`.js; MJCOURSE_ASSETS is the folder that site/build.mjs wrote.
+// The text of script/`name`.js; MJCOURSE_ASSETS is the folder that site/bundle/build.mjs wrote.
 inline std::string bundle(const std::string& name) {
   const std::string path = MJCOURSE_ASSETS "/script/" + name + ".js";
   std::ifstream file(path);

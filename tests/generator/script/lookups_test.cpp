@@ -1,4 +1,4 @@
-// What scripts find by name (site/script/lookups.ts).
+// What scripts find by name (site/press/script/lookups.ts).
 #include <mujoco/mjxmacro.h>
 #include <mujoco/mujoco.h>
 

@@ -1,4 +1,5 @@
-// MuJoCo's functions as scripts call them (site/script/mujoco-functions.ts and their native half).
+// MuJoCo's functions as scripts call them (site/press/script/mujoco-functions.ts and their native
+// half).
 #include <nlohmann/json.hpp>
 
 #include "world_fixture.h"

@@ -1,4 +1,4 @@
-// The fields of `model` and `data` as scripts hold them (site/script/strict-array.ts).
+// The fields of `model` and `data` as scripts hold them (site/press/script/strict-array.ts).
 #include <cmath>
 #include <nlohmann/json.hpp>
 

@@ -20,8 +20,8 @@ const page = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Editor
 <main><h1>Editor</h1><button>before</button><div id="host"></div><button>after</button></main>
 <script type="module" src="page.js"></script></html>`;
 
-const script = `import { openEditor } from "./lab/editor/editor.ts";
-import { LoadError } from "./engine/errors.ts";
+const script = `import { openEditor } from "./browser/lab/editor/editor.ts";
+import { LoadError } from "./browser/engine/errors.ts";
 window.changes = [];
 window.editor = openEditor(document.getElementById("host"), {
   text: "<mujoco>\\n  <worldbody>\\n    <geom sizze='1'/>\\n  </worldbody>\\n</mujoco>\\n",
@@ -42,7 +42,9 @@ before(async () => {
     bundle: true,
     format: "esm",
   });
-  const styles = ["tokens", "reset", "type"].map((name) => `@import "./styles/${name}.css";`);
+  const styles = ["tokens", "reset", "type"].map(
+    (name) => `@import "./browser/styles/${name}.css";`,
+  );
   await require("esbuild").build({
     stdin: { contents: styles.join("\n"), resolveDir: site, loader: "css" },
     outfile: path.join(folder, "site.css"),

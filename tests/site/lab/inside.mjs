@@ -87,16 +87,16 @@ const bundled = async (contents, globalName) => {
   return (await build({ stdin, ...options })).outputFiles[0].text;
 };
 const guard = new Function(
-  `${await bundled('import "./script/entries/guard.ts";', "none")}; return globalThis.guard;`,
+  `${await bundled('import "./press/script/entries/guard.ts";', "none")}; return globalThis.guard;`,
 )();
-const world = await bundled('export * from "./script/world.ts";', "site");
+const world = await bundled('export * from "./press/script/world.ts";', "site");
 
 const names = "body\nctrl\ndata\nforward\nkey$\nMath\nmodel\nown$\nstep";
 const scope = "{ data, forward, key$, model, own$ }";
 const moduleOf = (text) => `export const script = (${scope}) => { {\n${text}\n} };`;
 
 // A page as the site's are.
-const head = (await readFile(path.join(site, "templates/page.hbs"), "utf8")).match(
+const head = (await readFile(path.join(site, "press/templates/page.hbs"), "utf8")).match(
   /<meta http-equiv=.*>/,
 );
 const files = {

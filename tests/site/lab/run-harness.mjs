@@ -1,4 +1,4 @@
-// Labs as the page has them, over the built engine, without a page: site/lab/run/ bundled, and a lab's
+// Labs as the page has them, over the built engine, without a page: site/browser/lab/run/ bundled, and a lab's
 // module in the generator's form. MJCOURSE_ENGINE is the folder with the engine.
 
 import { readFileSync } from "node:fs";
@@ -18,7 +18,7 @@ const parts = [
 const { outputFiles } = await require("esbuild").build({
   stdin: {
     contents: parts.map((part) => `export * from "./${part}.ts";`).join("\n"),
-    resolveDir: path.join(root, "site"),
+    resolveDir: path.join(root, "site/browser"),
   },
   bundle: true,
   format: "esm",

@@ -11,7 +11,7 @@ import { build } from "../../../site/node_modules/esbuild/lib/main.js";
 import { launch } from "../chromium.mjs";
 
 const { outputFiles } = await build({
-  entryPoints: [path.resolve(import.meta.dirname, "../../../site/lab/controls/slider.ts")],
+  entryPoints: [path.resolve(import.meta.dirname, "../../../site/browser/lab/controls/slider.ts")],
   bundle: true,
   format: "iife",
   globalName: "built",

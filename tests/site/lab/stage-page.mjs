@@ -1,8 +1,8 @@
 // What tests/site/lab/stage.mjs has in its page: the stage without a lab around it.
 
-import { loadEngine } from "../../../site/engine/engine.ts";
-import { Stage } from "../../../site/lab/stage/stage.ts";
-import { View } from "../../../site/lab/stage/view.ts";
+import { loadEngine } from "../../../site/browser/engine/engine.ts";
+import { Stage } from "../../../site/browser/lab/stage/stage.ts";
+import { View } from "../../../site/browser/lab/stage/view.ts";
 
 // The stage's own context, which it keeps to itself, to take it away.
 let webgl;

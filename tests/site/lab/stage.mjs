@@ -26,7 +26,7 @@ async function buildSite(folder, mjcourse) {
     recursive: true,
   });
   const site = path.join(folder, "site");
-  const icon = path.join(root, "site/icons/favicon.svg");
+  const icon = path.join(root, "site/browser/icons/favicon.svg");
   execFileSync(mjcourse, ["build", "--course", folder, "--out", site], {
     stdio: "pipe",
   });
