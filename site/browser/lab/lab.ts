@@ -49,7 +49,7 @@ function start(engine: Engine, module: LabModule, files: ModelFiles): Run {
   let run: Run | undefined;
   try {
     run = new Run(engine, module, files);
-    run.stage.update();
+    run.visualization.update();
     return run;
   } catch (cause) {
     run?.free();

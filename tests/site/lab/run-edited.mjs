@@ -14,8 +14,8 @@ test("an edited model starts anew, one with an error changes nothing", async () 
   const run = await openRun(engine, mjcf, ({ value }) => ({
     readouts: [{ label: "v", value: value("data.qvel[0]"), digits: 2, unit: "" }],
   }));
-  run.stage.camera = { ...run.stage.camera, azimuth: 33 };
-  run.stage.showOverlay("joints", true);
+  run.visualization.camera = { ...run.visualization.camera, azimuth: 33 };
+  run.visualization.showOverlay("joints", true);
   run.step(50);
   const { state } = run.simulation;
   const error = run.recompile(mjcf.replace("<geom", "<geom sizze='1'"));
@@ -30,8 +30,8 @@ test("an edited model starts anew, one with an error changes nothing", async () 
   assert.equal(run.recompile(mjcfOf("stacked_boxes")), undefined);
   assert.equal(run.time, 0);
   assert.notEqual(run.scene, scene);
-  assert.equal(run.stage.camera.azimuth, 33);
-  assert.ok(run.stage.overlays.has("joints"));
+  assert.equal(run.visualization.camera.azimuth, 33);
+  assert.ok(run.visualization.overlays.has("joints"));
   run.step(100);
   const expected = openPlain(engine, mjcfOf("stacked_boxes"));
   expected.step(100);
@@ -46,7 +46,7 @@ test("fifty models come and go in the same memory", async () => {
   }));
   const buffers = new Set();
   for (let i = 0; i < 80; i++) {
-    run.stage.update();
+    run.visualization.update();
     run.step(5);
     assert.ok(run.recompile("<mujoco><worldbody><geom/></worldbody></mujoco>"));
     assert.equal(run.recompile(mjcfOf(i % 2 ? "stacked_boxes" : "free")), undefined);

@@ -13,20 +13,20 @@ test("a hand pulls, and its force goes with it", async () => {
   const run = await openRun(engine, mjcfOf("free"), ({ run }) => ({
     ghost: { label: "same", run: run("model.opt.timestep *= 1") },
   }));
-  const { stage } = run;
-  const body = stage.select(1, 0.5, 0.5);
+  const { visualization } = run;
+  const body = visualization.select(1, 0.5, 0.5);
   const push = () => [...run.simulation.world.data.xfrc_applied];
   assert.equal(body, 0, "nothing is seen where the lab does not look");
-  stage.camera = {
+  visualization.camera = {
     azimuth: 90,
     elevation: 0,
     distance: 1,
     target: bodyPlace(run, 1),
   };
-  stage.update();
-  assert.equal(stage.select(1, 0.5, 0.5), 1);
+  visualization.update();
+  assert.equal(visualization.select(1, 0.5, 0.5), 1);
   run.hold("pull");
-  stage.drag("moveVertical", 0.2, 0);
+  visualization.drag("moveVertical", 0.2, 0);
   run.step(1);
   assert.ok(push().some((value) => value !== 0));
   assert.deepEqual([...run.ghost.simulation.world.data.xfrc_applied], push());

@@ -72,14 +72,14 @@ test("the largest model is edited again and again, also with a ghost", async () 
     const run = await openRun(young, large(mebibytes), ({ run }) => ({
       ghost: ghosts === 0 ? null : { label: "slow", run: run("model.opt.timestep *= 2") },
     }));
-    run.stage.camera = { ...run.stage.camera, azimuth: 33 };
+    run.visualization.camera = { ...run.visualization.camera, azimuth: 33 };
     for (let edit = 1; edit <= 6; edit++) {
       // somewhat larger each time, so that it does not fit where the former was
       assert.equal(run.recompile(large(mebibytes + edit)), undefined);
-      assert.equal(run.stage.update(), true);
+      assert.equal(run.visualization.update(), true);
       assert.equal(run.step(3), 3);
     }
-    assert.equal(run.stage.camera.azimuth, 33);
+    assert.equal(run.visualization.camera.azimuth, 33);
     run.free();
   }
 });
@@ -87,7 +87,7 @@ test("the largest model is edited again and again, also with a ghost", async () 
 test("an edited model for which the page has no room", async () => {
   const young = await newEngine();
   const run = await openRun(young, large(100, "<geom size='1'/>"));
-  run.stage.camera = { ...run.stage.camera, azimuth: 33 };
+  run.visualization.camera = { ...run.visualization.camera, azimuth: 33 };
   const refused = (mebibytes) => {
     run.step(7);
     const error = run.recompile(large(mebibytes));
@@ -104,8 +104,8 @@ test("an edited model for which the page has no room", async () => {
     );
     // The former starts anew.
     assert.equal(run.time, 0);
-    assert.equal(run.stage.camera.azimuth, 33);
-    assert.equal(run.stage.update(), true);
+    assert.equal(run.visualization.camera.azimuth, 33);
+    assert.equal(run.visualization.update(), true);
     assert.equal(run.scene.geoms.length, 1);
   };
   refused(4110); // beyond what an address of the engine can say
@@ -126,7 +126,7 @@ test("a model that the page has no room for, and the next that has", async () =>
     let run;
     const open = async () => {
       run = await openRun(engine, asks(nstack));
-      return run.stage;
+      return run.visualization;
     };
     await assert.rejects(open(), (error) => {
       assert.equal(
@@ -139,7 +139,7 @@ test("a model that the page has no room for, and the next that has", async () =>
     run?.free();
   }
   const run = await openRun(engine, asks(20e6));
-  assert.ok(run.stage);
+  assert.ok(run.visualization);
   run.free();
   const mistake = new TypeError("x is not a function");
   assert.equal(lab.whyNoStart(mistake), "The lab could not be started: x is not a function");

@@ -19,8 +19,8 @@ export class LinkKeeper {
     const { run, speed } = this.#player;
     const value = await encodeLink({
       id: this.#id,
-      camera: run.stage.camera,
-      overlays: [...run.stage.overlays],
+      camera: run.visualization.camera,
+      overlays: [...run.visualization.overlays],
       speed,
       run: run.state,
       ...(edited ? { mjcf: run.mjcf } : {}),
@@ -40,7 +40,7 @@ export class LinkKeeper {
     const { run } = this.#player;
     if (link.mjcf !== undefined) await replace(link.mjcf);
     if (link.run) run.restore(link.run);
-    if (link.camera) run.stage.camera = link.camera;
+    if (link.camera) run.visualization.camera = link.camera;
     if (link.overlays) showOnly(this.#player, link.overlays);
     this.#player.speed = link.speed ?? run.lab.speed;
   }
@@ -56,8 +56,8 @@ export class LinkKeeper {
 
 /** The overlays of that name and no others; names that there are not are passed over. */
 export function showOnly({ run }: Player, names: readonly string[]): void {
-  for (const name of run.scene.overlays) run.stage.showOverlay(name, false);
+  for (const name of run.scene.overlays) run.visualization.showOverlay(name, false);
   for (const name of run.scene.overlays) {
-    if (names.includes(name)) run.stage.showOverlay(name, true);
+    if (names.includes(name)) run.visualization.showOverlay(name, true);
   }
 }

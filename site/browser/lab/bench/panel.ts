@@ -38,7 +38,7 @@ export class Panel {
     this.#readouts = new Readouts(lab.readouts);
     this.#plots = lab.plots.map((plot, i) => new Plot(plot, run.samples[i]!));
     this.#overlays = new Overlays(lab.toggles, (name, on) => {
-      run.stage.showOverlay(name, on);
+      run.visualization.showOverlay(name, on);
       player.changed();
     });
     this.push = new PushForm(player);
@@ -58,7 +58,7 @@ export class Panel {
     const { lab } = run;
     this.#controls.show(run.settings);
     this.#readouts.show(lab.readouts.map((_, i) => run.printed(i)));
-    this.#overlays.show(run.stage.overlays);
+    this.#overlays.show(run.visualization.overlays);
     this.#goal?.show(run.goalReached);
     this.#plots.forEach((plot, i) => {
       plot.show(run.samples[i]!, run.time);

@@ -14,7 +14,7 @@ export class EditPanel {
   readonly #rebuilt: () => void;
   #editor: Promise<Editor> | undefined;
 
-  /** `rebuilt` is called when there is another model, or another stage of the same. */
+  /** `rebuilt` is called when there is another model, or another visualization of the same. */
   constructor(run: Run, tasks: readonly HTMLElement[], rebuilt: () => void) {
     this.#run = run;
     this.#lesson = run.mjcf;
@@ -68,11 +68,11 @@ export class EditPanel {
   }
 
   async #compile(text: string): Promise<void> {
-    const { stage } = this.#run;
+    const { visualization } = this.#run;
     const error = this.#run.recompile(text);
     this.#status.textContent = error === undefined ? "" : sentence(error);
     this.#status.classList.toggle("wrong", error !== undefined);
-    if (this.#run.stage !== stage) this.#rebuilt();
+    if (this.#run.visualization !== visualization) this.#rebuilt();
     (await this.#editor)?.showError(error);
   }
 }

@@ -22,10 +22,10 @@ import { fixed } from "./fixed.js";
 import type { History } from "./history.js";
 import { Pair } from "./pair.js";
 import type { Samples } from "./samples.js";
-import { type Look, Stage } from "./stage.js";
 import { type Circumstances, type RunPlace, Timeline } from "./timeline.js";
 import type { Moment, Track } from "./track.js";
 import { isOutOfMemory, ScriptTrouble, type Trouble, whyNoEdit } from "./trouble.js";
+import { type Look, Visualization } from "./visualization.js";
 
 export type { ControlValue } from "./controls.js";
 
@@ -54,8 +54,8 @@ export class Run {
   readonly #timeline: Timeline;
   #files: ModelFiles;
   #pair: Pair;
-  #stage: Stage | undefined;
-  /** What the next stage begins with. */
+  #visualization: Visualization | undefined;
+  /** What the next visualization begins with. */
   #look: Look;
   #settings: readonly ControlValue[] = [];
   #goalReached = false;
@@ -111,19 +111,19 @@ export class Run {
 
   /** The scenes, the camera, the overlays and the reader's hand. Take it anew for each frame:
    * recompile() may open another one. */
-  get stage(): Stage {
-    return this.#stage ?? this.#openStage();
+  get visualization(): Visualization {
+    return this.#visualization ?? this.#openVisualization();
   }
 
   get scene(): Scene {
-    return this.stage.scene;
+    return this.visualization.scene;
   }
 
   get ghost(): GhostRun | undefined {
     const { ghost } = this.#pair;
     if (ghost === undefined) return undefined;
     const { simulation, time, trouble } = ghost;
-    return { simulation, scene: this.stage.ghost!, time, trouble };
+    return { simulation, scene: this.visualization.ghost!, time, trouble };
   }
 
   /** The present value of each control. A slider shows what it is bound to, whoever wrote there;
@@ -202,12 +202,12 @@ export class Run {
     this.#settings = this.#timeline.seek(index, this.#pair).settings;
   }
 
-  /** The reader's hand takes the body that stage.select() found, or lets go of it. */
+  /** The reader's hand takes the body that visualization.select() found, or lets go of it. */
   hold(hold: Hold): void {
-    const { held } = this.stage;
-    this.stage.hold(hold);
+    const { held } = this.visualization;
+    this.visualization.hold(hold);
     // once without a hand: its force is gone then
-    if (held > 0 && this.stage.held === 0) this.#pull(held);
+    if (held > 0 && this.visualization.held === 0) this.#pull(held);
   }
 
   // A link.
@@ -301,7 +301,7 @@ export class Run {
     this.#pair = pair;
     this.#files = files;
     this.reset();
-    this.#openStage();
+    this.#openVisualization();
   }
 
   /** Beside the present model, or in its place where the page has no memory for both. */
@@ -318,21 +318,25 @@ export class Run {
 
   /** Frees the present model; the next one is looked at as it was. */
   #leave(): void {
-    if (this.#stage !== undefined) {
-      const { camera, overlays } = this.#stage;
+    if (this.#visualization !== undefined) {
+      const { camera, overlays } = this.#visualization;
       this.#look = { camera, overlays };
-      this.#stage = undefined;
+      this.#visualization = undefined;
     }
     this.free();
   }
 
-  #openStage(): Stage {
-    this.#stage = new Stage(this.simulation, this.#pair.ghost?.simulation, this.#look);
-    return this.#stage;
+  #openVisualization(): Visualization {
+    this.#visualization = new Visualization(
+      this.simulation,
+      this.#pair.ghost?.simulation,
+      this.#look,
+    );
+    return this.#visualization;
   }
 
   #step(): boolean {
-    const held = this.#stage?.held ?? 0;
+    const held = this.#visualization?.held ?? 0;
     if (held > 0) this.#pull(held);
     const stepped = this.#pair.step((ghost) => this.#timeline.ghostArrived(ghost));
     if (stepped) this.#arrived();
@@ -340,7 +344,7 @@ export class Run {
   }
 
   #pull(body: number): void {
-    this.stage.pull();
+    this.visualization.pull();
     this.#pair.sharePush(body);
   }
 
@@ -368,7 +372,7 @@ export class Run {
   }
 
   get #circumstances(): Circumstances {
-    return { settings: this.#settings, held: this.#stage?.held ?? 0 };
+    return { settings: this.#settings, held: this.#visualization?.held ?? 0 };
   }
 
   #number(script: ScriptIndex): number | undefined {

@@ -48,8 +48,8 @@ export class ViewPanel implements PointerTarget {
   }
 
   draw(): void {
-    const { stage, ghost } = this.#player.run;
-    stage.update();
+    const { visualization, ghost } = this.#player.run;
+    visualization.update();
     this.#view.draw(ghost?.scene);
   }
 
@@ -64,14 +64,14 @@ export class ViewPanel implements PointerTarget {
   }
 
   moveCamera(action: Action, dx: number, dy: number): void {
-    this.#player.run.stage.moveCamera(action, dx, dy);
+    this.#player.run.visualization.moveCamera(action, dx, dy);
     this.#player.changed();
   }
 
   lookFrom(preset: Preset): void {
     const { run } = this.#player;
     this.#preset = preset;
-    run.stage.camera = seenFrom(run.lab.camera, preset);
+    run.visualization.camera = seenFrom(run.lab.camera, preset);
     this.#player.changed();
   }
 
@@ -87,7 +87,7 @@ export class ViewPanel implements PointerTarget {
   grab(x: number, y: number): boolean {
     const { run, playing } = this.#player;
     const { clientWidth, clientHeight } = this.canvas;
-    if (run.stage.select(clientWidth / clientHeight, x, 1 - y) === 0) return false;
+    if (run.visualization.select(clientWidth / clientHeight, x, 1 - y) === 0) return false;
     run.hold("pull");
     this.#playsForPull = !playing;
     this.#player.play();
@@ -95,7 +95,7 @@ export class ViewPanel implements PointerTarget {
   }
 
   drag(dx: number, dy: number): void {
-    this.#player.run.stage.drag("moveVertical", dx, dy);
+    this.#player.run.visualization.drag("moveVertical", dx, dy);
   }
 
   release(): void {

@@ -1,6 +1,7 @@
 /**
- * What is drawn of a run: the scene of its simulation and of its ghost's, the camera, the overlays,
- * and the reader's hand that pulls at a body. Camera and overlays outlive an edited model.
+ * What is drawn of a run, in MuJoCo's words its visualization: the scene of its simulation and of its
+ * ghost's, the camera, the overlays, and the reader's hand that pulls at a body. Camera and overlays
+ * outlive an edited model.
  */
 import type { Action, Hold, Scene } from "../../engine/scene.js";
 import type { Simulation } from "../../engine/simulation.js";
@@ -12,7 +13,7 @@ export interface Look {
   readonly overlays: Iterable<string>;
 }
 
-export class Stage {
+export class Visualization {
   readonly scene: Scene;
   readonly ghost: Scene | undefined;
   readonly #overlays = new Set<string>();
