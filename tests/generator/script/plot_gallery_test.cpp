@@ -5,7 +5,7 @@
 namespace mjcourse {
 namespace {
 
-class PlotGalleryTest : public PlotPressTest {
+class PlotGalleryTest : public PlotRendererTest {
  protected:
   // x: 0 to 11; y: without outliers; g: 0, 1 or 2; k: 0 or 1.
   static json rows() {

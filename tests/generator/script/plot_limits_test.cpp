@@ -4,7 +4,7 @@
 namespace mjcourse {
 namespace {
 
-class PlotLimitsTest : public PlotPressTest {
+class PlotLimitsTest : public PlotRendererTest {
  protected:
   // 3000 rows: x, each another number, and g: 0, 1 or 2.
   PlotLimitsTest() {

@@ -8,7 +8,7 @@
 
 namespace mjcourse {
 
-class PlotPressTest : public testing::Test {
+class PlotRendererTest : public testing::Test {
  protected:
   using json = nlohmann::json;
 

@@ -3,7 +3,7 @@
 namespace mjcourse {
 namespace {
 
-TEST_F(PlotPressTest, DrawsForWideAndForNarrowScreens) {
+TEST_F(PlotRendererTest, DrawsForWideAndForNarrowScreens) {
   const PlotDrawings drawings = press_.draw(line(), table_, "plot-1").value();
   EXPECT_EQ(drawings.wide.width, 640);
   EXPECT_EQ(drawings.wide.height, 320);
@@ -18,7 +18,7 @@ TEST_F(PlotPressTest, DrawsForWideAndForNarrowScreens) {
   }
 }
 
-TEST_F(PlotPressTest, DrawsTheSameAgainWhateverCameBefore) {
+TEST_F(PlotRendererTest, DrawsTheSameAgainWhateverCameBefore) {
   const std::string clipped =
       R"({"mark": {"type": "area", "clip": true, "color": {"gradient": "linear",
           "stops": [{"offset": 0, "color": "red"}, {"offset": 1, "color": "blue"}]}},
@@ -32,7 +32,7 @@ TEST_F(PlotPressTest, DrawsTheSameAgainWhateverCameBefore) {
   EXPECT_EQ(press_.draw(clipped, table_, "plot-1").value().wide.svg, first);
 }
 
-TEST_F(PlotPressTest, LeavesTheSizeToAnAuthorWhoSaysIt) {
+TEST_F(PlotRendererTest, LeavesTheSizeToAnAuthorWhoSaysIt) {
   const PlotDrawings drawings = press_.draw(line(R"(, "width": 200)"), table_, "plot-1").value();
   EXPECT_FALSE(drawings.narrow);
   EXPECT_GT(drawings.wide.width, 200);
@@ -42,7 +42,7 @@ TEST_F(PlotPressTest, LeavesTheSizeToAnAuthorWhoSaysIt) {
             "parts narrower, or its labels shorter\n");
 }
 
-TEST_F(PlotPressTest, TellsSeriesApartByMoreThanColour) {
+TEST_F(PlotRendererTest, TellsSeriesApartByMoreThanColour) {
   const std::string spec = line(R"(, "transform": [{"fold": ["y", "x"], "as": ["which", "y"]}])");
   const std::string coloured = R"("color": {"field": "which", "type": "nominal"}, "x":)";
   const std::string with_colour = std::string(spec).replace(spec.rfind("\"x\":"), 4, coloured);
@@ -53,14 +53,14 @@ TEST_F(PlotPressTest, TellsSeriesApartByMoreThanColour) {
   EXPECT_NE(svg.find("var(--data-2)"), std::string::npos) << svg;
 }
 
-TEST_F(PlotPressTest, WritesPowersOfTenAsPeopleDo) {
+TEST_F(PlotRendererTest, WritesPowersOfTenAsPeopleDo) {
   const json small = table({0, 1}, {1e-7, 2e-7});
   const std::string spec = line("", R"(, "axis": {"format": "e", "values": [1e-7, 2e-7]})");
   const std::string svg = press_.draw(spec, small, "p").value().wide.svg;
   EXPECT_NE(svg.find("<tspan class=\"power\" dy=\"-0.4em\">−7</tspan>"), std::string::npos) << svg;
 }
 
-TEST_F(PlotPressTest, KnowsVegaLitesWords) {
+TEST_F(PlotRendererTest, KnowsVegaLitesWords) {
   const std::string spec =
       R"({"mark": {"type": "lin", "opacity": "0.5"}, "encodng": {}, "config": {},
           "encoding": {"x": {"field": "x", "axis": {"tittle": "t"}},
@@ -80,7 +80,7 @@ TEST_F(PlotPressTest, KnowsVegaLitesWords) {
   EXPECT_EQ(faults(spec, nullptr), expected);  // nobody need know the table
 }
 
-TEST_F(PlotPressTest, KnowsTheColumns) {
+TEST_F(PlotRendererTest, KnowsTheColumns) {
   EXPECT_EQ(faults(line("", R"(, "sort": {"field": "yy"})")),
             "E-plot-field [\"encoding\",\"y\",\"sort\",\"field\"][0,2] the table has no column "
             "\"yy\", and no transform makes it | did you mean `y`?\n");
@@ -92,7 +92,7 @@ TEST_F(PlotPressTest, KnowsTheColumns) {
             "transform makes it | known: x, y, key, value\n");
 }
 
-TEST_F(PlotPressTest, RefusesWhatIsNoNumber) {
+TEST_F(PlotRendererTest, RefusesWhatIsNoNumber) {
   const std::string take_logarithm = R"j({"calculate": "log(datum.x)", "as": "x"}])j";
   EXPECT_EQ(faults(line(R"(, "transform": [)" + take_logarithm)),
             "E-plot-finite [\"transform\",0,\"as\"] \"x\" is -Infinity in row 1 of what is drawn | "
@@ -100,12 +100,12 @@ TEST_F(PlotPressTest, RefusesWhatIsNoNumber) {
   EXPECT_EQ(faults(line(R"(, "transform": [{"filter": "datum.x > 0"}, )" + take_logarithm)), "");
 }
 
-TEST_F(PlotPressTest, RefusesToDrawNothing) {
+TEST_F(PlotRendererTest, RefusesToDrawNothing) {
   EXPECT_EQ(faults(line(R"(, "transform": [{"filter": "datum.x > 9"}])")),
             "E-plot-empty [] what this plot filters leaves no row to draw | look at its filters\n");
 }
 
-TEST_F(PlotPressTest, TurnsVegasDoubtsIntoFaults) {
+TEST_F(PlotRendererTest, TurnsVegasDoubtsIntoFaults) {
   EXPECT_EQ(faults(line(R"(, "transform": [{"calculate": "datum.x +", "as": "z"}])")),
             "E-plot-spec [\"transform\",0,\"calculate\"] this is no expression: Unexpected end of "
             "input\n");
@@ -118,7 +118,7 @@ TEST_F(PlotPressTest, TurnsVegasDoubtsIntoFaults) {
             "\"point\" scale. We are using \"linear\" scale instead.\n");
 }
 
-TEST_F(PlotPressTest, SaysInItsOwnWordsWhatVegaMeans) {
+TEST_F(PlotRendererTest, SaysInItsOwnWordsWhatVegaMeans) {
   EXPECT_EQ(faults(R"({"encoding": {"x": {"field": "x", "type": "quantitative"}}})"),
             "E-plot-spec [] this plot has no mark | say what to draw: `\"mark\": \"line\"`\n");
   EXPECT_EQ(faults(line(R"(, "transform": [{"calculate": "x + 1", "as": "z"}])")),
@@ -138,7 +138,7 @@ TEST_F(PlotPressTest, SaysInItsOwnWordsWhatVegaMeans) {
             "what is aggregated, and this column is not | leave \"domain\" out\n");
 }
 
-TEST_F(PlotPressTest, FindsThePartThatVegaFailsAt) {
+TEST_F(PlotRendererTest, FindsThePartThatVegaFailsAt) {
   const auto cannot = [](const std::string& path, const std::string& key) {
     return "E-plot-spec " + path + " key Vega-Lite cannot draw a plot with this \"" + key +
            "\", and does not say why | see what its documentation says of \"" + key +
@@ -161,7 +161,7 @@ TEST_F(PlotPressTest, FindsThePartThatVegaFailsAt) {
             "part after another until it is drawn, and look at the last one\n");
 }
 
-TEST_F(PlotPressTest, RefusesADomainThatTellsNoValuesApart) {
+TEST_F(PlotRendererTest, RefusesADomainThatTellsNoValuesApart) {
   const auto of_y = [&](const std::string& domain) {
     return faults(line("", R"(, "scale": {"domain": )" + domain + "}"));
   };
@@ -186,7 +186,7 @@ TEST_F(PlotPressTest, RefusesADomainThatTellsNoValuesApart) {
             "out\n");
 }
 
-TEST_F(PlotPressTest, HasColoursForFourSeries) {
+TEST_F(PlotRendererTest, HasColoursForFourSeries) {
   const json five = table({0, 1, 2, 3, 4}, {0, 1, 2, 3, 4});
   const std::string spec = R"({"mark": "point", "encoding": {
       "x": {"field": "x", "type": "quantitative"}, "color": {"field": "y", "type": "nominal"}}})";
