@@ -7,41 +7,18 @@
 import { spawnSync } from "node:child_process";
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join, resolve } from "node:path";
+import { join } from "node:path";
 import { pathToFileURL } from "node:url";
 
 import { chromium } from "../../site/node_modules/playwright-core/index.mjs";
-import ts from "../../site/node_modules/typescript/lib/typescript.js";
+import { misfits } from "./misfits.mjs";
 
 const [mjcourse, site] = process.argv.slice(2);
 const here = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
 const problems = [];
 const expect = (good, what) => good || problems.push(what);
 
-// The compiler's complaints when `text` is taken for a `type`: keys that are missing, too many, or
-// of another kind.
-function misfits(text, type) {
-  const types = resolve("site/browser/report/verification.ts");
-  const file = join(here, `${type}.ts`);
-  const module = types.replace(/\.ts$/, ".js");
-  writeFileSync(
-    file,
-    `import type { ${type} } from "${module}";\nexport const it: ${type} = ${text};`,
-  );
-  const options = {
-    strict: true,
-    noEmit: true,
-    types: [],
-    target: ts.ScriptTarget.ES2022,
-    module: ts.ModuleKind.ESNext,
-    moduleResolution: ts.ModuleResolutionKind.Bundler,
-  };
-  const found = ts.getPreEmitDiagnostics(ts.createProgram([file], options));
-  return found.map(({ messageText, start }) => {
-    const line = start === undefined ? 0 : text.slice(0, start).split("\n").length - 1;
-    return `${type}, line ${line}: ${ts.flattenDiagnosticMessageText(messageText, "\n")}`;
-  });
-}
+const types = "site/browser/report/verification.ts";
 
 // Runs a check of the course in `folder` with a report, and gives that.
 function report(folder, ...more) {
@@ -104,9 +81,9 @@ async function opened(page) {
 
 try {
   const published = readFileSync(join(site, "verification.json"), "utf8");
-  problems.push(...misfits(published, "Verification"));
+  problems.push(...misfits(published, "Verification", types));
   // These types can tell: one key more, one less, one of another kind.
-  const count = (text) => misfits(text, "Verification").length;
+  const count = (text) => misfits(text, "Verification", types).length;
   expect(count(published.replace('"format": 1', '"format": 1, "more": 1')) === 1, "a key too many");
   expect(count(published.replace('"what"', '"waht"')) > 0, "a misspelt key");
   expect(count(published.replace(/"line": (\d+)/, '"line": "$1"')) === 1, "a text for a number");
@@ -114,12 +91,12 @@ try {
 
   const good = report(course("$x$ and $y$\n"));
   expect(good.exit === 0 && good.json.succeeded, "a clean course, whose report says so");
-  problems.push(...misfits(good.text, "Report"));
+  problems.push(...misfits(good.text, "Report", types));
   expect(good.json.counts.proved === 2, "two formulas");
 
   const bad = report(course("$\\alhpa$\n\n> [!nte] x\n\n```sh unchecked\nls\n```\n"), "--strict");
   expect(bad.exit === 1 && !bad.json.succeeded, "a failed run, whose report says so");
-  problems.push(...misfits(bad.text, "Report"));
+  problems.push(...misfits(bad.text, "Report", types));
   const ids = bad.json.diagnostics.map(({ id }) => id).join(" ");
   expect(ids === "E-math E-callout-kind E-strict-unchecked", `other diagnostics: ${ids}`);
   const shown = await opened(bad.page);
@@ -135,7 +112,7 @@ try {
   expect(accepted.status === 0, "a picture to be pinned");
   const moved = report(course(pinned(1)));
   expect(moved.exit === 1, "a picture that is not as it was pinned");
-  problems.push(...misfits(moved.text, "Report"));
+  problems.push(...misfits(moved.text, "Report", types));
   const { pictures } = await opened(moved.page);
   const files = pictures.map(({ file }) => file).join(" ");
   const three = ["reference", "actual", "difference"].map((name) => `pictures/1.1-arm-${name}.png`);
@@ -148,7 +125,7 @@ try {
   rmSync(join(here, "course", "content", "course.yaml"));
   const none = report(join(here, "course"));
   expect(none.exit === 1 && none.json.lessons.length === 0, "no course, and a report all the same");
-  problems.push(...misfits(none.text, "Report"));
+  problems.push(...misfits(none.text, "Report", types));
 } finally {
   rmSync(here, { recursive: true });
 }

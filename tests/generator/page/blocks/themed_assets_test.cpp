@@ -71,7 +71,7 @@ TEST_F(ThemedAssetsTest, AMistakeStandsInTheTemplateThatWasRead) {
             "  3 | \n"
             "    | ^\n");
   EXPECT_EQ(shown({template_mistake({"home", "wrong", 4}, course)}),
-            "site/templates/home.hbs:4: error: wrong [E-template]\n");
+            "site/press/templates/home.hbs:4: error: wrong [E-template]\n");
   EXPECT_EQ(shown({template_mistake({"lesson", "wrong", 0}, course)}),
             "theme/templates/lesson.hbs: error: wrong [E-template]\n");
 }
