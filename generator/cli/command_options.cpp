@@ -27,16 +27,27 @@ bool take_number(const std::string& text, Number last, Number& to) {
   return read.ec == std::errc() && read.ptr == end && to > 0 && to <= last;
 }
 
+// The first is for people, the others for another tool.
+constexpr std::array<std::pair<std::string_view, Format>, 5> kFormats{{{"text", Format::text},
+                                                                       {"json", Format::json},
+                                                                       {"github", Format::github},
+                                                                       {"sarif", Format::sarif},
+                                                                       {"junit", Format::junit}}};
+
+// "json, github or sarif": all of kFormats from `first` on.
+std::string format_names(std::size_t first) {
+  std::string names(kFormats.at(first).first);
+  for (std::size_t i = first + 1; i < kFormats.size(); ++i) {
+    names += (i + 1 < kFormats.size() ? ", " : " or ") + std::string(kFormats[i].first);
+  }
+  return names;
+}
+
 bool take_format(const std::string& name, Format& to) {
-  constexpr std::array<std::pair<std::string_view, Format>, 5> known{{{"text", Format::text},
-                                                                      {"json", Format::json},
-                                                                      {"github", Format::github},
-                                                                      {"sarif", Format::sarif},
-                                                                      {"junit", Format::junit}}};
-  const auto named =
-      std::find_if(known.begin(), known.end(), [&](const auto& one) { return one.first == name; });
-  if (named != known.end()) to = named->second;
-  return named != known.end();
+  const auto* named = std::find_if(kFormats.begin(), kFormats.end(),
+                                   [&](const auto& one) { return one.first == name; });
+  if (named != kFormats.end()) to = named->second;
+  return named != kFormats.end();
 }
 
 void add_course(CommandLine& line, std::filesystem::path& course) {
@@ -103,9 +114,9 @@ void declare(CommandLine& line, BuildOptions& options) {
 void declare(CommandLine& line, CheckOptions& options) {
   add_course(line, options.course);
   line.flag("--strict", "no warnings, and a reason for all that was not proved", options.strict);
-  line.value("--format", {"NAME", "text, json, github, sarif or junit"},
-             "say it to another tool on stdout, and to you on stderr: json, github, sarif or junit "
-             "(default: text)",
+  line.value("--format", {"NAME", format_names(0)},
+             "say it to another tool on stdout, and to you on stderr: " + format_names(1) +
+                 " (default: text)",
              [&](const std::string& value) { return take_format(value, options.format); });
   add_report(line, options);
   add_evaluation(line, options);

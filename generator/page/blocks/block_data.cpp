@@ -1,11 +1,10 @@
-// The data that each block's template is fed with; the templates' own comments describe it.
-// Tested by tests/generator/page/blocks/page_writer_test.cpp.
+#include "page/blocks/block_data.h"
+
 #include <algorithm>
 #include <cctype>
 #include <cstddef>
 #include <utility>
 
-#include "page/blocks/page_writer.h"
 #include "page/html/anchors.h"
 #include "page/html/site_paths.h"
 
@@ -48,75 +47,101 @@ json output_data(const std::string& text, bool proved, const std::string& label)
           {"more", lines - kFirstOutputLines}};
 }
 
+json listing(const std::string& code, const std::string& language, const LessonContext& context) {
+  const json highlighted =
+      code.empty() ? json() : json(context.page.highlighter.highlight(code, language));
+  return {{"id", nullptr},       {"file", nullptr},    {"download", nullptr}, {"zip", nullptr},
+          {"code", highlighted}, {"unchecked", false}, {"because", ""},       {"output", nullptr}};
+}
+
+// Those of a program's stated outputs that do not stand somewhere else in the lesson.
+std::vector<std::size_t> outputs_below(const std::vector<std::size_t>& outputs,
+                                       const LessonContext& context) {
+  std::vector<std::size_t> below;
+  for (const std::size_t index : outputs) {
+    if (!std::get<Output>(context.lesson.blocks[index]).apart) below.push_back(index);
+  }
+  return below;
+}
+
+bool are_proved(const std::vector<std::size_t>& outputs, const LessonContext& context) {
+  return !outputs.empty() && std::all_of(outputs.begin(), outputs.end(), [&](std::size_t index) {
+    return context.results.get<OutputResult>(index) != nullptr;
+  });
+}
+
 }  // namespace
 
-json PageWriter::data_of(const Example& example, std::size_t index) {
-  const auto* result = results_.get<ExampleResult>(index);
-  json data = listing(result != nullptr ? result->code : example.code.text, "cpp");
-  data["id"] = unique_id(example_anchor(example));
+json data_of(const Example& example, std::size_t index, LessonContext& context) {
+  const auto* result = context.results.get<ExampleResult>(index);
+  json data = listing(result != nullptr ? result->code : example.code.text, "cpp", context);
+  data["id"] = context.unique_id(example_anchor(example));
   data["file"] = example.file.text;
-  data["download"] = from_root(example.file.text);
+  data["download"] = context.from_root(example.file.text);
   if (const std::string zip = program_zip_path(example, result); !zip.empty()) {
-    data["zip"] = from_root(zip);
+    data["zip"] = context.from_root(zip);
   }
   // Of a program's regions, those have its output that say so; and where it is stated somewhere
   // else alone, that is where a reader finds it.
-  const std::vector<std::size_t> below = outputs_below(example.outputs);
+  const std::vector<std::size_t> below = outputs_below(example.outputs, context);
   const bool elsewhere = below.empty() && (example.region || !example.outputs.empty());
   const bool printed = result != nullptr && !elsewhere;
   if (printed && (!result->output.empty() || example.exit_code != 0)) {
-    data["output"] =
-        output_data(result->output, are_proved(below), output_label(example, "this program"));
+    data["output"] = output_data(result->output, are_proved(below, context),
+                                 output_label(example, "this program"));
   }
   return data;
 }
 
-json PageWriter::data_of(const Output& output, std::size_t index) {
-  const auto& example = std::get<Example>(lesson_.blocks[output.example]);
-  const auto* result = results_.get<ExampleResult>(output.example);
-  json data = listing("", "cpp");
-  data["output"] = output_data(result != nullptr ? result->output : output.text.text,
-                               are_proved({index}), output_label(example, example.file.text));
+json data_of(const Output& output, std::size_t index, const LessonContext& context) {
+  const auto& example = std::get<Example>(context.lesson.blocks[output.example]);
+  const auto* result = context.results.get<ExampleResult>(output.example);
+  json data = listing("", "cpp", context);
+  data["output"] =
+      output_data(result != nullptr ? result->output : output.text.text,
+                  are_proved({index}, context), output_label(example, example.file.text));
   return data;
 }
 
-json PageWriter::data_of(const Unchecked& unchecked) {
-  json data = listing(unchecked.code.text, unchecked.language);
+json data_of(const Unchecked& unchecked, const LessonContext& context) {
+  json data = listing(unchecked.code.text, unchecked.language, context);
   data["unchecked"] = true;
   data["because"] = unchecked.because;
   return data;
 }
 
-json PageWriter::data_of(const Snippet& snippet, std::size_t index) {
-  json data = listing(snippet.shown, "cpp");
-  const auto* result = results_.get<ExampleResult>(index);
+json data_of(const Snippet& snippet, std::size_t index, const LessonContext& context) {
+  json data = listing(snippet.shown, "cpp", context);
+  const auto* result = context.results.get<ExampleResult>(index);
   if (result != nullptr && !result->output.empty()) {
-    data["output"] = output_data(result->output, are_proved(outputs_below(snippet.outputs)),
-                                 "Printed by these lines");
+    data["output"] =
+        output_data(result->output, are_proved(outputs_below(snippet.outputs, context), context),
+                    "Printed by these lines");
   }
   return data;
 }
 
-json PageWriter::data_of(const Commands& commands, std::size_t index) {
-  json data = listing(commands.code.text, "sh");
-  const auto* result = results_.get<ExampleResult>(index);
+json data_of(const Commands& commands, std::size_t index, const LessonContext& context) {
+  json data = listing(commands.code.text, "sh", context);
+  const auto* result = context.results.get<ExampleResult>(index);
   // What they print on their way is for who runs them, unless the lesson speaks of it.
-  const std::vector<std::size_t> below = outputs_below(commands.outputs);
+  const std::vector<std::size_t> below = outputs_below(commands.outputs, context);
   if (result != nullptr && !below.empty()) {
-    data["output"] = output_data(result->output, are_proved(below), "Printed by these commands");
+    data["output"] =
+        output_data(result->output, are_proved(below, context), "Printed by these commands");
   }
   return data;
 }
 
-json PageWriter::data_of(const ModelExcerpt& excerpt) {
-  json data = listing(excerpt.text.text, "xml");
+json data_of(const ModelExcerpt& excerpt, const LessonContext& context) {
+  json data = listing(excerpt.text.text, "xml", context);
   data["file"] = "models/" + excerpt.model.text + ".xml";
   return data;
 }
 
-json PageWriter::data_of(const InlineModel& model, std::size_t index) {
-  json data = listing(model.text.text, "xml");
-  const auto* result = results_.get<ModelResult>(index);
+json data_of(const InlineModel& model, std::size_t index, const LessonContext& context) {
+  json data = listing(model.text.text, "xml", context);
+  const auto* result = context.results.get<ModelResult>(index);
   if (result != nullptr && !result->refusal.empty()) {
     data["output"] =
         output_data(result->refusal, false, "Said by MuJoCo, which refuses this model");
@@ -124,41 +149,8 @@ json PageWriter::data_of(const InlineModel& model, std::size_t index) {
   return data;
 }
 
-json PageWriter::listing(const std::string& code, const std::string& language) {
-  const json highlighted =
-      code.empty() ? json() : json(context_.highlighter.highlight(code, language));
-  return {{"id", nullptr},       {"file", nullptr},    {"download", nullptr}, {"zip", nullptr},
-          {"code", highlighted}, {"unchecked", false}, {"because", ""},       {"output", nullptr}};
-}
-
-std::vector<std::size_t> PageWriter::outputs_below(const std::vector<std::size_t>& outputs) const {
-  std::vector<std::size_t> below;
-  for (const std::size_t index : outputs) {
-    if (!std::get<Output>(lesson_.blocks[index]).apart) below.push_back(index);
-  }
-  return below;
-}
-
-bool PageWriter::are_proved(const std::vector<std::size_t>& outputs) const {
-  return !outputs.empty() && std::all_of(outputs.begin(), outputs.end(), [this](std::size_t index) {
-    return results_.get<OutputResult>(index) != nullptr;
-  });
-}
-
-std::string PageWriter::unique_id(const std::string& wanted) {
-  const auto is_taken = [this](const std::string& id) {
-    return ids_.contains(id) ||
-           std::any_of(lesson_.headings.begin(), lesson_.headings.end(),
-                       [&](const Heading& heading) { return heading.id == id; });
-  };
-  std::string id = wanted;
-  for (int n = 2; is_taken(id); ++n) id = wanted + "-" + std::to_string(n);
-  ids_.insert(id);
-  return id;
-}
-
-json PageWriter::data_of(const Image& image, const ImageResult& result) const {
-  return {{"src", from_root(image_path(lesson_, image, result))},
+json data_of(const Image& image, const ImageResult& result, const LessonContext& context) {
+  return {{"src", context.from_root(image_path(context.lesson, image, result))},
           {"alt", image.alt},
           {"width", result.width},
           {"height", result.height},
@@ -166,23 +158,23 @@ json PageWriter::data_of(const Image& image, const ImageResult& result) const {
           {"alone", image.alone}};
 }
 
-json PageWriter::data_of(const Io& io) const {
+json data_of(const Io& io, const LessonContext& context) {
   json rows = json::array();
   for (const Io::Row& row : io.rows) {
-    rows.push_back({{"label", row.label}, {"html", inline_html(row.text)}});
+    rows.push_back({{"label", row.label}, {"html", context.inline_html(row.text)}});
   }
   return {{"rows", std::move(rows)}};
 }
 
-json PageWriter::data_of(const Demo& demo) {
-  return {{"source", context_.highlighter.highlight(demo.source, "lesson")},
-          {"body", html(demo.document)}};
+json data_of(const Demo& demo, const LessonContext& context) {
+  return {{"source", context.page.highlighter.highlight(demo.source, "lesson")},
+          {"body", context.html(demo.document)}};
 }
 
-json PageWriter::data_of(const Callout& callout, const std::string& inner) const {
+json data_of(const Callout& callout, const std::string& inner, const LessonContext& context) {
   return {{"kind", callout.kind},
           {"label", capitalized(callout.kind)},
-          {"title", inline_html(callout.title)},
+          {"title", context.inline_html(callout.title)},
           {"folds", callout.folded || callout.kind == "derivation"},
           {"open", !callout.folded},
           {"body", inner}};

@@ -1,7 +1,8 @@
-// The data that the template of a lab is fed with; its own comment describes it.
+#include "page/blocks/lab_data.h"
+
 #include <utility>
 
-#include "page/blocks/page_writer.h"
+#include "page/blocks/lab_module.h"
 #include "page/html/fixed_number.h"
 #include "page/html/lesson_pictures.h"
 #include "page/html/site_paths.h"
@@ -24,31 +25,64 @@ std::string address_of(const Course& course, const Lesson& lesson, const std::st
   return (course.url.empty() ? path : web_address(course, path)) + "#" + id;
 }
 
-}  // namespace
-
-json PageWriter::lab(std::size_t index) {
-  return data_of(std::get<Lab>(lesson_.blocks[index]), index);
+// What the lab asks, for those who cannot have it live.
+json asked_data(const Lab& lab, const LessonContext& context) {
+  json asked = json::array();
+  const auto ask = [&](const std::string& label, bool task, const Document& text) {
+    asked.push_back({{"label", label}, {"task", task}, {"html", context.html(text)}});
+  };
+  if (lab.predict) ask("A guess first", false, lab.predict->question);
+  if (lab.goal) ask("Goal", false, lab.goal->text);
+  for (const Lab::Task& task : lab.tasks) ask("To find", true, task.question);
+  return asked;
 }
 
-json PageWriter::data_of(const Lab& lab, std::size_t index) {
-  const auto* result = results_.get<LabResult>(index);
-  json data{{"id", block_name(lesson_, index)},
-            {"title", lab.title},
-            {"dock", lab.dock},
-            {"live", nullptr},
-            {"address", address_of(course_, lesson_, block_name(lesson_, index))},
-            {"poster", nullptr},
-            {"asked", asked_data(lab)},
-            {"controls", json::array()},
-            {"readouts", json::array()},
-            {"plots", json::array()},
-            {"toggles", json::array()},
-            {"note", inline_html(lab.note)}};
-  if (result != nullptr) data["live"] = live_data(lab, *result, index);
+// A lab that takes more than this of the 2 GiB that all labs of a page share is loaded when its
+// reader presses Play, and not before: none is to be in the way of another unasked.
+constexpr std::uint64_t kMostUnasked = 64 << 20;
+
+// Where the page's script finds what makes a lab live; null where the site has no engine for it.
+json live_data(const Lab& lab, const LabResult& result, std::size_t index, LessonContext& context) {
+  const std::string number =
+      context.lesson.number + "-" + std::to_string(block_number(context.lesson, index));
+  LabFiles files = write_lab_module(lab, result, number, context);
+  json data = nullptr;
+  if (context.page.manifest.contains("engine.wasm")) {
+    data = {{"module", context.from_root(files.module)}};
+    for (const auto& [name, asset] : {std::pair("code", "lab.js"),
+                                      {"style", "lab.css"},
+                                      {"engine", "engine.mjs"},
+                                      {"wasm", "engine.wasm"}}) {
+      data[name] = context.from_root(context.page.manifest.at(asset).get<std::string>());
+    }
+    data["large"] = result.memory > kMostUnasked;
+  }
+  context.lab_files.push_back(std::move(files));
+  return data;
+}
+
+}  // namespace
+
+json lab_data(const Lab& lab, std::size_t index, LessonContext& context) {
+  const auto* result = context.results.get<LabResult>(index);
+  json data{
+      {"id", block_name(context.lesson, index)},
+      {"title", lab.title},
+      {"dock", lab.dock},
+      {"live", nullptr},
+      {"address", address_of(context.course, context.lesson, block_name(context.lesson, index))},
+      {"poster", nullptr},
+      {"asked", asked_data(lab, context)},
+      {"controls", json::array()},
+      {"readouts", json::array()},
+      {"plots", json::array()},
+      {"toggles", json::array()},
+      {"note", context.inline_html(lab.note)}};
+  if (result != nullptr) data["live"] = live_data(lab, *result, index, context);
   if (result != nullptr && result->poster) {
     const Poster& poster = *result->poster;
     data["poster"] =
-        still_data("../" + block_path(lesson_, index), poster.width, poster.height, lab.alt);
+        still_data("../" + block_path(context.lesson, index), poster.width, poster.height, lab.alt);
   }
   for (const Lab::Control& control : lab.controls) {
     data["controls"].push_back(label_of(control));
@@ -74,41 +108,6 @@ json PageWriter::data_of(const Lab& lab, std::size_t index) {
     }
     data["toggles"].push_back({{"name", toggle.text}, {"on", on}});
   }
-  return data;
-}
-
-// What the lab asks, for those who cannot have it live.
-json PageWriter::asked_data(const Lab& lab) const {
-  json asked = json::array();
-  const auto ask = [&](const std::string& label, bool task, const Document& text) {
-    asked.push_back({{"label", label}, {"task", task}, {"html", html(text)}});
-  };
-  if (lab.predict) ask("A guess first", false, lab.predict->question);
-  if (lab.goal) ask("Goal", false, lab.goal->text);
-  for (const Lab::Task& task : lab.tasks) ask("To find", true, task.question);
-  return asked;
-}
-
-// A lab that takes more than this of the 2 GiB that all labs of a page share is loaded when its
-// reader presses Play, and not before: none is to be in the way of another unasked.
-constexpr std::uint64_t kMostUnasked = 64 << 20;
-
-// Where the page's script finds what makes a lab live; null where the site has no engine for it.
-json PageWriter::live_data(const Lab& lab, const LabResult& result, std::size_t index) {
-  const std::string number = lesson_.number + "-" + std::to_string(block_number(lesson_, index));
-  LabFiles files = write_lab_module(lab, result, number, *this);
-  json data = nullptr;
-  if (context_.manifest.contains("engine.wasm")) {
-    data = {{"module", from_root(files.module)}};
-    for (const auto& [name, asset] : {std::pair("code", "lab.js"),
-                                      {"style", "lab.css"},
-                                      {"engine", "engine.mjs"},
-                                      {"wasm", "engine.wasm"}}) {
-      data[name] = from_root(context_.manifest.at(asset).get<std::string>());
-    }
-    data["large"] = result.memory > kMostUnasked;
-  }
-  lab_files_.push_back(std::move(files));
   return data;
 }
 

@@ -7,7 +7,6 @@
 #include "base/content_hash.h"
 #include "base/files.h"
 #include "findings/lab_scripts.h"
-#include "page/blocks/page_writer.h"
 #include "page/html/lab_record.h"
 #include "page/html/site_paths.h"
 #include "script/page_function.h"
@@ -20,8 +19,8 @@ using nlohmann::json;
 // A lab as JSON, in which every script of the author's is an index into a list of functions.
 class LabDescription {
  public:
-  LabDescription(const Lab& lab, const LabResult& result, const PageWriter& writer)
-      : lab_(lab), result_(result), writer_(writer) {}
+  LabDescription(const Lab& lab, const LabResult& result, const LessonContext& context)
+      : lab_(lab), result_(result), context_(context) {}
 
   json describe(const std::map<std::string, std::string>& assets);
   const std::vector<std::string>& functions() const { return functions_; }
@@ -56,7 +55,7 @@ class LabDescription {
 
   const Lab& lab_;
   const LabResult& result_;
-  const PageWriter& writer_;
+  const LessonContext& context_;
   std::vector<std::string> functions_;
 };
 
@@ -144,19 +143,19 @@ json LabDescription::plots() {
 json LabDescription::predict() {
   if (!lab_.predict) return nullptr;
   const Lab::Predict& predict = *lab_.predict;
-  return {{"question", writer_.scripted_html(predict.question)},
+  return {{"question", context_.scripted_html(predict.question)},
           {"run", predict.run.text.empty() ? json(nullptr) : json(script(predict.run))},
           {"seconds", predict.seconds},
           {"value", value(predict.value)},
           {"digits", predict.digits},
           {"unit", predict.unit},
           {"tolerance", predict.tolerance},
-          {"explanation", writer_.scripted_html(predict.explanation)}};
+          {"explanation", context_.scripted_html(predict.explanation)}};
 }
 
 json LabDescription::goal() {
   if (!lab_.goal) return nullptr;
-  return {{"text", writer_.scripted_html(lab_.goal->text)}, {"done", value(lab_.goal->done)}};
+  return {{"text", context_.scripted_html(lab_.goal->text)}, {"done", value(lab_.goal->done)}};
 }
 
 json LabDescription::ghost() {
@@ -168,7 +167,7 @@ json LabDescription::editable() {
   if (!lab_.editable) return nullptr;
   json tasks = json::array();
   for (const Lab::Task& task : lab_.tasks) {
-    tasks.push_back({{"question", writer_.scripted_html(task.question)},
+    tasks.push_back({{"question", context_.scripted_html(task.question)},
                      {"value", value(task.value)},
                      {"tolerance", task.tolerance},
                      {"unit", task.unit}});
@@ -218,7 +217,7 @@ std::string asset_path(const std::string& name, const std::filesystem::path& fil
 }  // namespace
 
 LabFiles write_lab_module(const Lab& lab, const LabResult& result, const std::string& name,
-                          const PageWriter& writer) {
+                          const LessonContext& context) {
   LabFiles files;
   const std::string base = "labs/" + name;
   std::map<std::string, std::string> assets;
@@ -227,7 +226,7 @@ LabFiles write_lab_module(const Lab& lab, const LabResult& result, const std::st
     files.copied[path] = file;
     assets[asset] = way_to_root(base) + site_address(path);
   }
-  LabDescription description(lab, result, writer);
+  LabDescription description(lab, result, context);
   std::string text =
       "export const lab = " + description.describe(assets).dump() + ";\nexport const scripts = [\n";
   for (const std::string& function : description.functions()) text += function + ",\n";

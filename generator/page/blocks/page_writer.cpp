@@ -6,6 +6,11 @@
 
 #include "course/link_target.h"
 #include "course/web_address.h"
+#include "page/blocks/block_data.h"
+#include "page/blocks/figure_data.h"
+#include "page/blocks/lab_data.h"
+#include "page/blocks/plot_data.h"
+#include "page/blocks/quiz_data.h"
 #include "page/html/formula_text.h"
 #include "page/html/kept_together.h"
 #include "page/html/place_marks.h"
@@ -93,34 +98,44 @@ void fill_in(std::string& html, const std::string& name, const std::string& key,
 
 PageWriter::PageWriter(const Course& course, const Lesson& lesson, const LessonResults& results,
                        PageContext context)
-    : course_(course), lesson_(lesson), results_(results), context_(std::move(context)) {
-  if (context_.page.empty()) context_.page = page_path(lesson);
-  writer_.takes = [this](cmark_node* node) { return takes(node); };
-  writer_.write = [this](cmark_node* node, const std::string& inner) { return write(node, inner); };
+    : context_(course, lesson, results, std::move(context)) {
+  context_.writer.takes = [this](cmark_node* node) { return takes(node); };
+  context_.writer.write = [this](cmark_node* node, const std::string& inner) {
+    return write(node, inner);
+  };
 }
 
 std::string PageWriter::body() {
-  if (!context_.places) return html(lesson_.document);
-  const PlaceMarks marks(lesson_, results_);
-  return html(lesson_.document) + kEndOfPlaces;
+  if (!context_.page.places) return html(context_.lesson.document);
+  const PlaceMarks marks(context_.lesson, context_.results);
+  return html(context_.lesson.document) + kEndOfPlaces;
+}
+
+nlohmann::json PageWriter::questions() {
+  return questions_data(context_);
+}
+
+nlohmann::json PageWriter::lab(std::size_t index) {
+  return lab_data(std::get<Lab>(context_.lesson.blocks[index]), index, context_);
 }
 
 std::string PageWriter::render(const std::string& name, const nlohmann::json& data) {
-  return render_template(context_.templates, name, data);
+  return render_template(context_.page.templates, name, data);
 }
 
 bool PageWriter::takes(cmark_node* node) const {
   const cmark_node_type type = cmark_node_get_type(node);
   const std::string name = cmark_node_get_type_string(node);
-  return lesson_.block(node) != nullptr || type == CMARK_NODE_HEADING || type == CMARK_NODE_LINK ||
-         name == "table" || name == "tasklist" || kept_before(node) > 0 || stays_whole(node) ||
+  return context_.lesson.block(node) != nullptr || type == CMARK_NODE_HEADING ||
+         type == CMARK_NODE_LINK || name == "table" || name == "tasklist" ||
+         kept_before(node) > 0 || stays_whole(node) ||
          (type == CMARK_NODE_TEXT && has_units(cmark_node_get_literal(node)));
 }
 
 std::size_t PageWriter::kept_before(cmark_node* text) const {
   if (text == nullptr || cmark_node_get_type(text) != CMARK_NODE_TEXT) return 0;
   cmark_node* before = cmark_node_previous(text);
-  const Block* block = before != nullptr ? lesson_.block(before) : nullptr;
+  const Block* block = before != nullptr ? context_.lesson.block(before) : nullptr;
   if (block == nullptr) return 0;
   const auto* math = std::get_if<Math>(block);
   const bool is_number = math != nullptr ? math->tex.text.size() <= kLongestNumber
@@ -132,7 +147,8 @@ std::size_t PageWriter::kept_before(cmark_node* text) const {
 }
 
 std::string PageWriter::write(cmark_node* node, const std::string& inner) {
-  if (const auto block = lesson_.block_of.find(node); block != lesson_.block_of.end()) {
+  if (const auto block = context_.lesson.block_of.find(node);
+      block != context_.lesson.block_of.end()) {
     cmark_node* next = cmark_node_next(node);
     if (kept_before(next) == 0) return write_block(node, block->second, inner);
     const bool unit = cmark_node_get_literal(next)[0] == ' ';
@@ -158,48 +174,41 @@ std::string PageWriter::write(cmark_node* node, const std::string& inner) {
 
 std::string PageWriter::write_heading(cmark_node* node, const std::string& inner) {
   const int level = cmark_node_get_heading_level(node);
-  const auto heading = std::find_if(lesson_.headings.begin(), lesson_.headings.end(),
-                                    [&](const Heading& one) { return one.node == node; });
-  const std::string id = heading != lesson_.headings.end() ? heading->id : "";
+  const auto heading =
+      std::find_if(context_.lesson.headings.begin(), context_.lesson.headings.end(),
+                   [&](const Heading& one) { return one.node == node; });
+  const std::string id = heading != context_.lesson.headings.end() ? heading->id : "";
   // One in a demo shows what a heading looks like, and is no part of this page.
-  const bool in_demo = heading != lesson_.headings.end() && heading->in_demo;
-  if (!in_demo) list_heading(level, id, inner);
+  const bool in_demo = heading != context_.lesson.headings.end() && heading->in_demo;
+  if (!in_demo) context_.list_heading(level, id, inner);
   const std::string tag = "h" + std::to_string(level);
   return "<" + tag + " id=\"" + id + "\"><a class=\"anchor\" href=\"#" + id + "\">" + inner +
          "</a></" + tag + ">\n";
 }
 
 void PageWriter::tell_later(const nlohmann::json& quiz) {
-  answers_.push_back({{"quiz", {{"title", quiz["title"]}, {"questions", quiz["questions"]}}},
-                      {"solution", nullptr}});
+  context_.answers.push_back(
+      {{"quiz", {{"title", quiz["title"]}, {"questions", quiz["questions"]}}},
+       {"solution", nullptr}});
 }
 
 void PageWriter::tell_later(const Callout& callout, const nlohmann::json& data) {
   if (callout.kind != "solution") return;
   // Its own title seldom says what it solves; the section's does.
-  const nlohmann::json section = contents_.empty() ? "" : contents_.back()["title"];
-  answers_.push_back({{"quiz", nullptr},
-                      {"solution",
-                       {{"section", section},
-                        {"label", data["label"]},
-                        {"title", data["title"]},
-                        {"body", data["body"]}}}});
-}
-
-void PageWriter::list_heading(int level, const std::string& id, const std::string& title) {
-  nlohmann::json entry{{"id", id}, {"title", title}, {"children", nlohmann::json::array()}};
-  if (level == 2 || contents_.empty()) {
-    contents_.push_back(std::move(entry));
-  } else if (level == 3) {
-    contents_.back()["children"].push_back(std::move(entry));
-  }
+  const nlohmann::json section = context_.contents.empty() ? "" : context_.contents.back()["title"];
+  context_.answers.push_back({{"quiz", nullptr},
+                              {"solution",
+                               {{"section", section},
+                                {"label", data["label"]},
+                                {"title", data["title"]},
+                                {"body", data["body"]}}}});
 }
 
 std::string PageWriter::write_link(cmark_node* node, const std::string& inner) const {
   const std::string target = cmark_node_get_url(node);
   std::string title = cmark_node_get_title(node);
   if (!title.empty()) title = " title=\"" + escape_html(title) + "\"";
-  const auto resolved = resolve_link(course_, lesson_, target);
+  const auto resolved = resolve_link(context_.course, context_.lesson, target);
   if (!resolved || !resolved->url.empty()) {
     return "<a class=\"external\" href=\"" + escape_html(escaped_address(target)) + "\"" + title +
            ">" + inner + "</a>";
@@ -207,40 +216,37 @@ std::string PageWriter::write_link(cmark_node* node, const std::string& inner) c
   const std::string anchor = resolved->anchor.empty() ? "" : "#" + resolved->anchor;
   const std::string path =
       resolved->lesson != nullptr ? page_path(*resolved->lesson) : resolved->page;
-  const bool here = path == context_.page && !anchor.empty();
-  return "<a href=\"" + (here ? "" : from_root(path)) + anchor + "\"" + title + ">" + inner +
-         "</a>";
+  const bool here = path == context_.page.page && !anchor.empty();
+  return "<a href=\"" + (here ? "" : context_.from_root(path)) + anchor + "\"" + title + ">" +
+         inner + "</a>";
 }
 
 std::string PageWriter::write_term(const TermUse& term, const std::string& inner) const {
-  const Glossary::Term* known = course_.glossary ? course_.glossary->find(term.key) : nullptr;
+  const Glossary::Term* known =
+      context_.course.glossary ? context_.course.glossary->find(term.key) : nullptr;
   if (known == nullptr) return inner;
-  const std::string path = page_path(course_.glossary->page);
+  const std::string path = page_path(context_.course.glossary->page);
   std::string title;
-  if (context_.definitions != nullptr) {
-    title = " title=\"" + escape_html(context_.definitions->at(term.key)) + "\"";
+  if (context_.page.definitions != nullptr) {
+    title = " title=\"" + escape_html(context_.page.definitions->at(term.key)) + "\"";
   }
-  return "<a class=\"term\" href=\"" + (path == context_.page ? "" : from_root(path)) + "#" +
-         known->id + "\"" + title + ">" + inner + "</a>";
-}
-
-// The way from the page being written to a file below the site's root.
-std::string PageWriter::from_root(const std::string& path) const {
-  return way_to_root(context_.page) + site_address(path);
+  return "<a class=\"term\" href=\"" +
+         (path == context_.page.page ? "" : context_.from_root(path)) + "#" + known->id + "\"" +
+         title + ">" + inner + "</a>";
 }
 
 std::string PageWriter::children_html(cmark_node* node) const {
   std::string inner;
   for (cmark_node* child = cmark_node_first_child(node); child != nullptr;
        child = cmark_node_next(child)) {
-    inner += render_inline_html(child, writer_);
+    inner += render_inline_html(child, context_.writer);
   }
   return inner;
 }
 
 // One that is displayed in the middle of a paragraph is no block there.
 std::string PageWriter::write_math(cmark_node* node, const Math& math, std::size_t index) const {
-  const auto* result = results_.get<FormulaResult>(index);
+  const auto* result = context_.results.get<FormulaResult>(index);
   const std::string markup = result != nullptr ? result->markup : escape_html(math.tex.text);
   if (cmark_node_get_type(node) == math_block_type()) {
     return "<div class=\"math display\">" + markup + "</div>\n";
@@ -251,7 +257,7 @@ std::string PageWriter::write_math(cmark_node* node, const Math& math, std::size
 }
 
 std::string PageWriter::write_value(const InlineValue& value, std::size_t index) const {
-  const auto* result = results_.get<ValueResult>(index);
+  const auto* result = context_.results.get<ValueResult>(index);
   if (result == nullptr) return "<code>" + escape_html(value.expression.text) + "</code>";
   return "<span class=\"value\" title=\"computed: " + escape_html(result->origin) + "\">" +
          escape_html(result->text) + "</span>";
@@ -266,40 +272,42 @@ std::string PageWriter::write_listing(nlohmann::json data) {
 }
 
 std::string PageWriter::write_block(cmark_node* node, std::size_t i, const std::string& inner) {
-  const auto* image = results_.get<ImageResult>(i);
+  const auto* image = context_.results.get<ImageResult>(i);
   const Cases cases{
       [&](const Math& math) { return write_math(node, math, i); },
       [&](const InlineValue& value) { return write_value(value, i); },
       [&](const TermUse& term) { return write_term(term, inner); },
-      [&](const Example& example) { return write_listing(data_of(example, i)); },
-      [&](const Unchecked& unchecked) { return write_listing(data_of(unchecked)); },
-      [&](const Snippet& snippet) { return write_listing(data_of(snippet, i)); },
-      [&](const Commands& commands) { return write_listing(data_of(commands, i)); },
-      [&](const ModelExcerpt& excerpt) { return write_listing(data_of(excerpt)); },
-      [&](const InlineModel& model) { return write_listing(data_of(model, i)); },
+      [&](const Example& example) { return write_listing(data_of(example, i, context_)); },
+      [&](const Unchecked& unchecked) { return write_listing(data_of(unchecked, context_)); },
+      [&](const Snippet& snippet) { return write_listing(data_of(snippet, i, context_)); },
+      [&](const Commands& commands) { return write_listing(data_of(commands, i, context_)); },
+      [&](const ModelExcerpt& excerpt) { return write_listing(data_of(excerpt, context_)); },
+      [&](const InlineModel& model) { return write_listing(data_of(model, i, context_)); },
       // The example above shows an output that does not stand apart.
-      [&](const Output& output) { return output.apart ? write_listing(data_of(output, i)) : ""; },
-      [&](const Image& shown) {
-        return image != nullptr ? render("image", data_of(shown, *image)) : "";
+      [&](const Output& output) {
+        return output.apart ? write_listing(data_of(output, i, context_)) : "";
       },
-      [&](const Io& io) { return render("io", data_of(io)); },
+      [&](const Image& shown) {
+        return image != nullptr ? render("image", data_of(shown, *image, context_)) : "";
+      },
+      [&](const Io& io) { return render("io", data_of(io, context_)); },
       [&](const Callout& callout) {
-        const nlohmann::json data = data_of(callout, inner);
+        const nlohmann::json data = data_of(callout, inner, context_);
         tell_later(callout, data);
         return render("callout", data);
       },
-      [&](const Lab& lab) { return render("lab", data_of(lab, i)); },
-      [&](const Figure& figure) { return render("figure", data_of(figure, i)); },
-      [&](const Plot& plot) { return render("plot", data_of(plot, i)); },
+      [&](const Lab& lab) { return render("lab", lab_data(lab, i, context_)); },
+      [&](const Figure& figure) { return render("figure", figure_data(figure, i, context_)); },
+      [&](const Plot& plot) { return render("plot", plot_data(plot, i, context_)); },
       [&](const Quiz& quiz) {
-        const nlohmann::json data = data_of(quiz, i);
+        const nlohmann::json data = quiz_data(quiz, i, context_);
         tell_later(data);
         return render("quiz", data);
       },
-      [&](const Demo& demo) { return render("demo", data_of(demo)); },
+      [&](const Demo& demo) { return render("demo", data_of(demo, context_)); },
       [](const Shown&) { return std::string(); },
   };
-  return std::visit(cases, lesson_.blocks[i]);
+  return std::visit(cases, context_.lesson.blocks[i]);
 }
 
 }  // namespace mjcourse

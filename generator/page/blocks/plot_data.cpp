@@ -1,8 +1,8 @@
-// The data that the template of a plot is fed with; its own comment describes it.
+#include "page/blocks/plot_data.h"
+
 #include <cstdio>
 #include <string>
 
-#include "page/blocks/page_writer.h"
 #include "page/html/site_paths.h"
 
 namespace mjcourse {
@@ -38,13 +38,13 @@ json rows_of(const Table& table) {
 
 }  // namespace
 
-json PageWriter::data_of(const Plot& plot, std::size_t index) {
-  json data{{"id", block_name(lesson_, index)},
+json plot_data(const Plot& plot, std::size_t index, const LessonContext& context) {
+  json data{{"id", block_name(context.lesson, index)},
             {"alt", plot.alt},
-            {"caption", inline_html(plot.caption)},
+            {"caption", context.inline_html(plot.caption)},
             {"wide", nullptr},
             {"narrow", nullptr}};
-  const auto* result = results_.get<PlotResult>(index);
+  const auto* result = context.results.get<PlotResult>(index);
   if (result == nullptr) return data;
   const PlotDrawings& drawings = result->drawings;
   data["wide"] = drawing_data(drawings.wide);
@@ -56,7 +56,7 @@ json PageWriter::data_of(const Plot& plot, std::size_t index) {
   data["table"] = {{"columns", std::move(columns)},
                    {"rows", rows_of(result->table)},
                    {"count", result->table.front().values.size()},
-                   {"href", "../" + site_address(block_path(lesson_, index)) + ".csv"}};
+                   {"href", "../" + site_address(block_path(context.lesson, index)) + ".csv"}};
   return data;
 }
 

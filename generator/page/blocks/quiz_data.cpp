@@ -1,10 +1,9 @@
-// The data that the templates of a knowledge check are fed with; their own comments describe it.
-// Tested by tests/generator/page/blocks/page_writer_test.cpp.
+#include "page/blocks/quiz_data.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
-#include "page/blocks/page_writer.h"
 #include "page/html/anchors.h"
 #include "page/html/shuffled.h"
 #include "page/html/site_paths.h"
@@ -58,20 +57,18 @@ std::string within(const Question& question) {
   return question.unit.empty() ? amount : amount + "\u00a0" + question.unit;
 }
 
-}  // namespace
-
 // The options of a choice, in the author's order; each right one is an answer and a part of the
 // key.
-void PageWriter::add_options(const Question& question, json& data) {
+void add_options(const Question& question, const LessonContext& context, json& data) {
   const std::string id = data["id"];
   std::string key;
   for (std::size_t i = 0; i < question.options.size(); ++i) {
     const Option& option = question.options[i];
-    const std::string text = inline_html(option.text);
+    const std::string text = context.inline_html(option.text);
     data["options"].push_back(
         {{"id", id + "-" + letter(i)}, {"letter", letter(i)}, {"html", text}});
     if (option.feedback) {
-      data["remarks"].push_back({{"letter", letter(i)}, {"html", html(option.feedback)}});
+      data["remarks"].push_back({{"letter", letter(i)}, {"html", context.html(option.feedback)}});
     }
     if (std::binary_search(question.right.begin(), question.right.end(), i)) {
       data["answers"].push_back(letter(i) + ". " + text);
@@ -83,22 +80,23 @@ void PageWriter::add_options(const Question& question, json& data) {
 
 // The items of an order, mixed, each with the letter of the place where it is shown first. The key
 // is these letters in the right order.
-void PageWriter::add_items(const Question& question, json& data) {
+void add_items(const Question& question, const LessonContext& context, json& data) {
   const std::string id = data["id"];
   const std::vector<std::size_t> shown = shuffled(question.options.size(), id);
   std::string key(2 * shown.size() - 1, ' ');
   for (std::size_t place = 0; place < shown.size(); ++place) {
     data["options"].push_back({{"id", id + "-" + letter(place)},
                                {"letter", letter(place)},
-                               {"html", inline_html(question.options[shown[place]].text)}});
+                               {"html", context.inline_html(question.options[shown[place]].text)}});
     key[2 * shown[place]] = letter(place)[0];
   }
-  for (const Option& item : question.options) data["answers"].push_back(inline_html(item.text));
+  for (const Option& item : question.options)
+    data["answers"].push_back(context.inline_html(item.text));
   data["key"] = key;
 }
 
-json PageWriter::data_of(const Question& question, const QuestionResult& result,
-                         const std::string& id, std::size_t number) {
+json question_data(const Question& question, const QuestionResult& result, const std::string& id,
+                   std::size_t number, const LessonContext& context) {
   const Question::Kind kind = question.kind;
   json data{{"id", id},
             {"number", std::to_string(number)},
@@ -109,12 +107,12 @@ json PageWriter::data_of(const Question& question, const QuestionResult& result,
             {"key", exact(question.answer)},
             {"tolerance", shortest(question.tolerance.around(question.answer))},
             {"within", within(question)},
-            {"q", inline_html(question.text)},
+            {"q", context.inline_html(question.text)},
             {"unit", question.unit},
             {"options", json::array()},
-            {"hint", html(question.hint)},
+            {"hint", context.html(question.hint)},
             {"answers", json::array()},
-            {"explain", html(question.explanation)},
+            {"explain", context.html(question.explanation)},
             {"remarks", json::array()},
             {"proved", result.proved},
             {"by_program", result.by_program},
@@ -123,9 +121,9 @@ json PageWriter::data_of(const Question& question, const QuestionResult& result,
   if (kind == Question::Kind::numeric) {
     data["answers"].push_back(escape_html(exact(question.answer)));
   } else if (kind == Question::Kind::order) {
-    add_items(question, data);
+    add_items(question, context, data);
   } else {
-    add_options(question, data);
+    add_options(question, context, data);
   }
   for (const ProofResult& proof : result.proofs) {
     data["proof"].push_back(
@@ -135,37 +133,39 @@ json PageWriter::data_of(const Question& question, const QuestionResult& result,
 }
 
 // The way to what the verification page says of a block's claim; "" where it says nothing.
-std::string PageWriter::report_on(std::size_t block, std::size_t part) const {
-  const Claims& claims = results_.claims;
+std::string report_on(std::size_t block, std::size_t part, const LessonContext& context) {
+  const Claims& claims = context.results.claims;
   const auto claim = std::find_if(claims.begin(), claims.end(), [&](const Claim& known) {
     return known.block == block && known.part == part;
   });
   if (claim == claims.end()) return "";
-  return from_root(kVerificationPage) + "#" +
-         claim_anchor(lesson_, static_cast<std::size_t>(claim - claims.begin()));
+  return context.from_root(kVerificationPage) + "#" +
+         claim_anchor(context.lesson, static_cast<std::size_t>(claim - claims.begin()));
 }
 
-json PageWriter::data_of(const Quiz& quiz, std::size_t index) {
-  const auto* result = results_.get<QuizResult>(index);
+}  // namespace
+
+json quiz_data(const Quiz& quiz, std::size_t index, LessonContext& context) {
+  const auto* result = context.results.get<QuizResult>(index);
   const std::string title = quiz.title.empty() ? "Knowledge check" : quiz.title;
   const std::string id = "quiz-" + as_id(quiz.id);
   json data{{"id", id}, {"title", title}, {"questions", json::array()}};
   for (std::size_t i = 0; i < quiz.questions.size(); ++i) {
     const QuestionResult answer = result != nullptr ? result->questions[i] : QuestionResult{};
     data["questions"].push_back(
-        data_of(quiz.questions[i], answer, question_anchor(quiz, i), i + 1));
-    data["questions"].back()["report"] = report_on(index, i);
+        question_data(quiz.questions[i], answer, question_anchor(quiz, i), i + 1, context));
+    data["questions"].back()["report"] = report_on(index, i, context);
   }
-  contents_.push_back({{"id", id}, {"title", escape_html(title)}, {"children", json::array()}});
+  context.list_heading(2, id, escape_html(title));
   return data;
 }
 
-json PageWriter::questions() {
+json questions_data(LessonContext& context) {
   json all = json::array();
-  for (std::size_t i = 0; i < lesson_.blocks.size(); ++i) {
-    const auto* quiz = std::get_if<Quiz>(&lesson_.blocks[i]);
+  for (std::size_t i = 0; i < context.lesson.blocks.size(); ++i) {
+    const auto* quiz = std::get_if<Quiz>(&context.lesson.blocks[i]);
     if (quiz == nullptr) continue;
-    json data = data_of(*quiz, i);
+    json data = quiz_data(*quiz, i, context);
     for (json& question : data["questions"]) all.push_back(std::move(question));
   }
   return all;

@@ -27,7 +27,7 @@ class LabModuleTest : public PageWriterTest {
       const auto* lab = std::get_if<Lab>(&block);
       if (lab == nullptr) continue;
       pass_scripts(*lab, result_);
-      return write_lab_module(*lab, result_, name, with);
+      return write_lab_module(*lab, result_, name, with.context());
     }
     ADD_FAILURE() << "no lab";
     return {};
