@@ -2,8 +2,11 @@
 
 #include <variant>
 
+#include "base/any_of.h"
 #include "base/parallel.h"
-#include "evaluate/claims/lesson_claims.h"
+#include "evaluate/claims/code_claims.h"
+#include "evaluate/claims/prose_claims.h"
+#include "evaluate/claims/shown_claims.h"
 #include "lesson/resting_lesson.h"
 
 namespace mjcourse {
@@ -25,6 +28,18 @@ std::set<Stand> stands_of(const Course& course) {
   return stands;
 }
 
+// Those that state nothing which could be untrue; the blocks of a demo are the lesson's.
+template <AnyOf<Io, TermUse, Demo, Shown> Other>
+void claim(const Other&, std::size_t, ClaimContext&) {}
+
+Claims claims_of(ClaimContext context) {
+  const std::vector<Block>& blocks = context.lesson.blocks;
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    std::visit([&](const auto& block) { claim(block, i, context); }, blocks[i]);
+  }
+  return std::move(context.claims);
+}
+
 }  // namespace
 
 void make_claims(const Course& course, ClaimSources& sources, const Programs& programs,
@@ -40,8 +55,7 @@ void make_claims(const Course& course, ClaimSources& sources, const Programs& pr
           results.tally.unchecked = page.unchecked;
           return;
         }
-        results.claims =
-            LessonClaims(page, index, results, evaluation, programs, stands, sources).run();
+        results.claims = claims_of({page, index, results, evaluation, programs, stands, sources});
         results.tally = tally_of(results.claims);
       });
 }
@@ -52,7 +66,7 @@ Claims claims_of_prose(const Lesson& lesson, const Evaluation& evaluation) {
   const std::set<Stand> stands;
   Fingerprints fingerprints("/");
   ClaimSources sources("/", {}, {}, fingerprints);
-  return LessonClaims(lesson, 0, none, evaluation, programs, stands, sources).run();
+  return claims_of({lesson, 0, none, evaluation, programs, stands, sources});
 }
 
 void claim_prose(Course& course, const Files& files, Evaluation& evaluation) {

@@ -1,7 +1,7 @@
 // Enter here from results to claims: once a course was evaluated, one Claim for each thing that it
 // states.
 //
-// A block becomes claims in one small function for its kind, in LessonClaims (lesson_claims.h). A
+// A block becomes claims in one small function for its kind, claim() (claim_context.h). A
 // new kind of block gets a kind of Claim (claim.h), such a function, and a line in tally_of.
 #pragma once
 

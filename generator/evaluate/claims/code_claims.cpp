@@ -1,12 +1,11 @@
-// The claims of programs, and of what a lesson shows of them.
-// Tested by tests/generator/evaluate/claims/claims_test.cpp.
+#include "evaluate/claims/code_claims.h"
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <variant>
 
 #include "evaluate/claims/claim_text.h"
-#include "evaluate/claims/lesson_claims.h"
 
 namespace mjcourse {
 namespace {
@@ -39,80 +38,84 @@ std::string printer(const Block& block) {
   return std::holds_alternative<Commands>(block) ? "the commands above it" : "the snippet above it";
 }
 
+void claim_program(const Example& example, std::size_t i, const ExampleResult* result, Span extent,
+                   ClaimContext& context) {
+  Claim made = context.begin(Kind::program, i, example.file.text, extent);
+  made.how = how_run(example, context.versions());
+  if (example.compiles) made.limits = limits_of_run(example.seconds);
+  if (result == nullptr) return context.finish(std::move(made), false, {example.code.text});
+  made.run_seconds = result->run_seconds;
+  context.finish(std::move(made), true,
+                 {result->code, result->output, text_of(result->records),
+                  context.versions().compiler, context.programs_sources(result->code)});
+}
+
 }  // namespace
 
-void LessonClaims::add_program(std::size_t i, const Example& example, const ExampleResult* result,
-                               Span extent) {
-  Claim claim = begin(Kind::program, i, example.file.text, extent);
-  claim.how = how_run(example, versions());
-  if (example.compiles) claim.limits = limits_of_run(example.seconds);
-  if (result == nullptr) return finish(std::move(claim), false, {example.code.text});
-  claim.run_seconds = result->run_seconds;
-  finish(std::move(claim), true,
-         {result->code, result->output, text_of(result->records), versions().compiler,
-          programs_sources(result->code)});
-}
-
-void LessonClaims::add(std::size_t i, const Example& example) {
-  const Span extent = fence(example.span);
-  const auto program = programs_.find(example.file.text);
-  const ExampleResult* whole = program == programs_.end() ? nullptr : &program->second;
-  if (!example.region) return add_program(i, example, whole, extent);
+void claim(const Example& example, std::size_t i, ClaimContext& context) {
+  const Span extent = context.fence(example.span);
+  const auto program = context.programs.find(example.file.text);
+  const ExampleResult* whole = program == context.programs.end() ? nullptr : &program->second;
+  if (!example.region) return claim_program(example, i, whole, extent, context);
   // An error inside the fence is the region's own; of the program's there, none would be left.
-  if (stands_.contains({index_, i})) add_program(i, example, whole, {extent.begin, extent.begin});
-  Claim claim = begin(Kind::region, i, example.file.text + "#" + example.region->text, extent);
-  claim.how = "compared with these lines of " + example.file.text + ", which was compiled and run";
-  claim.limits = "indentation does not count";
-  claim.seconds = 0;
-  const auto* result = results_.get<ExampleResult>(i);
-  finish(std::move(claim), result != nullptr,
-         {result == nullptr ? "" : result->code, whole == nullptr ? "" : whole->code});
+  if (context.stands.contains({context.index, i}))
+    claim_program(example, i, whole, {extent.begin, extent.begin}, context);
+  Claim made =
+      context.begin(Kind::region, i, example.file.text + "#" + example.region->text, extent);
+  made.how = "compared with these lines of " + example.file.text + ", which was compiled and run";
+  made.limits = "indentation does not count";
+  made.seconds = 0;
+  const auto* result = context.results.get<ExampleResult>(i);
+  context.finish(std::move(made), result != nullptr,
+                 {result == nullptr ? "" : result->code, whole == nullptr ? "" : whole->code});
 }
 
-void LessonClaims::add(std::size_t i, const Snippet& snippet) {
-  Claim claim =
-      begin(Kind::snippet, i, "snippet: " + first_line(snippet.shown), fence(snippet.span));
-  claim.how = how_run(snippet, versions());
-  claim.limits = limits_of_run(snippet.seconds);
-  const auto* result = results_.get<ExampleResult>(i);
-  if (result != nullptr) claim.seconds = claim.run_seconds = result->run_seconds;
-  finish(std::move(claim), result != nullptr,
-         {result == nullptr ? "" : result->output, versions().compiler,
-          sources_.model(snippet.model.text), programs_sources(snippet.code.text)});
+void claim(const Snippet& snippet, std::size_t i, ClaimContext& context) {
+  Claim made = context.begin(Kind::snippet, i, "snippet: " + first_line(snippet.shown),
+                             context.fence(snippet.span));
+  made.how = how_run(snippet, context.versions());
+  made.limits = limits_of_run(snippet.seconds);
+  const auto* result = context.results.get<ExampleResult>(i);
+  if (result != nullptr) made.seconds = made.run_seconds = result->run_seconds;
+  context.finish(
+      std::move(made), result != nullptr,
+      {result == nullptr ? "" : result->output, context.versions().compiler,
+       context.sources.model(snippet.model.text), context.programs_sources(snippet.code.text)});
 }
 
-void LessonClaims::add(std::size_t i, const Commands& commands) {
-  Claim claim =
-      begin(Kind::commands, i, "commands: " + first_line(commands.code.text), fence(commands.span));
-  claim.how = how_run(commands);
-  claim.limits = limits_of_run(commands.seconds);
-  const auto* result = results_.get<ExampleResult>(i);
-  if (result != nullptr) claim.run_seconds = result->run_seconds;
+void claim(const Commands& commands, std::size_t i, ClaimContext& context) {
+  Claim made = context.begin(Kind::commands, i, "commands: " + first_line(commands.code.text),
+                             context.fence(commands.span));
+  made.how = how_run(commands);
+  made.limits = limits_of_run(commands.seconds);
+  const auto* result = context.results.get<ExampleResult>(i);
+  if (result != nullptr) made.run_seconds = result->run_seconds;
   // What they print on their way may tell of times and places; what is stated of it is a claim of
   // its own.
-  finish(std::move(claim), result != nullptr,
-         {result == nullptr ? "" : sources_.files(result->files)});
+  context.finish(std::move(made), result != nullptr,
+                 {result == nullptr ? "" : context.sources.files(result->files)});
 }
 
-void LessonClaims::add(std::size_t i, const Output& output) {
-  const std::string by = printer(lesson_.blocks[output.example]);
-  Claim claim = begin(Kind::output, i, "the output of " + by, fence(output.span));
-  const auto* result = results_.get<OutputResult>(i);
-  const auto* printed = results_.get<ExampleResult>(output.example);
-  if (result != nullptr) claim.how = how_compared(output, *result, by);
+void claim(const Output& output, std::size_t i, ClaimContext& context) {
+  const std::string by = printer(context.lesson.blocks[output.example]);
+  Claim made = context.begin(Kind::output, i, "the output of " + by, context.fence(output.span));
+  const auto* result = context.results.get<OutputResult>(i);
+  const auto* printed = context.results.get<ExampleResult>(output.example);
+  if (result != nullptr) made.how = how_compared(output, *result, by);
   if (output.text.text.find("[..]") != std::string::npos) {
-    claim.limits = "any text may stand for [..]";
+    made.limits = "any text may stand for [..]";
   }
-  finish(std::move(claim), result != nullptr,
-         {printed == nullptr ? "" : printed->output, versions().compiler});
+  context.finish(std::move(made), result != nullptr,
+                 {printed == nullptr ? "" : printed->output, context.versions().compiler});
 }
 
-void LessonClaims::add(std::size_t i, const Unchecked& unchecked) {
-  Claim claim = begin(Kind::code, i, unchecked.language + ": " + first_line(unchecked.code.text),
-                      fence(unchecked.span));
-  claim.status = Status::unchecked;
-  claim.reason = unchecked.because;
-  finish(std::move(claim), true, {});
+void claim(const Unchecked& unchecked, std::size_t i, ClaimContext& context) {
+  Claim made =
+      context.begin(Kind::code, i, unchecked.language + ": " + first_line(unchecked.code.text),
+                    context.fence(unchecked.span));
+  made.status = Status::unchecked;
+  made.reason = unchecked.because;
+  context.finish(std::move(made), true, {});
 }
 
 }  // namespace mjcourse

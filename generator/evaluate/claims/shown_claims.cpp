@@ -1,10 +1,9 @@
-// The claims of what a reader looks at, plays with and answers.
-// Tested by tests/generator/evaluate/claims/claims_test.cpp.
+#include "evaluate/claims/shown_claims.h"
+
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "evaluate/claims/claim_text.h"
-#include "evaluate/claims/lesson_claims.h"
 
 namespace mjcourse {
 namespace {
@@ -27,88 +26,91 @@ std::string text_of(const LabResult& result) {
 
 }  // namespace
 
-void LessonClaims::add(std::size_t i, const ModelExcerpt& excerpt) {
+void claim(const ModelExcerpt& excerpt, std::size_t i, ClaimContext& context) {
   const std::string file = "models/" + excerpt.model.text + ".xml";
-  Claim claim = begin(Kind::listing, i, "a part of " + file, fence(excerpt.span));
-  claim.how =
-      "compared line by line with " + file + ", which MuJoCo " + versions().mujoco + " compiles";
-  claim.limits = "indentation and blank lines do not count";
-  finish(std::move(claim), results_.get<ModelResult>(i) != nullptr,
-         {sources_.model(excerpt.model.text)});
+  Claim made = context.begin(Kind::listing, i, "a part of " + file, context.fence(excerpt.span));
+  made.how = "compared line by line with " + file + ", which MuJoCo " + context.versions().mujoco +
+             " compiles";
+  made.limits = "indentation and blank lines do not count";
+  context.finish(std::move(made), context.results.get<ModelResult>(i) != nullptr,
+                 {context.sources.model(excerpt.model.text)});
 }
 
-void LessonClaims::add(std::size_t i, const InlineModel& model) {
-  Claim claim = begin(Kind::listing, i, "a model", fence(model.span));
-  const auto* result = results_.get<ModelResult>(i);
-  claim.how = "compiled by MuJoCo " + versions().mujoco;
-  if (!model.compiles) claim.how += ", which refuses it, as the lesson says";
-  finish(std::move(claim), result != nullptr, {result == nullptr ? "" : result->refusal});
+void claim(const InlineModel& model, std::size_t i, ClaimContext& context) {
+  Claim made = context.begin(Kind::listing, i, "a model", context.fence(model.span));
+  const auto* result = context.results.get<ModelResult>(i);
+  made.how = "compiled by MuJoCo " + context.versions().mujoco;
+  if (!model.compiles) made.how += ", which refuses it, as the lesson says";
+  context.finish(std::move(made), result != nullptr, {result == nullptr ? "" : result->refusal});
 }
 
-void LessonClaims::add(std::size_t i, const Lab& lab) {
+void claim(const Lab& lab, std::size_t i, ClaimContext& context) {
   const std::string title = "\u201c" + lab.title + "\u201d";
-  const Span extent = fence(lab.span);
-  const auto* result = results_.get<LabResult>(i);
-  Claim claim = begin(Kind::lab, i, "the lab " + title, extent);
-  if (result != nullptr) claim.how = how_rehearsed(lab, *result);
-  claim.limits = "each control in each of its values by itself, a slider at both ends";
-  const std::string model = sources_.model(lab.model.text);
-  finish(std::move(claim), result != nullptr,
-         {model, sources_.models_named_in(written(extent)),
-          result == nullptr ? "" : text_of(*result)});
+  const Span extent = context.fence(lab.span);
+  const auto* result = context.results.get<LabResult>(i);
+  Claim made = context.begin(Kind::lab, i, "the lab " + title, extent);
+  if (result != nullptr) made.how = how_rehearsed(lab, *result);
+  made.limits = "each control in each of its values by itself, a slider at both ends";
+  const std::string model = context.sources.model(lab.model.text);
+  context.finish(std::move(made), result != nullptr,
+                 {model, context.sources.models_named_in(context.written(extent)),
+                  result == nullptr ? "" : text_of(*result)});
   if (result == nullptr) return;
-  Claim picture = begin(Kind::picture, i, "the picture of the lab " + title, extent);
+  Claim picture = context.begin(Kind::picture, i, "the picture of the lab " + title, extent);
   picture.seconds = 0;
-  picture.how = "drawn by MuJoCo " + versions().mujoco;
-  finish(std::move(picture), result->poster.has_value(),
-         {model, result->poster ? result->poster->png.hash() : ""});
+  picture.how = "drawn by MuJoCo " + context.versions().mujoco;
+  context.finish(std::move(picture), result->poster.has_value(),
+                 {model, result->poster ? result->poster->png.hash() : ""});
 }
 
-void LessonClaims::add(std::size_t i, const Figure& figure) {
-  Claim claim = begin(Kind::picture, i, as_title("a figure: " + figure.alt), fence(figure.span));
-  const auto* result = results_.get<FigureResult>(i);
-  claim.how = how_drawn(figure, versions());
-  const std::string models = sources_.models_named_in(written(claim.extent));
-  finish(std::move(claim), result != nullptr,
-         {sources_.model(figure.model.text), models,
-          result == nullptr ? "" : result->poster.png.hash() + result->film.hash()});
+void claim(const Figure& figure, std::size_t i, ClaimContext& context) {
+  Claim made = context.begin(Kind::picture, i, as_title("a figure: " + figure.alt),
+                             context.fence(figure.span));
+  const auto* result = context.results.get<FigureResult>(i);
+  made.how = how_drawn(figure, context.versions());
+  const std::string models = context.sources.models_named_in(context.written(made.extent));
+  context.finish(std::move(made), result != nullptr,
+                 {context.sources.model(figure.model.text), models,
+                  result == nullptr ? "" : result->poster.png.hash() + result->film.hash()});
 }
 
-void LessonClaims::add(std::size_t i, const Plot& plot) {
-  Claim claim = begin(Kind::plot, i, as_title("a plot: " + plot.alt), fence(plot.span));
-  const auto* result = results_.get<PlotResult>(i);
-  if (result != nullptr) claim.how = how_plotted(plot, *result);
-  finish(std::move(claim), result != nullptr, {result == nullptr ? "" : result->drawings.wide.svg});
+void claim(const Plot& plot, std::size_t i, ClaimContext& context) {
+  Claim made =
+      context.begin(Kind::plot, i, as_title("a plot: " + plot.alt), context.fence(plot.span));
+  const auto* result = context.results.get<PlotResult>(i);
+  if (result != nullptr) made.how = how_plotted(plot, *result);
+  context.finish(std::move(made), result != nullptr,
+                 {result == nullptr ? "" : result->drawings.wide.svg});
 }
 
-void LessonClaims::add(std::size_t i, const Image& image) {
-  Claim claim =
-      begin(Kind::image, i, as_title(image.file.text + ": " + image.alt), image.file.span());
-  const auto* result = results_.get<ImageResult>(i);
-  claim.status = image.title.empty() ? Status::asserted : Status::cited;
-  claim.reason = image.title;
-  finish(std::move(claim), result != nullptr, {result == nullptr ? "" : result->hash});
+void claim(const Image& image, std::size_t i, ClaimContext& context) {
+  Claim made = context.begin(Kind::image, i, as_title(image.file.text + ": " + image.alt),
+                             image.file.span());
+  const auto* result = context.results.get<ImageResult>(i);
+  made.status = image.title.empty() ? Status::asserted : Status::cited;
+  made.reason = image.title;
+  context.finish(std::move(made), result != nullptr, {result == nullptr ? "" : result->hash});
 }
 
-void LessonClaims::add(std::size_t i, const Quiz& quiz) {
-  const auto* results = results_.get<QuizResult>(i);
+void claim(const Quiz& quiz, std::size_t i, ClaimContext& context) {
+  const auto* results = context.results.get<QuizResult>(i);
   for (std::size_t q = 0; q < quiz.questions.size(); ++q) {
     const Question& question = quiz.questions[q];
     const QuestionResult result = results != nullptr ? results->questions[q] : QuestionResult{};
-    Claim claim = begin(Kind::answer, i,
-                        as_title("question " + std::to_string(q + 1) + ": " +
-                                 (question.text ? plain_text(question.text.get()) : "")),
-                        question.span);
-    claim.part = q;
-    claim.seconds = result.seconds;
-    claim.limits = limits_of_answer(question);
-    claim.how = how_proved(question, result);
+    Claim made = context.begin(Kind::answer, i,
+                               as_title("question " + std::to_string(q + 1) + ": " +
+                                        (question.text ? plain_text(question.text.get()) : "")),
+                               question.span);
+    made.part = q;
+    made.seconds = result.seconds;
+    made.limits = limits_of_answer(question);
+    made.how = how_proved(question, result);
     if (!result.proved) {
-      claim.status = Status::asserted;
-      claim.reason = result.because;
+      made.status = Status::asserted;
+      made.reason = result.because;
     }
-    finish(std::move(claim), results != nullptr && !result.failed,
-           {sources_.models_named_in(written(question.span))});
+    context.finish(std::move(made), results != nullptr && !result.failed,
+                   {context.sources.models_named_in(context.written(question.span))});
   }
 }
 
