@@ -82,7 +82,7 @@ MJCOURSE_FIELDS(Poster, webp, png, width, height)
 MJCOURSE_FIELDS(PinComparison, name, reference, actual, difference, agrees)
 MJCOURSE_FIELDS(FigureResult, poster, film, pin)
 MJCOURSE_FIELDS(LabModel, main, texts, assets)
-MJCOURSE_FIELDS(LabReading, steps, values)
+MJCOURSE_FIELDS(LabReading, steps, values, ghost)
 MJCOURSE_FIELDS(LabRunResult, control, value, readings)
 MJCOURSE_FIELDS(Lab::Camera, azimuth, elevation, distance, target)
 MJCOURSE_FIELDS(LabResult, readouts, traces, camera, memory, model, script_names, scripts,

@@ -15,9 +15,12 @@ namespace {
 namespace fs = std::filesystem;
 
 bool has_parts_of(const Lab& lab, const LabRunResult& run) {
+  std::size_t traces = 0;
+  for (const Lab::Plot& plot : lab.plots) traces += plot.traces.size();
   return (!run.control || *run.control < lab.controls.size()) &&
          std::ranges::all_of(run.readings, [&](const LabReading& reading) {
-           return reading.values.size() == lab.readouts.size();
+           return reading.values.size() == lab.readouts.size() &&
+                  reading.ghost.size() == (lab.ghost ? traces : 0);
          });
 }
 

@@ -103,10 +103,12 @@ struct LabModel {
 // What a control was set to: nothing (a button, a keyframe), on or off, an option, a number.
 using ControlValue = std::variant<std::monostate, bool, int, double>;
 
-// What a lab's readouts said a number of steps after a control.
+// What a lab's readouts said a number of steps after a control; and of a lab with a ghost, what its
+// plots' traces said there of the ghost.
 struct LabReading {
   int steps = 0;
   std::vector<double> values;
+  std::vector<double> ghost = {};
 };
 
 // A run from a reset on which one control acted, or none.

@@ -189,6 +189,7 @@ bool LabRun::read(std::vector<double>& readouts) {
     if (!number(lab.readouts[i].expression, readouts[i])) return false;
   }
   double ignored = 0;
+  ghost_traces_.clear();
   for (const Lab::Plot& plot : lab.plots) {
     for (const Lab::Readout& trace : plot.traces) {
       if (!number(trace.expression, ignored)) return false;
@@ -196,6 +197,7 @@ bool LabRun::read(std::vector<double>& readouts) {
       const auto found =
           ghost_->world.number(context_.guarded(trace.expression, ScriptKind::value));
       if (!found) return context_.error(found.error(), trace.expression, solution_);
+      ghost_traces_.push_back(*found);
     }
   }
   bool done = false;

@@ -36,6 +36,8 @@ class LabRun {
   bool truth(const LocatedText& expression, bool& value);
   // All that the page reads at every frame; `readouts` gets those of the readouts.
   bool read(std::vector<double>& readouts);
+  // Then: what the plots' traces are of the ghost, one plot after the other; none without a ghost.
+  const std::vector<double>& ghost_traces() const { return ghost_traces_; }
 
   const Simulation& simulation() const { return main_->simulation; }
   const World& world() const { return main_->world; }
@@ -61,6 +63,7 @@ class LabRun {
 
   const LabContext& context_;
   std::unique_ptr<Actor> main_, ghost_;
+  std::vector<double> ghost_traces_;
   const LocatedText* solution_ = nullptr;  // the model, where it is not the lab's own
   int steps_ = 0;
   // What the run does, and where to point when it goes wrong.

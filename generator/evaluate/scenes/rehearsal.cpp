@@ -87,12 +87,14 @@ std::optional<LabRunResult> run_of(const LabContext& context, std::optional<std:
   result.control = control;
   result.value = deed.named;
   for (const double seconds : kRecorded) {
-    result.readings.push_back({run->steps_in(seconds).value(), {}});
+    result.readings.push_back({run->steps_in(seconds).value(), {}, {}});
   }
   const bool played = play(*run, kRehearsal, [&](int steps, const std::vector<double>& readouts) {
     if (view != nullptr) view->add(run->simulation());
     for (LabReading& reading : result.readings) {
-      if (reading.steps == steps) reading.values = readouts;
+      if (reading.steps != steps) continue;
+      reading.values = readouts;
+      reading.ghost = run->ghost_traces();
     }
     return true;
   });

@@ -22,7 +22,9 @@ json json_of(const LabReading& reading, const Lab& lab) {
   for (std::size_t i = 0; i < lab.readouts.size(); ++i) {
     values.push_back(fixed_number(reading.values[i], lab.readouts[i].digits));
   }
-  return {{"steps", reading.steps}, {"values", std::move(values)}};
+  json found{{"steps", reading.steps}, {"values", std::move(values)}};
+  if (lab.ghost) found["ghost"] = reading.ghost;
+  return found;
 }
 
 }  // namespace

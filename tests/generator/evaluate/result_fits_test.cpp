@@ -91,7 +91,7 @@ bool fits_the_lab(std::optional<std::size_t> control, const std::vector<double>&
   LabResult result;
   result.readouts = {1};
   result.keyframes = {0};
-  result.runs = {{control, ControlValue(), {{0, values}}}};
+  result.runs = {{control, ControlValue(), {{0, values, {}}}}};
   return fits(lab().lesson->blocks.at(0), Result(result)) &&
          fits(lab().lesson->blocks.at(0), result);
 }
@@ -101,6 +101,20 @@ TEST(ResultFits, WhereEachRunHasThePartsOfItsLab) {
   EXPECT_TRUE(fits_the_lab(0, {1}));
   EXPECT_FALSE(fits_the_lab(1, {1}));
   EXPECT_FALSE(fits_the_lab(0, {}));
+}
+
+TEST(ResultFits, WhereEachReadingHasTheTracesOfTheGhost) {
+  const ReadingOf reading = reading_of(
+      "```lab simlab\n{\"title\": \"T\", \"model\": \"m\", \"alt\": \"A.\", \"plots\": "
+      "[{\"ylabel\": "
+      "\"y\", \"traces\": [{\"label\": \"t\", \"expr\": \"1\"}]}], \"ghost\": {\"label\": \"G\", "
+      "\"run\": \"step(1)\"}}\n```\n");
+  LabResult result;
+  result.traces = {{1}};
+  result.runs = {{std::nullopt, {}, {{0, {}, {1}}}}};
+  EXPECT_TRUE(fits(reading.lesson->blocks.at(0), Result(result)));
+  result.runs[0].readings[0].ghost.clear();
+  EXPECT_FALSE(fits(reading.lesson->blocks.at(0), Result(result)));
 }
 
 TEST(ResultFits, WhereColumnsAreEquallyLong) {

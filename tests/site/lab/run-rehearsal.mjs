@@ -1,5 +1,5 @@
 // In each lab of a built site every reading of the build's rehearsal comes out again, to the last
-// printed digit, in the engine of the page. MJCOURSE_SITE is the site's folder.
+// printed digit, in the engine of the page; and of a ghost, the traces of the plots to ten digits. MJCOURSE_SITE is the site's folder.
 //
 //   node --test tests/site/lab/run-rehearsal.mjs
 
@@ -15,7 +15,7 @@ const labs = path.join(process.env.MJCOURSE_SITE, "labs");
 const records = globSync("*.rehearsal.json", { cwd: labs }).sort();
 const engine = await newEngine();
 
-// The module's path, and the run of its lab.
+// The module of a lab, and its run.
 async function open(name) {
   const [file] = globSync(`${name}-*.js`, { cwd: labs });
   const module = await import(pathToFileURL(path.join(labs, file)));
@@ -24,10 +24,11 @@ async function open(name) {
     asset,
     readFileSync(path.join(labs, address)),
   ]);
-  return new lab.Run(engine, module, {
+  const run = new lab.Run(engine, module, {
     ...texts,
     ...Object.fromEntries(fetched),
   });
+  return { run, scripts: module.scripts };
 }
 
 // What the rehearsal did for this run: a toggle is switched off after on, and what is on from the
@@ -41,21 +42,35 @@ function act(run, control, value) {
   run.operate(control, value);
 }
 
+const inTenDigits = (number) => number.toPrecision(10);
+
+// What the plots' traces are of the ghost, one plot after the other; undefined without a ghost.
+function tracesOfGhost(run, scripts) {
+  return (
+    run.ghost &&
+    run.lab.plots.flatMap(({ traces }) =>
+      traces.map(({ value }) => inTenDigits(scripts[value](run.ghost.simulation.world))),
+    )
+  );
+}
+
 test("there are labs", () => assert.ok(records.length > 0, labs));
 
 for (const record of records) {
   const name = path.basename(record, ".rehearsal.json");
   test(`lab ${name}`, async () => {
     const { runs, predicted } = JSON.parse(readFileSync(path.join(labs, record), "utf8"));
-    const run = await open(name);
+    const { run, scripts } = await open(name);
     for (const { control, value, readings } of runs) {
       run.reset();
       if (control !== null) act(run, control, value);
       let done = 0;
-      for (const { steps, values } of readings) {
+      for (const { steps, values, ghost } of readings) {
         done += run.step(steps - done);
         const printed = values.map((_, i) => run.printed(i));
-        assert.deepEqual(printed, values, `control ${control} at ${value} after ${steps} steps`);
+        const when = `control ${control} at ${value} after ${steps} steps`;
+        assert.deepEqual(printed, values, when);
+        assert.deepEqual(tracesOfGhost(run, scripts), ghost?.map(inTenDigits), `ghost: ${when}`);
       }
       assert.equal(run.trouble, undefined);
     }

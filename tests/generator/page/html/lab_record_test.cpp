@@ -30,6 +30,15 @@ TEST(LabRecord, HoldsWhatTheReadoutsSaidInEachRun) {
         {"control": 2, "value": 3, "readings": []}]})"));
 }
 
+TEST(LabRecord, HoldsWhatTheTracesOfAGhostWere) {
+  Lab lab;
+  lab.ghost = Lab::Ghost{};
+  LabResult result;
+  result.runs = {{std::nullopt, {}, {{0, {}, {0.1, 2}}}}};
+  EXPECT_EQ(json::parse(lab_record(lab, result))["runs"][0]["readings"],
+            json::parse(R"([{"steps": 0, "values": [], "ghost": [0.1, 2]}])"));
+}
+
 TEST(LabRecord, HoldsWhatAPredictionIsMeasuredBy) {
   Lab lab;
   lab.predict = Lab::Predict{};
