@@ -7,9 +7,13 @@
 
 #include "lesson/blocks/callout.h"
 #include "lesson/blocks/fence.h"
+#include "lesson/blocks/read_image.h"
+#include "lesson/blocks/read_losses.h"
+#include "lesson/blocks/read_mere_text.h"
 #include "lesson/blocks/read_value.h"
 #include "lesson/syntax/doubtful_math.h"
 #include "lesson/syntax/heading_id.h"
+#include "lesson/syntax/picture_name.h"
 
 namespace mjcourse {
 namespace {
@@ -87,7 +91,8 @@ Document LessonReader::parse(const std::string& text, int first_line) {
   };
   Losses losses;
   Document document = parse_markdown(text, refuse, first_line, &losses, lesson_.typography);
-  if (!losses.empty()) tell_losses(losses, located(source(), {0, source().text().size()}));
+  if (!losses.empty())
+    tell_losses(losses, located(source(), {0, source().text().size()}), reading_);
   return document;
 }
 
@@ -96,7 +101,7 @@ Document LessonReader::fragment(const LocatedText& text) {
   Losses losses;
   const auto refuse = [&](Excess excess, int) { refuse_excess(excess, text.span()); };
   Document document = parse_markdown(text.text, refuse, 1, &losses, lesson_.typography);
-  tell_losses(losses, text);
+  tell_losses(losses, text, reading_);
   const bool outer = std::exchange(in_document_, false);
   Region region{text, 0};
   walk(document.get(), region);
@@ -115,7 +120,9 @@ void LessonReader::walk(cmark_node* node, Region& region) {
     region.cursor = std::max(region.cursor, source().line_start(cmark_node_get_start_line(node)));
   }
   if (is_part(node) && is_too_much(region)) return;
-  if (CMARK_NODE_TYPE_BLOCK_P(type)) refuse_mere_text(node, region);
+  if (CMARK_NODE_TYPE_BLOCK_P(type)) {
+    warn_of_mere_text(node, region.text, in_document_, lesson_, reading_);
+  }
   if (type == CMARK_NODE_CODE_BLOCK) return read_code_block(node, region);
   if (type == math_inline_type() || type == math_block_type()) return read_math(node, region);
   if (type == CMARK_NODE_IMAGE) return read_image(node, region);
@@ -125,7 +132,9 @@ void LessonReader::walk(cmark_node* node, Region& region) {
   if (type == CMARK_NODE_CODE) read_code_span(node, region);
   const std::size_t behind = type == CMARK_NODE_LINK ? read_link(node, region) : 0;
   if (type == CMARK_NODE_FOOTNOTE_REFERENCE) refuse_footnote_in_link(node, region);
-  if (type == CMARK_NODE_HTML_BLOCK || type == CMARK_NODE_HTML_INLINE) read_html(node, region);
+  if (type == CMARK_NODE_HTML_BLOCK || type == CMARK_NODE_HTML_INLINE) {
+    read_html(node, find(cmark_node_get_literal(node), region), html_, reading_);
+  }
   // The title of a callout was moved out of the tree, and is walked with it.
   if (const auto found = lesson_.block_of.find(node); found != lesson_.block_of.end()) {
     if (const auto* callout = std::get_if<Callout>(&lesson_.blocks[found->second])) {
@@ -153,7 +162,7 @@ void LessonReader::walk_children(cmark_node* node, Region& region) {
     walk(child, region);
     child = next;
   }
-  open_elements_.end(node, reading_);
+  html_.open.end(node, reading_);
 }
 
 // Find `text` at or after the region's cursor, line by line, since the lines of a quote are apart.
@@ -369,12 +378,31 @@ void LessonReader::refuse_second_footnote(cmark_node* node) {
   const int line = cmark_node_get_start_line(node);
   const std::size_t at = source().line_start(line);
   const std::size_t end = source().line(line).find(']');
-  refuse_second_footnote(name, {at, at + (end == std::string_view::npos ? 1 : end + 1)});
+  mjcourse::refuse_second_footnote(name, {at, at + (end == std::string_view::npos ? 1 : end + 1)},
+                                   reading_);
 }
 
 void LessonReader::read_callout(cmark_node* node) {
   if (!in_document_) return;
   if (std::optional<Callout> callout = take_callout(node, reading_)) add(node, std::move(*callout));
+}
+
+void LessonReader::read_image(cmark_node* node, Region& region) {
+  // The text of the picture, which may hold the file's name as well, stands before it.
+  const std::size_t target = region.text.text.find("](", region.cursor);
+  if (target != std::string::npos) region.cursor = target + 2;
+  const LocatedText file = file_of_target(find(cmark_node_get_url(node), region));
+  const bool alone = stands_alone(node);
+  std::optional<Image> image = mjcourse::read_image(node, file, alone, reading_);
+  if (image) add(alone ? cmark_node_parent(node) : node, *std::move(image));
+}
+
+// Is the picture a whole paragraph of the lesson's own text?
+bool LessonReader::stands_alone(cmark_node* node) const {
+  cmark_node* paragraph = cmark_node_parent(node);
+  if (!in_document_ || cmark_node_get_type(paragraph) != CMARK_NODE_PARAGRAPH) return false;
+  if (cmark_node_next(node) != nullptr || cmark_node_previous(node) != nullptr) return false;
+  return !in_callout_title_;
 }
 
 // Where a callout's claim is from, once what stands in it was read.

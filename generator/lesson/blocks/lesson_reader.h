@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "lesson/blocks/lesson.h"
-#include "lesson/syntax/open_elements.h"
+#include "lesson/blocks/read_html.h"
 #include "lesson/syntax/reading.h"
 
 namespace mjcourse {
@@ -46,8 +46,6 @@ class LessonReader {
   void walk_children(cmark_node* node, Region& region);
   void add(cmark_node* node, Block block);
   void refuse_excess(Excess excess, Span span);
-  void tell_losses(const Losses& losses, const LocatedText& text);
-  void tell_loss(const Loss& loss, Span span);
   bool is_too_much(const Region& region);
   void read_code_block(cmark_node* node, Region& region);
   void read_callout(cmark_node* node);
@@ -57,7 +55,6 @@ class LessonReader {
   void add_title_parts(cmark_node* node, std::vector<TitlePart>& title) const;
   void read_footnote(cmark_node* node, const Region& region);
   void refuse_second_footnote(cmark_node* node);
-  void refuse_second_footnote(const std::string& name, Span span);
   void read_math(cmark_node* node, Region& region);
   void warn_of_doubtful_math(const LocatedText& tex);
   void read_code_span(cmark_node* node, Region& region);
@@ -70,15 +67,7 @@ class LessonReader {
   void read_term(const struct CutTerm& term, Region& region);
   static bool pass_brackets(Region& region);
   void refuse_unclosed_math(cmark_node* node, const Region& region);
-  void refuse_blank_in_name(cmark_node* text, const Region& region);
-  Span lines_of(cmark_node* node, const Region& region) const;
-  void refuse_mere_text(cmark_node* node, const Region& region);
-  void warn_of_lone_row(cmark_node* node, Span lines);
   void refuse_empty_link(cmark_node* node, Span target);
-  void read_html(cmark_node* node, Region& region);
-  void read_tags(cmark_node* node, const LocatedText& html,
-                 const std::vector<struct HtmlFault>& faults);
-  void refuse_hidden_markdown(const LocatedText& html);
   void read_image(cmark_node* node, Region& region);
   bool stands_alone(cmark_node* node) const;
   void read_fence(cmark_node* node, Region& region);
@@ -94,9 +83,8 @@ class LessonReader {
   bool in_document_ = false;
   bool in_demo_ = false;
   bool in_callout_title_ = false;
-  bool math_is_cut_ = false;            // a `$$` below text was not closed
-  std::set<std::string> refused_html_;  // names of elements
-  OpenElements open_elements_;
+  bool math_is_cut_ = false;  // a `$$` below text was not closed
+  HtmlState html_;
   int parts_ = 0;  // that were walked
   std::set<std::string> heading_ids_;
   std::map<std::string, int> heading_numbers_;  // the last behind each slug that stands twice

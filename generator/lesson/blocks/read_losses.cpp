@@ -1,9 +1,8 @@
-// What cmark loses of a text without a word (loss.h), told at its place.
-// Tested by tests/courses/text.
+#include "lesson/blocks/read_losses.h"
+
 #include <algorithm>
 
 #include "base/counted.h"
-#include "lesson/blocks/lesson_reader.h"
 
 namespace mjcourse {
 namespace {
@@ -38,9 +37,53 @@ std::string empty_head(int columns) {
   return head;
 }
 
+void tell_loss(const Loss& loss, Span span, Reading& reading) {
+  switch (loss.kind) {
+    case Loss::Kind::cells:
+      return reading.error(
+          "E-table-cells", span,
+          "this row has " + counted(loss.cells, "cell") + ", and its table " +
+              counted(loss.columns, "column") + ": the rest is not in the page",
+          "give the head a cell for each column; for a bar within a cell, write `\\|`");
+    case Loss::Kind::cut_cell:
+      return reading.error(
+          "E-table-cells", span, "this `|` ends the cell in the middle of " + loss.what,
+          "in a table, write `\\|` for a bar that ends no cell, and `\\$` for a dollar as text");
+    case Loss::Kind::no_table:
+      return reading.warning("W-table-head", span,
+                             "this is no table: its head has " + counted(loss.cells, "cell") +
+                                 ", and the row of dashes below it " + std::to_string(loss.columns),
+                             "give both as many; for a bar within a cell, write `\\|`");
+    case Loss::Kind::headless:
+      return reading.warning(
+          "W-table-head", span, "this is no table: no head stands above the row of dashes",
+          "put a row above it; for a head without words, `" + empty_head(loss.columns) + "`");
+    case Loss::Kind::reference:
+      return reading.warning(
+          "W-reference-unused", span,
+          "nothing uses the reference `" + loss.what + "`, so its line is not in the page",
+          "write `[…][" + loss.what +
+              "]` where it belongs, or remove it; for "
+              "the line as text, write `\\" +
+              loss.row + "`");
+    case Loss::Kind::second_reference:
+      return reading.error("E-reference-name", span,
+                           "another reference is called `" + loss.what +
+                               "`, and each link by that name leads to its address",
+                           "give it a name of its own; capital and small letters are the same");
+    case Loss::Kind::footnote:
+      return reading.warning("W-footnote-unused", span,
+                             "nothing refers to the footnote `" + loss.what +
+                                 "`, so it is not in the page, and nothing in it is checked",
+                             "write `[^" + loss.what + "]` where it belongs, or remove it");
+    case Loss::Kind::second_footnote:
+      return refuse_second_footnote(loss.what, span, reading);
+  }
+}
+
 }  // namespace
 
-void LessonReader::tell_losses(const Losses& losses, const LocatedText& text) {
+void tell_losses(const Losses& losses, const LocatedText& text, Reading& reading) {
   LineStarts starts(text.text);
   for (const Loss& loss : losses) {
     const std::size_t start = starts.of(loss.line);
@@ -50,58 +93,13 @@ void LessonReader::tell_losses(const Losses& losses, const LocatedText& text) {
     const std::size_t at = std::min(text.text.find(mark, start), text.text.size());
     const Span span =
         is_footnote ? text.span(at, at + mark.size()) : text.span(at + loss.begin, at + loss.end);
-    tell_loss(loss, span);
+    tell_loss(loss, span, reading);
   }
 }
 
-void LessonReader::tell_loss(const Loss& loss, Span span) {
-  switch (loss.kind) {
-    case Loss::Kind::cells:
-      return reading_.error(
-          "E-table-cells", span,
-          "this row has " + counted(loss.cells, "cell") + ", and its table " +
-              counted(loss.columns, "column") + ": the rest is not in the page",
-          "give the head a cell for each column; for a bar within a cell, write `\\|`");
-    case Loss::Kind::cut_cell:
-      return reading_.error(
-          "E-table-cells", span, "this `|` ends the cell in the middle of " + loss.what,
-          "in a table, write `\\|` for a bar that ends no cell, and `\\$` for a dollar as text");
-    case Loss::Kind::no_table:
-      return reading_.warning("W-table-head", span,
-                              "this is no table: its head has " + counted(loss.cells, "cell") +
-                                  ", and the row of dashes below it " +
-                                  std::to_string(loss.columns),
-                              "give both as many; for a bar within a cell, write `\\|`");
-    case Loss::Kind::headless:
-      return reading_.warning(
-          "W-table-head", span, "this is no table: no head stands above the row of dashes",
-          "put a row above it; for a head without words, `" + empty_head(loss.columns) + "`");
-    case Loss::Kind::reference:
-      return reading_.warning(
-          "W-reference-unused", span,
-          "nothing uses the reference `" + loss.what + "`, so its line is not in the page",
-          "write `[…][" + loss.what +
-              "]` where it belongs, or remove it; for "
-              "the line as text, write `\\" +
-              loss.row + "`");
-    case Loss::Kind::second_reference:
-      return reading_.error("E-reference-name", span,
-                            "another reference is called `" + loss.what +
-                                "`, and each link by that name leads to its address",
-                            "give it a name of its own; capital and small letters are the same");
-    case Loss::Kind::footnote:
-      return reading_.warning("W-footnote-unused", span,
-                              "nothing refers to the footnote `" + loss.what +
-                                  "`, so it is not in the page, and nothing in it is checked",
-                              "write `[^" + loss.what + "]` where it belongs, or remove it");
-    case Loss::Kind::second_footnote:
-      return refuse_second_footnote(loss.what, span);
-  }
-}
-
-void LessonReader::refuse_second_footnote(const std::string& name, Span span) {
-  reading_.error("E-footnote-name", span, "another footnote of this page is called `" + name + "`",
-                 "give it a name of its own");
+void refuse_second_footnote(const std::string& name, Span span, Reading& reading) {
+  reading.error("E-footnote-name", span, "another footnote of this page is called `" + name + "`",
+                "give it a name of its own");
 }
 
 }  // namespace mjcourse

@@ -3,6 +3,7 @@
 
 #include "base/utf8.h"
 #include "lesson/blocks/lesson_reader.h"
+#include "lesson/blocks/read_image.h"
 #include "lesson/syntax/term_syntax.h"
 
 namespace mjcourse {
@@ -30,7 +31,7 @@ std::string link_around(cmark_node* node) {
 // Gives the node to go on with.
 cmark_node* LessonReader::read_text(cmark_node* node, Region& region) {
   refuse_unclosed_math(node, region);
-  refuse_blank_in_name(node, region);
+  refuse_blank_in_name(node, region.text, region.cursor, reading_);
   TextWithTerms text(node);
   // A term that ends in another node takes the rest of this one.
   for (std::size_t at = 0; (at = text.literal().find("[[", at)) != std::string::npos; at += 2) {
