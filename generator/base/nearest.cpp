@@ -10,7 +10,7 @@
 namespace mjcourse {
 namespace {
 
-// Longer names are nobody's slip of the fingers, and are not listed.
+// Longer names are no slips of the fingers, and are not listed.
 constexpr std::size_t kLongest = 80;  // characters
 // All suggestions of a run may take so many steps, a second, which no honest course comes near.
 constexpr std::uint64_t kMostSteps = 1'000'000'000;

@@ -1,8 +1,8 @@
 // Store: bytes that were made once and may be had again, by name.
 //
 // Two verbs over two kinds of names, as in Bazel's HTTP cache: `cas/HASH` holds the bytes whose
-// SHA-256 is HASH, `ac/HASH` what was found for a question whose SHA-256 is HASH. Whoever asks
-// must be ready to make the bytes anew: a store may lose anything at any time, and never gives
+// SHA-256 is HASH, `ac/HASH` what was found for a question whose SHA-256 is HASH. A caller that
+// asks must be ready to make the bytes anew: a store may lose anything at any time, and never gives
 // other bytes than those that were put.
 #pragma once
 

@@ -1,4 +1,4 @@
-// DependencySets: many files that results depend on alike, as one dependency.
+// DependencySets: makes one dependency of many files that results depend on alike.
 //
 // Behind each program stand the same hundreds of headers. As a dependency they have one name,
 // `files HASH`, and one value. Both are addresses in the store: of the list of their names, and of

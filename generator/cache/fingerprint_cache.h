@@ -1,4 +1,4 @@
-// FingerprintCache: fingerprints of files that were taken, and are believed for as long as the
+// FingerprintCache: keeps the fingerprints of files, which are believed for as long as the
 // files' status stays the same.
 //
 // For one evaluation, or for several; and for the next run, where a store keeps them: behind a

@@ -1,4 +1,4 @@
-// FolderStore: what the compiler made of headers alone, kept for every later program and run.
+// FolderStore: folders of files, each made once for a request and kept for later programs and runs.
 //
 // Enter with find() or get(). An entry is a folder of files, made once for a request (a text that
 // says all that went in but the contents of files) and made again when one of the files that were

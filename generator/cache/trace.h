@@ -1,6 +1,6 @@
 // Trace: what one piece of work has looked at, written down as it looks.
 //
-// Whoever evaluates a block reads files through `files()` and names whatever else it uses. So a
+// An evaluator of a block reads files through `files()` and names whatever else it uses. So a
 // result's dependencies are those that it had, and not those that somebody thought it had.
 // Tested by tests/generator/cache/result_store_test.cpp.
 #pragma once

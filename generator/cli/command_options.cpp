@@ -61,7 +61,7 @@ void add_store(CommandLine& line, std::filesystem::path& store) {
 
 void add_jobs(CommandLine& line, std::size_t& jobs) {
   line.value("--jobs", {"N", "a number of threads"},
-             "how many threads work (default: one for each core)",
+             "the number of threads (default: one for each core)",
              [&](const std::string& value) { return take_number(value, kMostJobs, jobs); });
 }
 
@@ -96,7 +96,7 @@ void declare(CommandLine& line, AcceptOptions& options) {
 
 void declare(CommandLine& line, BuildOptions& options) {
   add_course(line, options.course);
-  line.path("--out", kFolder, "where the site comes (default: build/site in the course)",
+  line.path("--out", kFolder, "where the site is written (default: build/site in the course)",
             options.out);
   line.value("--base-url", {"URL", "the address of a site, as https://example.org/course/"},
              "where the site is published, whatever course.yaml says",
@@ -105,7 +105,7 @@ void declare(CommandLine& line, BuildOptions& options) {
                return !site_address_fault(value);
              });
   line.flag("--compress",
-            "each file of text also as NAME.br and NAME.gz, for servers that send these",
+            "write NAME.br and NAME.gz beside each text file, for servers that send these",
             options.compress);
   add_report(line, options);
   add_evaluation(line, options);
@@ -113,10 +113,11 @@ void declare(CommandLine& line, BuildOptions& options) {
 
 void declare(CommandLine& line, CheckOptions& options) {
   add_course(line, options.course);
-  line.flag("--strict", "no warnings, and a reason for all that was not proved", options.strict);
+  line.flag("--strict", "treat warnings as errors, and ask a reason for all that is not proved",
+            options.strict);
   line.value("--format", {"NAME", format_names(0)},
-             "say it to another tool on stdout, and to you on stderr: " + format_names(1) +
-                 " (default: text)",
+             "write the messages for another tool to stdout, and for you to stderr: " +
+                 format_names(1) + " (default: text)",
              [&](const std::string& value) { return take_format(value, options.format); });
   add_report(line, options);
   add_evaluation(line, options);

@@ -20,8 +20,8 @@ constexpr int kLeftAlone = 1;
 }  // namespace
 
 int lsp(const LspOptions& options) {
-  CommandStore kept(options.store);
-  WriteBehindStore store(kept.store());
+  CommandStore command_store(options.store);
+  WriteBehindStore store(command_store.store());
   const DiskFiles assets(assets_folder());
   Workplace workplace = workplace_of(options, assets, &store);
   workplace.fingerprint_cache = std::make_shared<FingerprintCache>(kPatienceWhileEditing);

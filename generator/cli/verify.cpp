@@ -132,7 +132,7 @@ void evaluate_course(const CourseOptions& options, Verified& verified, bool all_
 Verified verify_course(const VerifyOptions& options) {
   const Stopwatch stopwatch;
   Verified verified = read_course_of(options);
-  // Who looks at all that every lesson states.
+  // These need every claim of every lesson.
   const bool all_claims = options.strict || !options.report.empty() ||
                           options.format == Format::json || options.format == Format::junit;
   evaluate_course(options, verified, all_claims);

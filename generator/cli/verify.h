@@ -20,7 +20,8 @@ struct Verified {
   double seconds = 0;  // measured
 };
 
-// The steps one by one, none of which prints: read the course, then evaluate it, if there is one.
+// The steps one by one, none of which prints diagnostics: read the course, then evaluate it, if
+// there is one.
 Verified read_course_of(const CourseOptions& options);
 // `all_claims`: also those of lessons that state nothing but what nobody runs.
 void evaluate_course(const CourseOptions& options, Verified& verified, bool all_claims);

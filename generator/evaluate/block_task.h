@@ -20,11 +20,11 @@ class BlockTask : public Task {
   double effort() const override;
   Dependencies recipe(const RunContext& run_context) const override;
   bool is_apart() const override;
-  bool work_apart(WorkerContext& worker, Finding& finding) override;
-  bool work(WorkerContext& worker, Finding& finding) override;
+  bool work_apart(WorkerContext& worker_context, Finding& finding) override;
+  bool work(WorkerContext& worker_context, Finding& finding) override;
 
  private:
-  bool find_out(WorkerContext& worker, Finding& finding) const;
+  bool find_out(WorkerContext& worker_context, Finding& finding) const;
 
   const Block& block_;
 };

@@ -18,9 +18,9 @@ Dependencies CommandsTask::recipe(const RunContext& run_context) const {
   return recipe_of(run_context, "commands", text);
 }
 
-bool CommandsTask::work(WorkerContext& worker, Finding& finding) {
+bool CommandsTask::work(WorkerContext& worker_context, Finding& finding) {
   const Stopwatch stopwatch;
-  auto result = evaluate_commands(commands(), lesson(), worker, finding.diagnostics);
+  auto result = evaluate_commands(commands(), lesson(), worker_context, finding.diagnostics);
   if (!result) return false;
   finding.results[block()] = *std::move(result);
   finding.seconds[block()] = stopwatch.seconds();

@@ -14,7 +14,7 @@ class CommandsTask : public Task {
   std::string name() const override;
   double effort() const override { return 5; }  // they may well build something
   Dependencies recipe(const RunContext& run_context) const override;
-  bool work(WorkerContext& worker, Finding& finding) override;
+  bool work(WorkerContext& worker_context, Finding& finding) override;
 
  private:
   const Commands& commands() const { return std::get<Commands>(lesson().blocks[block()]); }

@@ -1,6 +1,6 @@
 // Enter evaluating here: from a course that was read to what is true of it.
 //
-// Steps: the course is planned as tasks (plan.h); a scheduler works them off on all cores, and
+// Steps: the course is planned as tasks (plan.h); a scheduler runs them on all cores, and
 // takes from the store what was found out before (scheduler.h); what the tasks found is gathered
 // under the blocks; outputs are held against what the programs printed; and all of it becomes
 // claims (claims.h). What always holds: the results and the diagnostics depend neither on the

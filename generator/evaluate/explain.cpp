@@ -16,7 +16,7 @@ class Explainer {
                      workplace.script_bundles),
         fingerprints_(workplace.root),
         task_store_(*workplace.store, workplace.root, fingerprints_),
-        worker_(run_context_),
+        worker_context_(run_context_),
         tasks_(plan_tasks(course)),
         records_(tasks_.size()) {}
 
@@ -36,7 +36,7 @@ class Explainer {
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
       Task& task = *tasks_[i];
       TaskRecord& record = records_[i];
-      if (task.quotes() != quoting || !task.prepare(worker_, record.finding)) continue;
+      if (task.quotes() != quoting || !task.prepare(worker_context_, record.finding)) continue;
       record.recipe = task.recipe(run_context_);
       before_[&task] = task_store_.last(task);
       task_store_.find(task, record);
@@ -63,7 +63,7 @@ class Explainer {
   RunContext run_context_;
   Fingerprints fingerprints_;
   TaskStore task_store_;
-  WorkerContext worker_;
+  WorkerContext worker_context_;
   Tasks tasks_;
   std::vector<TaskRecord> records_;
   std::map<const Task*, Dependencies> before_;

@@ -1,8 +1,7 @@
-// FormerNames: which result each task of a course had when it was looked at last, for who asks what
-// has changed since.
+// FormerNames: for each task of a course, the name of its last result. `explain` compares with it.
 //
 // It is a question about this folder, and not about what is in it: one entry of the store, read
-// when it is first needed, and written at the end where anything is another.
+// when it is first needed, and written at the end where anything changed.
 // Tested by tests/store/dependencies.mjs.
 #pragma once
 

@@ -35,14 +35,14 @@ Dependencies FormulasTask::recipe(const RunContext& run_context) const {
   return recipe;
 }
 
-bool FormulasTask::work(WorkerContext& worker, Finding& finding) {
+bool FormulasTask::work(WorkerContext& worker_context, Finding& finding) {
   bool whole = true;
   std::size_t markup = 0;
   for (std::size_t i = block(); i < lesson().blocks.size(); ++i) {
     const auto* math = std::get_if<Math>(&lesson().blocks[i]);
     if (math == nullptr) continue;
     const Stopwatch stopwatch;
-    auto result = evaluate_formula(*math, lesson(), worker, finding.diagnostics);
+    auto result = evaluate_formula(*math, lesson(), worker_context, finding.diagnostics);
     whole = whole && result;
     if (!result) continue;
     markup += result->markup.size();

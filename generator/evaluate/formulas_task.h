@@ -14,7 +14,7 @@ class FormulasTask : public Task {
 
   std::vector<std::size_t> blocks() const override;
   Dependencies recipe(const RunContext& run_context) const override;
-  bool work(WorkerContext& worker, Finding& finding) override;
+  bool work(WorkerContext& worker_context, Finding& finding) override;
 };
 
 }  // namespace mjcourse

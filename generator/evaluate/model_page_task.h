@@ -23,8 +23,8 @@ class ModelPageTask : public Task {
   double effort() const override { return 0.2; }
   Dependencies recipe(const RunContext& run_context) const override;
   bool is_apart() const override { return true; }
-  bool work_apart(WorkerContext& worker, Finding& finding) override;
-  bool work(WorkerContext& worker, Finding& finding) override;
+  bool work_apart(WorkerContext& worker_context, Finding& finding) override;
+  bool work(WorkerContext& worker_context, Finding& finding) override;
 
  private:
   LocatedText name_;

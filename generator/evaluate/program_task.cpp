@@ -27,8 +27,8 @@ std::vector<std::string> ProgramTask::warm_roots(const RunContext& run_context) 
   return mjcourse::warm_roots(code_->text.text, run_context.include_folders());
 }
 
-bool ProgramTask::prepare(WorkerContext& worker, Finding& finding) {
-  const DiskFiles files(worker.root());
+bool ProgramTask::prepare(WorkerContext& worker_context, Finding& finding) {
+  const DiskFiles files(worker_context.root());
   const std::string& path = program_.file.text;
   if (const std::string why = files.refusal(path); !why.empty()) {
     const Place place = place_of(*lesson().source, program_.file.span());
@@ -36,14 +36,15 @@ bool ProgramTask::prepare(WorkerContext& worker, Finding& finding) {
     return false;
   }
   file_ = files.read(path);
-  code_ = code_of(program_, worker.run_context().shown().at(program_.file.text), lesson(), file_,
-                  finding.diagnostics);
+  code_ = code_of(program_, worker_context.run_context().shown().at(program_.file.text), lesson(),
+                  file_, finding.diagnostics);
   return code_.has_value();
 }
 
-bool ProgramTask::work(WorkerContext& worker, Finding& finding) {
+bool ProgramTask::work(WorkerContext& worker_context, Finding& finding) {
   const Stopwatch stopwatch;
-  auto result = evaluate_example(program_, code_->text, lesson(), worker, finding.diagnostics);
+  auto result =
+      evaluate_example(program_, code_->text, lesson(), worker_context, finding.diagnostics);
   if (!result) return false;
   finding.results[block()] = *std::move(result);
   finding.seconds[block()] = stopwatch.seconds();
@@ -51,9 +52,9 @@ bool ProgramTask::work(WorkerContext& worker, Finding& finding) {
 }
 
 // The program is as it should be, so its file may be written from what the lesson shows.
-void ProgramTask::conclude(WorkerContext& worker, Finding& finding) {
+void ProgramTask::conclude(WorkerContext& worker_context, Finding& finding) {
   if (!code_ || !code_->differs || !finding.results.contains(block())) return;
-  offer_file(program_, worker.run_context().shown().at(program_.file.text), lesson(), file_,
+  offer_file(program_, worker_context.run_context().shown().at(program_.file.text), lesson(), file_,
              finding.diagnostics[*code_->differs]);
 }
 

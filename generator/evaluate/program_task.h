@@ -23,9 +23,9 @@ class ProgramTask : public Task {
   bool compiles() const override { return true; }
   std::vector<std::string> warm_roots(const RunContext& run_context) const override;
   Dependencies recipe(const RunContext& run_context) const override;
-  bool prepare(WorkerContext& worker, Finding& finding) override;
-  bool work(WorkerContext& worker, Finding& finding) override;
-  void conclude(WorkerContext& worker, Finding& finding) override;
+  bool prepare(WorkerContext& worker_context, Finding& finding) override;
+  bool work(WorkerContext& worker_context, Finding& finding) override;
+  void conclude(WorkerContext& worker_context, Finding& finding) override;
 
  private:
   Example program_;

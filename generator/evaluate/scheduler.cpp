@@ -17,7 +17,7 @@
 namespace mjcourse {
 namespace {
 
-// What nobody foresaw ends one task, and not the check of all others.
+// An exception that nobody foresaw ends one task, and not the check of all others.
 TaskRecord failure(const Task& task, const std::exception& error) {
   TaskRecord record;
   record.looked = true;

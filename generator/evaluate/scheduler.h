@@ -1,4 +1,4 @@
-// Scheduler: the tasks of a course, worked off on several threads.
+// Scheduler: runs the tasks of a course on several threads.
 //
 // Steps of a task: it is prepared; its finding is looked up among those that were kept, or else
 // worked out, and kept if it is whole and came without a word; it is concluded. One thread first
@@ -30,7 +30,7 @@ using TaskRecords = std::vector<TaskRecord>;  // one for each task, in their ord
 
 class Scheduler {
  public:
-  // `archive` may be null. All must outlive this. Without a `worker`, all is worked on in this
+  // `task_store` may be null. All must outlive this. Without a `worker`, all tasks run in this
   // process.
   Scheduler(const RunContext& run_context, TaskStore* task_store, Progress& progress,
             std::size_t threads, Effort effort = Effort::all,

@@ -33,17 +33,17 @@ std::vector<std::string> SnippetsTask::warm_roots(const RunContext& run_context)
   return mjcourse::warm_roots(snippets_prelude(include), include);
 }
 
-bool SnippetsTask::work_apart(WorkerContext& worker, Finding& finding) {
+bool SnippetsTask::work_apart(WorkerContext& worker_context, Finding& finding) {
   for (const Block& block : lesson().blocks) {
     if (const auto* snippet = std::get_if<Snippet>(&block)) {
-      worker.simulate_named(snippet->model, *lesson().source, finding.diagnostics);
+      worker_context.simulate_named(snippet->model, *lesson().source, finding.diagnostics);
     }
   }
   return true;
 }
 
-bool SnippetsTask::work(WorkerContext& worker, Finding& finding) {
-  for (auto& [index, result] : evaluate_snippets(lesson(), worker, finding.diagnostics)) {
+bool SnippetsTask::work(WorkerContext& worker_context, Finding& finding) {
+  for (auto& [index, result] : evaluate_snippets(lesson(), worker_context, finding.diagnostics)) {
     finding.results[index] = std::move(result);
   }
   return finding.results.size() == blocks().size();

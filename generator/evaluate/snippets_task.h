@@ -19,8 +19,8 @@ class SnippetsTask : public Task {
   Dependencies recipe(const RunContext& run_context) const override;
   // Their models.
   bool is_apart() const override { return true; }
-  bool work_apart(WorkerContext& worker, Finding& finding) override;
-  bool work(WorkerContext& worker, Finding& finding) override;
+  bool work_apart(WorkerContext& worker_context, Finding& finding) override;
+  bool work(WorkerContext& worker_context, Finding& finding) override;
 };
 
 }  // namespace mjcourse

@@ -1,5 +1,4 @@
-// Task: one piece of evaluating that is done for itself, on any thread, and whose finding can be
-// kept.
+// Task: a unit of evaluation, which runs by itself on any thread, and whose finding can be kept.
 //
 // What always holds: a task sees the lesson, the course's files by the worker context's trace, and
 // what its recipe names; nothing else. So a finding that was kept under both is what working would

@@ -71,19 +71,20 @@ class Answerer {
   WorkAnswer answer(const WorkQuestion& question) {
     course_.models = question.models;
     if (question.reports) take_reports(*question.reports);
-    WorkerContext& worker = worker_ ? *worker_ : worker_.emplace(run_context_);
-    worker.trace().clear();
+    WorkerContext& worker_context =
+        worker_context_ ? *worker_context_ : worker_context_.emplace(run_context_);
+    worker_context.trace().clear();
     WorkAnswer answer;
     try {
       Task& task = task_of(question);
-      answer.whole = task.work_apart(worker, answer.finding);
-      worker.let_go();
-      answer.looked_at = worker.trace().names();
-      answer.traced = worker.trace().complete() && worker.trace().sets().empty();
+      answer.whole = task.work_apart(worker_context, answer.finding);
+      worker_context.let_go();
+      answer.looked_at = worker_context.trace().names();
+      answer.traced = worker_context.trace().complete() && worker_context.trace().sets().empty();
     } catch (const std::exception& error) {
       answer = {};
       answer.failure = error.what();
-      worker_.reset();  // it may have left anything there
+      worker_context_.reset();  // it may have left anything there
     }
     return answer;
   }
@@ -124,7 +125,7 @@ class Answerer {
 
   Course course_;  // without lessons, which no task looks at but at its own
   RunContext run_context_;
-  std::optional<WorkerContext> worker_;
+  std::optional<WorkerContext> worker_context_;
   std::map<std::string, std::optional<Page>> pages_;
   std::map<std::string, ExampleResult> programs_;
 };

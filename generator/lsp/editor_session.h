@@ -26,7 +26,7 @@ class EditorSession {
   EditorSession& operator=(const EditorSession&) = delete;
 
   // What the editor does; the parameters are the protocol's. They throw nlohmann's exceptions where
-  // these are not as they must be. Documents outside of the course are none of ours.
+  // these are not as they must be. Documents outside of the course are ignored.
   void open(const nlohmann::json& params);
   void change(const nlohmann::json& params);
   void close(const nlohmann::json& params);

@@ -92,10 +92,10 @@ void LanguageServer::take(const std::string& body) {
 
 void LanguageServer::ask(const json& id, const std::string& method, const json& params) {
   if (method == "initialize") {
-    if (desk_) return connection_.refuse(id, Fault::no_request, "this was said before");
+    if (session_) return connection_.refuse(id, Fault::no_request, "this was said before");
     return connection_.answer(id, initialize(params));
   }
-  if (!desk_) return connection_.refuse(id, Fault::not_initialized, "`initialize` comes first");
+  if (!session_) return connection_.refuse(id, Fault::not_initialized, "`initialize` comes first");
   if (shut_down_) return connection_.refuse(id, Fault::no_request, "`shutdown` was said");
   if (method == "shutdown") {
     shut_down_ = true;
@@ -105,20 +105,20 @@ void LanguageServer::ask(const json& id, const std::string& method, const json& 
   if (known == questions().end()) {
     return connection_.refuse(id, Fault::unknown_method, "there is no method " + method);
   }
-  connection_.answer(id, std::invoke(known->second, *desk_, params));
+  connection_.answer(id, std::invoke(known->second, *session_, params));
 }
 
 void LanguageServer::tell(const std::string& method, const json& params) {
   if (method == "exit") over_ = true;
   const auto known = events().find(method);
-  if (desk_ && known != events().end()) std::invoke(known->second, *desk_, params);
+  if (session_ && known != events().end()) std::invoke(known->second, *session_, params);
 }
 
 json LanguageServer::initialize(const json& params) {
   const auto root = setup_.root_named ? std::nullopt : root_in(params);
   if (root) setup_.workplace.root = *root;
   const Units units = units_in(params);
-  desk_ = std::make_unique<EditorSession>(setup_.workplace, units, connection_);
+  session_ = std::make_unique<EditorSession>(setup_.workplace, units, connection_);
   return {{"capabilities",
            {{"positionEncoding", units == Units::utf8 ? "utf-8" : "utf-16"},
             {"textDocumentSync", {{"openClose", true}, {"change", 2}}},

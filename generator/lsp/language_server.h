@@ -42,7 +42,7 @@ class LanguageServer {
 
   Setup setup_;
   Connection connection_;
-  std::unique_ptr<EditorSession> desk_;  // null before `initialize`
+  std::unique_ptr<EditorSession> session_;  // null before `initialize`
   bool shut_down_ = false, over_ = false;
 };
 

@@ -9,7 +9,7 @@
 
 namespace mjcourse {
 
-// The page's body; `context` writes api.html.
+// The page's body; `context` is that of api.html.
 std::string api_page(const Course& course, const Evaluation& evaluation,
                      const PageContext& context);
 

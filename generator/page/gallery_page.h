@@ -9,7 +9,7 @@
 
 namespace mjcourse {
 
-// The page's body; `context` writes models.html.
+// The page's body; `context` is that of models.html.
 std::string gallery_page(const Course& course, const Evaluation& evaluation,
                          const PageContext& context);
 

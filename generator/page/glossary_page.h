@@ -9,7 +9,8 @@
 
 namespace mjcourse {
 
-// The page's body; `context` writes glossary.html. `collation` is the text of script/collate.js.
+// The page's body; `context` is that of glossary.html. `collation` is the text of
+// script/collate.js.
 std::string glossary_page(const Course& course, const Evaluation& evaluation,
                           const PageContext& context, const std::string& collation);
 

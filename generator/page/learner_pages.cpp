@@ -35,7 +35,7 @@ std::string questions_script(const SiteData& site, const std::vector<LessonParts
 }  // namespace
 
 void write_progress(const SiteData& site, const std::vector<LessonParts>& parts,
-                    PageRenderer& context, Spool& spool) {
+                    PageRenderer& renderer, Spool& spool) {
   json levels = json::array();
   std::vector<PagePart> rows;
   for (const Level& level : site.course.levels) {
@@ -46,43 +46,43 @@ void write_progress(const SiteData& site, const std::vector<LessonParts>& parts,
     if (of_level.pieces.empty()) continue;
     levels.push_back({{"title", level.title}, {"rows", of_level.mark}});
   }
-  const std::string body = render_template(context.templates(), "progress",
+  const std::string body = render_template(renderer.templates(), "progress",
                                            {{"title", kProgressTitle},
                                             {"course", site.course.title},
                                             {"review", site.asks},
                                             {"levels", std::move(levels)},
                                             {"sheet", site.manifest.at("learner.css")},
                                             {"script", site.manifest.at("progress.js")}});
-  context.write_long(kProgressPage,
-                     {"progress", kProgressTitle,
-                      "What this browser remembers of your reading of " + site.course.title + "."},
-                     body, rows, spool);
+  renderer.write_long(kProgressPage,
+                      {"progress", kProgressTitle,
+                       "What this browser remembers of your reading of " + site.course.title + "."},
+                      body, rows, spool);
 }
 
 void write_review(const SiteData& site, const std::vector<LessonParts>& parts,
-                  PageRenderer& context, SiteFiles& directory, const Spool& spool) {
+                  PageRenderer& renderer, SiteFiles& directory, const Spool& spool) {
   InlineStyles styles;
   const std::string script = questions_script(site, parts, styles, spool);
   const std::string path = "review/questions-" + content_hash(script) + ".js";
   directory.write(path, script);
-  const std::string body = render_template(context.templates(), "review",
+  const std::string body = render_template(renderer.templates(), "review",
                                            {{"title", kReviewTitle},
                                             {"questions", path},
                                             {"sheet", site.manifest.at("learner.css")},
                                             {"script", site.manifest.at("review.js")}});
-  context.write(kReviewPage,
-                {"review", kReviewTitle,
-                 "Questions of " + site.course.title + " that come again after some days."},
-                body, styles);
+  renderer.write(kReviewPage,
+                 {"review", kReviewTitle,
+                  "Questions of " + site.course.title + " that come again after some days."},
+                 body, styles);
 }
 
-void write_kept(const SiteData& site, PageRenderer& context) {
+void write_kept(const SiteData& site, PageRenderer& renderer) {
   InlineStyles styles;
-  const std::string body = render_template(context.templates(), "kept",
+  const std::string body = render_template(renderer.templates(), "kept",
                                            {{"title", kKeptTitle},
                                             {"sheet", site.manifest.at("learner.css")},
                                             {"script", site.manifest.at("kept.js")}});
-  context.write(
+  renderer.write(
       kKeptPage,
       {"kept", kKeptTitle,
        "What this device keeps of " + site.course.title + ", to be read without a network."},

@@ -17,14 +17,14 @@ namespace mjcourse {
 
 // `parts` are those of the lessons, by their index.
 void write_progress(const SiteData& site, const std::vector<LessonParts>& parts,
-                    PageRenderer& context, Spool& spool);
+                    PageRenderer& renderer, Spool& spool);
 
 // With the file of all questions: a script and no JSON, as a page that was opened from the disk can
 // load nothing else. It calls itself `mjcourseQuestions`; site/browser/client/review/deck.ts says
 // what it is.
 void write_review(const SiteData& site, const std::vector<LessonParts>& parts,
-                  PageRenderer& context, SiteFiles& directory, const Spool& spool);
+                  PageRenderer& renderer, SiteFiles& directory, const Spool& spool);
 
-void write_kept(const SiteData& site, PageRenderer& context);
+void write_kept(const SiteData& site, PageRenderer& renderer);
 
 }  // namespace mjcourse

@@ -53,7 +53,7 @@ void copy_images(const Lesson& page, const LessonResults& results, SiteFiles& di
   }
 }
 
-void write_lesson(const SiteData& site, std::size_t index, PageRenderer& context,
+void write_lesson(const SiteData& site, std::size_t index, PageRenderer& renderer,
                   SiteFiles& directory, Spool& spool, PrintedLength& printed, LessonParts* parts) {
   const Lesson& resting = site.course.lessons[index];
   std::optional<Lesson> woken;
@@ -62,15 +62,15 @@ void write_lesson(const SiteData& site, std::size_t index, PageRenderer& context
   const LessonResults& results = site.evaluation.lessons[index];
   const std::string path = page_path(lesson);
   InlineStyles styles;
-  PageWriter writer(site.course, lesson, results, context.context(styles, path));
-  const LessonPage page = lesson_page(site, lesson, index, writer, context.templates());
+  PageWriter writer(site.course, lesson, results, renderer.context(styles, path));
+  const LessonPage page = lesson_page(site, lesson, index, writer, renderer.templates());
   const Document& summary = lesson.front.summary;
   const std::string description = summary ? plain_text(summary.get()) : site.course.description;
   const std::optional<SharedPicture> picture = shared_picture(lesson, results);
-  context.write(path,
-                {"lesson", lesson.number + " " + lesson.front.title.text, description, "../",
-                 &resting, picture},
-                page.body, styles);
+  renderer.write(path,
+                 {"lesson", lesson.number + " " + lesson.front.title.text, description, "../",
+                  &resting, picture},
+                 page.body, styles);
   write_pictures(lesson, results, directory);
   copy_images(lesson, results, directory);
   write_tables(lesson, results, directory);
@@ -79,24 +79,24 @@ void write_lesson(const SiteData& site, std::size_t index, PageRenderer& context
   if (parts == nullptr) return;
   const bool is_card = resting.kept == Lesson::Kept::card;
   *parts = verification_parts(lesson, is_card ? site.claims_of_card(lesson) : results.claims,
-                              context.templates(), spool);
+                              renderer.templates(), spool);
   add_search_part(lesson, results, search_share(site.course), spool, *parts);
   if (printed.fits()) {
-    add_printed_parts(site, lesson, page, writer, context.templates(), spool, *parts);
+    add_printed_parts(site, lesson, page, writer, renderer.templates(), spool, *parts);
     printed.add(*parts);
   }
   parts->picture = picture;
   parts->news =
-      spool.put(feed_entry(site, lesson, summary ? description : "", context.templates()));
+      spool.put(feed_entry(site, lesson, summary ? description : "", renderer.templates()));
   const bool beside = level_of(site.course, lesson).number.empty();
   const CardPlace place =
       beside ? CardPlace::beside : (index == 0 ? CardPlace::first : CardPlace::within);
-  const PageWriter home(site.course, lesson, results, context.context(styles, "index.html"));
-  parts->card = spool.put(home_card(lesson, results, place, home, context.templates()));
-  PageWriter review(site.course, lesson, results, context.context(styles, kReviewPage));
+  const PageWriter home(site.course, lesson, results, renderer.context(styles, "index.html"));
+  parts->card = spool.put(home_card(lesson, results, place, home, renderer.templates()));
+  PageWriter review(site.course, lesson, results, renderer.context(styles, kReviewPage));
   const nlohmann::json questions = review.questions();
-  parts->progress = spool.put(progress_row(lesson, questions, context.templates()));
-  parts->review = spool.put(review_json(lesson, questions, context.templates()));
+  parts->progress = spool.put(progress_row(lesson, questions, renderer.templates()));
+  parts->review = spool.put(review_json(lesson, questions, renderer.templates()));
 }
 
 }  // namespace mjcourse

@@ -15,8 +15,8 @@ namespace mjcourse {
 
 // Write all of lesson `index`. Where `parts` is given, it gets what the pages that list all lessons
 // have of it, and `printed` grows by what is printed. Safe on several threads at once, each with
-// its own `context` and with other lessons.
-void write_lesson(const SiteData& site, std::size_t index, PageRenderer& context,
+// its own `renderer` and its own lessons.
+void write_lesson(const SiteData& site, std::size_t index, PageRenderer& renderer,
                   SiteFiles& directory, Spool& spool, PrintedLength& printed, LessonParts* parts);
 
 void write_labs(const std::vector<LabFiles>& labs, SiteFiles& directory);

@@ -48,7 +48,7 @@ void write_json(const json& all, const std::vector<const LessonParts*>& lessons,
 
 }  // namespace
 
-void write_home(const SiteData& site, const std::vector<LessonParts>& parts, PageRenderer& context,
+void write_home(const SiteData& site, const std::vector<LessonParts>& parts, PageRenderer& renderer,
                 Spool& spool) {
   const Course& course = site.course;
   json levels = json::array();
@@ -68,20 +68,20 @@ void write_home(const SiteData& site, const std::vector<LessonParts>& parts, Pag
                       {"cards", of_level.mark}});
   }
   const std::string body = render_template(
-      context.templates(), "home",
+      renderer.templates(), "home",
       {{"course", {{"title", course.title}, {"description", course.description}}},
        {"root", ""},
        {"script", site.manifest.at("home.js")},
        {"print", site.prints ? kPrintPage : ""},
        {"levels", std::move(levels)},
        {"verified", verified_data(total, site.evaluation.versions.mujoco, kVerificationPage)}});
-  context.write_long("index.html",
-                     {"home", course.title, course.description, "", nullptr, std::move(picture)},
-                     body, cards, spool);
+  renderer.write_long("index.html",
+                      {"home", course.title, course.description, "", nullptr, std::move(picture)},
+                      body, cards, spool);
 }
 
 void write_verification(const SiteData& site, const std::vector<LessonParts>& parts,
-                        PageRenderer& context, SiteFiles& directory, Spool& spool) {
+                        PageRenderer& renderer, SiteFiles& directory, Spool& spool) {
   const std::vector<const LessonParts*> lessons = published_parts(site, parts);
   json all = verification_of_none(site.course.title, site.evaluation.versions);
   PagePart open{placeholder("open"), {}}, sections{placeholder("lessons"), {}};
@@ -98,10 +98,10 @@ void write_verification(const SiteData& site, const std::vector<LessonParts>& pa
   json data = verification_data(all, true, {});
   if (!open.pieces.empty()) data["open_parts"] = open.mark;
   data["lesson_parts"] = sections.mark;
-  context.write_long(
+  renderer.write_long(
       kVerificationPage,
       {"verification", "What was verified", "What this course states, and how it was checked."},
-      render_template(context.templates(), "verification", data), {open, sections}, spool);
+      render_template(renderer.templates(), "verification", data), {open, sections}, spool);
 }
 
 }  // namespace mjcourse

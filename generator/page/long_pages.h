@@ -12,9 +12,9 @@ namespace mjcourse {
 
 // `parts` are those of the lessons, by their index, and behind them the glossary's, where there is
 // one. Those of drafts are empty.
-void write_home(const SiteData& site, const std::vector<LessonParts>& parts, PageRenderer& context,
+void write_home(const SiteData& site, const std::vector<LessonParts>& parts, PageRenderer& renderer,
                 Spool& spool);
 void write_verification(const SiteData& site, const std::vector<LessonParts>& parts,
-                        PageRenderer& context, SiteFiles& directory, Spool& spool);
+                        PageRenderer& renderer, SiteFiles& directory, Spool& spool);
 
 }  // namespace mjcourse

@@ -17,7 +17,7 @@ struct ModelPageHtml {
   std::vector<LabFiles> lab_files;  // what its lab needs beside it
 };
 
-// `context` writes models/NAME.html.
+// `context` is that of models/NAME.html.
 ModelPageHtml model_page(const ModelPage& model, const Course& course, const Evaluation& evaluation,
                          const PageContext& context);
 

@@ -32,7 +32,7 @@ struct PagePart {
 
 // The script engines of a renderer, which serve any number of sites one after the other.
 struct PageEngines {
-  // Who writes the same pages again and again gives more memory, in bytes for each.
+  // A caller that writes the same pages again and again gives more `memory`, in bytes for each.
   explicit PageEngines(const Files& assets, std::size_t memory = kLittleMemory);
   Templates templates;
   Highlighter highlighter;

@@ -142,7 +142,7 @@ void add_printed_parts(const SiteData& site, const Lesson& lesson, const LessonP
 }
 
 void write_printed_course(const SiteData& site, const std::vector<LessonParts>& parts,
-                          const std::string& glossary, PageRenderer& context, Spool& spool,
+                          const std::string& glossary, PageRenderer& renderer, Spool& spool,
                           SiteFiles& directory) {
   const Course& course = site.course;
   PagePart text{placeholder("text"), {}}, terms{placeholder("terms"), {}},
@@ -164,7 +164,7 @@ void write_printed_course(const SiteData& site, const std::vector<LessonParts>& 
   const std::string sheet = "styles/print-" + content_hash(heads) + ".css";
   directory.write(sheet, heads);
   const std::string body =
-      render_template(context.templates(), "print",
+      render_template(renderer.templates(), "print",
                       {{"title", course.title},
                        {"description", course.description},
                        {"address", course.url},
@@ -176,7 +176,7 @@ void write_printed_course(const SiteData& site, const std::vector<LessonParts>& 
                        {"text", text.mark},
                        {"terms", terms.mark},
                        {"answers", answers.pieces.empty() ? "" : answers.mark}});
-  context.write_long(
+  renderer.write_long(
       kPrintPage,
       {"print", "To print", "All of " + course.title + " as one document, to print or to keep."},
       body, {text, terms, answers}, spool);

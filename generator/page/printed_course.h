@@ -39,7 +39,7 @@ void add_printed_parts(const SiteData& site, const Lesson& lesson, const LessonP
 
 // `parts` are those of the lessons, by their index; `glossary` is the glossary's body, "" for none.
 void write_printed_course(const SiteData& site, const std::vector<LessonParts>& parts,
-                          const std::string& glossary, PageRenderer& context, Spool& spool,
+                          const std::string& glossary, PageRenderer& renderer, Spool& spool,
                           SiteFiles& directory);
 
 }  // namespace mjcourse

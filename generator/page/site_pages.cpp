@@ -63,107 +63,107 @@ SitePages::SitePages(const Course& course, const Evaluation& evaluation,
 }
 
 void SitePages::write_lesson(std::size_t index, PageEngines& engines, bool alone) {
-  PageRenderer context(site_, out_, engines);
-  mjcourse::write_lesson(site_, index, context, out_, spool_, printed_,
+  PageRenderer renderer(site_, out_, engines);
+  mjcourse::write_lesson(site_, index, renderer, out_, spool_, printed_,
                          alone ? nullptr : &parts_[index]);
 }
 
 void SitePages::write_others(PageEngines& engines) {
-  PageRenderer context(site_, out_, engines);
+  PageRenderer renderer(site_, out_, engines);
   const Course& course = site_.course;
   const Evaluation& evaluation = site_.evaluation;
   site_.prints = printed_.fits();
   if (course.glossary) {
     parts_.back() = verification_parts(course.glossary->page, evaluation.glossary.claims,
-                                       context.templates(), spool_);
+                                       renderer.templates(), spool_);
   }
-  write_home(site_, parts_, context, spool_);
-  write_verification(site_, parts_, context, out_, spool_);
-  write_progress(site_, parts_, context, spool_);
-  write_kept(site_, context);
-  if (site_.asks) write_review(site_, parts_, context, out_, spool_);
-  const std::string glossary = course.glossary ? write_glossary(context) : "";
-  if (site_.prints) write_printed_course(site_, parts_, glossary, context, spool_, out_);
-  if (!evaluation.api.empty()) write_api(context);
-  for (const ModelPage& model : evaluation.models) write_model(model, context);
-  if (!evaluation.models.empty()) write_gallery(context);
-  write_missing(context);
-  write_search(context);
+  write_home(site_, parts_, renderer, spool_);
+  write_verification(site_, parts_, renderer, out_, spool_);
+  write_progress(site_, parts_, renderer, spool_);
+  write_kept(site_, renderer);
+  if (site_.asks) write_review(site_, parts_, renderer, out_, spool_);
+  const std::string glossary = course.glossary ? write_glossary(renderer) : "";
+  if (site_.prints) write_printed_course(site_, parts_, glossary, renderer, spool_, out_);
+  if (!evaluation.api.empty()) write_api(renderer);
+  for (const ModelPage& model : evaluation.models) write_model(model, renderer);
+  if (!evaluation.models.empty()) write_gallery(renderer);
+  write_missing(renderer);
+  write_search(renderer);
   write_search_index(site_, parts_, spool_, out_);
   copy_examples();
-  write_moved_pages(site_, context.templates(), out_);
-  write_web_files(site_, parts_, context.templates(), out_, spool_);
+  write_moved_pages(site_, renderer.templates(), out_);
+  write_web_files(site_, parts_, renderer.templates(), out_, spool_);
   const PlotGrammar grammar = read_plot_grammar(site_.assets);
   for (const JsonFence& fence : json_fences()) {
     out_.write(schema_path(fence), json_schema(fence, grammar).dump(2) + "\n");
   }
 }
 
-std::string SitePages::write_glossary(PageRenderer& context) {
+std::string SitePages::write_glossary(PageRenderer& renderer) {
   const Course& course = site_.course;
   const Lesson& glossary = course.glossary->page;
   const std::string path = page_path(glossary);
   InlineStyles styles;
-  std::string body = glossary_page(course, site_.evaluation, context.context(styles, path),
+  std::string body = glossary_page(course, site_.evaluation, renderer.context(styles, path),
                                    script_bundle(site_.assets, "collate"));
   copy_images(glossary, site_.evaluation.glossary, out_);
   const Document& summary = glossary.front.summary;
-  context.write(path,
-                {"glossary", glossary.front.title.text,
-                 summary ? plain_text(summary.get()) : course.description},
-                body, styles);
+  renderer.write(path,
+                 {"glossary", glossary.front.title.text,
+                  summary ? plain_text(summary.get()) : course.description},
+                 body, styles);
   return body;
 }
 
-void SitePages::write_api(PageRenderer& context) {
+void SitePages::write_api(PageRenderer& renderer) {
   InlineStyles styles;
   const std::string body =
-      api_page(site_.course, site_.evaluation, context.context(styles, kApiPage));
-  context.write(kApiPage,
-                {"api", kApiTitle,
-                 "What " + site_.course.title + " uses of MuJoCo " +
-                     site_.evaluation.versions.mujoco + ", as its headers declare it."},
-                body, styles);
+      api_page(site_.course, site_.evaluation, renderer.context(styles, kApiPage));
+  renderer.write(kApiPage,
+                 {"api", kApiTitle,
+                  "What " + site_.course.title + " uses of MuJoCo " +
+                      site_.evaluation.versions.mujoco + ", as its headers declare it."},
+                 body, styles);
 }
 
-void SitePages::write_gallery(PageRenderer& context) {
+void SitePages::write_gallery(PageRenderer& renderer) {
   InlineStyles styles;
   const std::string body =
-      gallery_page(site_.course, site_.evaluation, context.context(styles, kGalleryPage));
-  context.write(
+      gallery_page(site_.course, site_.evaluation, renderer.context(styles, kGalleryPage));
+  renderer.write(
       kGalleryPage,
       {"gallery", kGalleryTitle, "The models that " + site_.course.title + " works with."}, body,
       styles);
 }
 
-void SitePages::write_model(const ModelPage& model, PageRenderer& context) {
+void SitePages::write_model(const ModelPage& model, PageRenderer& renderer) {
   const std::string path = model_page_path(model.name);
   InlineStyles styles;
   const ModelPageHtml page =
-      model_page(model, site_.course, site_.evaluation, context.context(styles, path));
-  context.write(path,
-                {"model", model.name,
-                 "The model " + model.name + " of " + site_.course.title +
-                     ": a live lab, its joints, its MJCF.",
-                 way_to_root(path)},
-                page.body, styles);
+      model_page(model, site_.course, site_.evaluation, renderer.context(styles, path));
+  renderer.write(path,
+                 {"model", model.name,
+                  "The model " + model.name + " of " + site_.course.title +
+                      ": a live lab, its joints, its MJCF.",
+                  way_to_root(path)},
+                 page.body, styles);
   write_labs(page.lab_files, out_);
   out_.write(model_poster_path(model) + ".webp", model.poster.webp);
   out_.write(model_poster_path(model) + ".png", model.poster.png);
   for (const ModelPage::File& file : model.files) out_.copy(root_ / file.path, file.path);
 }
 
-void SitePages::write_missing(PageRenderer& context) {
+void SitePages::write_missing(PageRenderer& renderer) {
   InlineStyles styles;
   PageHead head{"missing", "Page not found", "There is no page at this address."};
   head.anywhere = true;
-  context.write("404.html", head,
-                render_template(context.templates(), "missing",
-                                {{"title", head.title}, {"course", site_.course.title}}),
-                styles);
+  renderer.write("404.html", head,
+                 render_template(renderer.templates(), "missing",
+                                 {{"title", head.title}, {"course", site_.course.title}}),
+                 styles);
 }
 
-void SitePages::write_search(PageRenderer& context) {
+void SitePages::write_search(PageRenderer& renderer) {
   InlineStyles styles;
   const PageHead head{"finding", "Search", "What is looked for in " + site_.course.title + "."};
   nlohmann::json places{{{"title", "Lessons"}, {"href", "index.html"}}};
@@ -175,10 +175,10 @@ void SitePages::write_search(PageRenderer& context) {
   if (!site_.evaluation.models.empty()) {
     places.push_back({{"title", kGalleryTitle}, {"href", kGalleryPage}});
   }
-  context.write(kSearchPage, head,
-                render_template(context.templates(), "search",
-                                {{"title", head.title}, {"places", std::move(places)}}),
-                styles);
+  renderer.write(kSearchPage, head,
+                 render_template(renderer.templates(), "search",
+                                 {{"title", head.title}, {"places", std::move(places)}}),
+                 styles);
 }
 
 // Each program as it is, and those that run as a folder that builds.

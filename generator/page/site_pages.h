@@ -37,13 +37,13 @@ class SitePages {
 
  private:
   // Gives the body, which is printed with the course as well.
-  std::string write_glossary(PageRenderer& context);
-  void write_api(PageRenderer& context);
-  void write_gallery(PageRenderer& context);
-  void write_model(const ModelPage& model, PageRenderer& context);
+  std::string write_glossary(PageRenderer& renderer);
+  void write_api(PageRenderer& renderer);
+  void write_gallery(PageRenderer& renderer);
+  void write_model(const ModelPage& model, PageRenderer& renderer);
   // For addresses at which there is nothing: hosts show it in the place of what is not there.
-  void write_missing(PageRenderer& context);
-  void write_search(PageRenderer& context);
+  void write_missing(PageRenderer& renderer);
+  void write_search(PageRenderer& renderer);
   void copy_examples();
 
   std::filesystem::path root_;

@@ -16,7 +16,7 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* kSitemap = "sitemap.xml";
-// A feed tells what is new. Whoever wants all of a long course has the sitemap.
+// A feed tells what is new. The sitemap has all of a long course.
 constexpr std::size_t kMostNews = 50;
 constexpr std::size_t kMostShortName = 16;  // characters, which OpenSearch wants of a ShortName
 

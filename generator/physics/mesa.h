@@ -2,8 +2,8 @@
 // variables.
 //
 // The shaders that it compiles are kept with what else we cache, and not in a folder of its own. A
-// first picture takes 0.3 s of CPU instead of 0.6 with them. Whoever draws does it on his own
-// thread: there are as many that draw, or compile, as the processor has cores, and to share a
+// first picture takes 0.3 s of CPU instead of 0.6 with them. Each thread that draws does it on its
+// own thread: there are as many that draw, or compile, as the processor has cores, and to share a
 // picture among threads costs a tenth of it. Enter with set_up_mesa(), once, and lend_shaders_to()
 // for each program.
 #pragma once

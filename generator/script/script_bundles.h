@@ -1,4 +1,4 @@
-// ScriptBundles: bundles that were read, shared by who evaluates again and again.
+// ScriptBundles: reads each script bundle once, and shares it between evaluations.
 // Tested by tests/generator/session/live_session_test.cpp.
 #pragma once
 

@@ -185,7 +185,7 @@ void LiveSession::do_job(Job& job) {
     job.done = true;
     woken_.notify_all();
   } catch (const Cancelled&) {
-    // Whoever cancelled it is not waiting.
+    // The caller that cancelled it is not waiting.
   }
 }
 
@@ -235,7 +235,7 @@ void LiveSession::warm_up_for(const SnapshotPtr& snapshot) {
     } catch (const Cancelled&) {
       // The session ends.
     } catch (const std::exception&) {
-      // Whoever needs it tells why.
+      // The block that needs it tells why.
     }
   });
 }

@@ -1,6 +1,6 @@
 // WriteBehindStore: a store that remembers what it was asked for, before one on the disk.
 //
-// Whoever looks for the same results many times a minute has no need to read and verify their files
+// A caller that looks for the same results many times a minute need not read and verify their files
 // each time, nor to wait until a disk has what was put. Blobs, which are large and seldom looked
 // at, stay there.
 #pragma once

@@ -40,7 +40,7 @@ class WarmObjects {
 
   const CourseHeaders& headers() const { return headers_; }
 
-  bool makes_headers() const { return toolchain_.is_clang() && prepared_.keeps(); }
+  bool makes_headers() const { return toolchain_.is_clang() && folder_store_.keeps(); }
   // header.pch of what these includes bring, and of a thorough one header.o; the best that was made
   // before. Null where there is none, and each program compiles it all.
   Entry header(const std::vector<std::string>& roots);
@@ -60,7 +60,7 @@ class WarmObjects {
   IncludeFolders include_;
   CourseHeaders headers_;
   std::string contents_;  // of the headers, when this was made
-  FolderStore prepared_;
+  FolderStore folder_store_;
 };
 
 }  // namespace mjcourse

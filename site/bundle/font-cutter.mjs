@@ -1,8 +1,8 @@
-// A thread that cuts pieces out of fonts, and the crew of such threads.
+// A worker thread that subsets fonts, and the pool of such threads.
 //
-//   const crew = new Crew();
-//   const woff2 = await crew.cut({ file, ranges, axis });
-//   crew.dismiss();
+//   const pool = new FontCutterPool();
+//   const woff2 = await pool.cut({ file, ranges, axis });
+//   pool.close();
 //
 // All pieces of one font go to the same thread, which decompresses the font once.
 
@@ -16,7 +16,7 @@ import { features } from "./font-cuts.mjs";
 import { rename } from "./font-name.mjs";
 import { charactersOf } from "./unicode-range.mjs";
 
-export class Crew {
+export class FontCutterPool {
   #workers = [];
   #workerOf = new Map(); // a font's path → its thread
   #waiting = new Map(); // a piece's number → what to do with it
@@ -29,7 +29,7 @@ export class Crew {
     return cut;
   }
 
-  dismiss() {
+  close() {
     for (const worker of this.#workers) worker.terminate();
     this.#workers = [];
     this.#workerOf.clear();

@@ -12,7 +12,7 @@
 import { readFile } from "node:fs/promises";
 import path from "node:path";
 
-import { Crew } from "./font-cutter.mjs";
+import { FontCutterPool } from "./font-cutter.mjs";
 import { pieces, weights } from "./font-cuts.mjs";
 import { common, everything, formatRanges, parseRanges, without } from "./unicode-range.mjs";
 
@@ -20,7 +20,7 @@ export const cutFonts = {
   name: "cut-fonts",
   setup(hooks) {
     const cuts = new Map(); // a piece's file name → how it is made
-    const crew = new Crew();
+    const pool = new FontCutterPool();
 
     hooks.onLoad({ filter: /(@fontsource-variable.*|katex(\.min)?)\.css$/ }, async (args) => {
       const css = await readFile(args.path, "utf8");
@@ -34,9 +34,9 @@ export const cutFonts = {
       return { path: args.path.slice("cut:".length), namespace: "cut" };
     });
     hooks.onLoad({ filter: /.*/, namespace: "cut" }, async (args) => {
-      return { contents: await crew.cut(cuts.get(args.path)), loader: "file" };
+      return { contents: await pool.cut(cuts.get(args.path)), loader: "file" };
     });
-    hooks.onEnd(() => crew.dismiss());
+    hooks.onEnd(() => pool.close());
   },
 };
 

@@ -12,7 +12,8 @@ constexpr std::size_t kMostTex = 10'000;  // bytes
 }  // namespace
 
 std::optional<FormulaResult> evaluate_formula(const Math& math, const Lesson& lesson,
-                                              WorkerContext& worker, Diagnostics& diagnostics) {
+                                              WorkerContext& worker_context,
+                                              Diagnostics& diagnostics) {
   const std::string& tex = math.tex.text;
   if (tex.size() > kMostTex) {
     diagnostics.push_back(
@@ -22,7 +23,8 @@ std::optional<FormulaResult> evaluate_formula(const Math& math, const Lesson& le
                  "say it in several; numbers by the hundred are a table or a plot"));
     return std::nullopt;
   }
-  tl::expected<std::string, MathError> markup = worker.typesetter().typeset(tex, math.display);
+  tl::expected<std::string, MathError> markup =
+      worker_context.typesetter().typeset(tex, math.display);
   if (markup) return FormulaResult{*std::move(markup)};
   const MathError& error = markup.error();
   const std::size_t end = error.offset + std::max<std::size_t>(1, error.length);

@@ -9,6 +9,7 @@
 namespace mjcourse {
 
 std::optional<FormulaResult> evaluate_formula(const Math& math, const Lesson& lesson,
-                                              WorkerContext& worker, Diagnostics& diagnostics);
+                                              WorkerContext& worker_context,
+                                              Diagnostics& diagnostics);
 
 }  // namespace mjcourse

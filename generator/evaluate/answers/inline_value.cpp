@@ -48,15 +48,18 @@ std::string number_in_text(const Number& number, const std::string& format) {
 
 class Quotation {
  public:
-  Quotation(const InlineValue& value, const Lesson& lesson, WorkerContext& worker,
+  Quotation(const InlineValue& value, const Lesson& lesson, WorkerContext& worker_context,
             Diagnostics& diagnostics)
-      : value_(value), lesson_(lesson), worker_(worker), diagnostics_(diagnostics) {}
+      : value_(value),
+        lesson_(lesson),
+        worker_context_(worker_context),
+        diagnostics_(diagnostics) {}
 
   std::optional<ValueResult> run() {
     const std::string& name = value_.source.text;
-    std::vector<std::string> known = worker_.course().models;
+    std::vector<std::string> known = worker_context_.course().models;
     const bool model = std::find(known.begin(), known.end(), name) != known.end();
-    const std::vector<std::string> examples = worker_.reports_of(name).examples();
+    const std::vector<std::string> examples = worker_context_.reports_of(name).examples();
     const bool example = std::find(examples.begin(), examples.end(), name) != examples.end();
     if (model == example) {
       known.insert(known.end(), examples.begin(), examples.end());
@@ -70,9 +73,9 @@ class Quotation {
 
  private:
   std::optional<ValueResult> of_model() {
-    auto simulation = worker_.simulate(value_.source, *lesson_.source, diagnostics_);
+    auto simulation = worker_context_.simulate(value_.source, *lesson_.source, diagnostics_);
     if (!simulation) return std::nullopt;
-    World world(worker_.world_bundle(), *simulation);
+    World world(worker_context_.world_bundle(), *simulation);
     const auto found = world.value(value_.expression.text);
     if (!found) {
       diagnostics_.push_back(script_diagnostic(found.error(), value_.expression, *lesson_.source));
@@ -91,7 +94,7 @@ class Quotation {
   }
 
   std::optional<ValueResult> of_example() {
-    const auto found = worker_.reports_of(value_.source.text)
+    const auto found = worker_context_.reports_of(value_.source.text)
                            .find(value_.source, value_.expression, *lesson_.source, diagnostics_);
     if (!found) return std::nullopt;
     const std::string origin = value_.expression.text + " of " + value_.source.text + ".cpp";
@@ -138,15 +141,15 @@ class Quotation {
 
   const InlineValue& value_;
   const Lesson& lesson_;
-  WorkerContext& worker_;
+  WorkerContext& worker_context_;
   Diagnostics& diagnostics_;
 };
 
 }  // namespace
 
 std::optional<ValueResult> evaluate_value(const InlineValue& value, const Lesson& lesson,
-                                          WorkerContext& worker, Diagnostics& diagnostics) {
-  return Quotation(value, lesson, worker, diagnostics).run();
+                                          WorkerContext& worker_context, Diagnostics& diagnostics) {
+  return Quotation(value, lesson, worker_context, diagnostics).run();
 }
 
 }  // namespace mjcourse

@@ -10,6 +10,6 @@ namespace mjcourse {
 
 // Nothing when there is no such value, or none that can stand in a text; it is reported.
 std::optional<ValueResult> evaluate_value(const InlineValue& value, const Lesson& lesson,
-                                          WorkerContext& worker, Diagnostics& diagnostics);
+                                          WorkerContext& worker_context, Diagnostics& diagnostics);
 
 }  // namespace mjcourse

@@ -17,9 +17,12 @@ namespace {
 
 class Examiner {
  public:
-  Examiner(const Question& question, const Lesson& lesson, WorkerContext& worker,
+  Examiner(const Question& question, const Lesson& lesson, WorkerContext& worker_context,
            Diagnostics& diagnostics)
-      : question_(question), lesson_(lesson), worker_(worker), diagnostics_(diagnostics) {}
+      : question_(question),
+        lesson_(lesson),
+        worker_context_(worker_context),
+        diagnostics_(diagnostics) {}
 
   std::optional<QuestionResult> run();
 
@@ -58,28 +61,28 @@ class Examiner {
 
   const Question& question_;
   const Lesson& lesson_;
-  WorkerContext& worker_;
+  WorkerContext& worker_context_;
   Diagnostics& diagnostics_;
   bool reported_ = false;  // a wrong answer of this question
 };
 
 std::optional<Simulation> Examiner::build(const Proof& proof) {
   if (!proof.model.text.empty()) {
-    return worker_.simulate(proof.model, *lesson_.source, diagnostics_);
+    return worker_context_.simulate(proof.model, *lesson_.source, diagnostics_);
   }
   if (!proof.mjcf.text.empty()) {
-    return worker_.simulate(proof.mjcf, *lesson_.source, diagnostics_);
+    return worker_context_.simulate(proof.mjcf, *lesson_.source, diagnostics_);
   }
   const LocatedText described{
       described_mjcf({joint_count(proof, "hinge"), joint_count(proof, "slide"),
                       joint_count(proof, "ball"), joint_count(proof, "free")}),
       {}};
-  return worker_.simulate(described, *lesson_.source, diagnostics_);
+  return worker_context_.simulate(described, *lesson_.source, diagnostics_);
 }
 
 std::optional<double> Examiner::find_value(const Proof& proof) {
   if (!proof.example.text.empty()) {
-    const auto reported = worker_.reports_of(proof.example.text)
+    const auto reported = worker_context_.reports_of(proof.example.text)
                               .find(proof.example, proof.value, *lesson_.source, diagnostics_);
     if (!reported) return std::nullopt;
     if (const auto number = as_double(*reported)) return number;
@@ -90,7 +93,7 @@ std::optional<double> Examiner::find_value(const Proof& proof) {
   }
   std::optional<Simulation> simulation = build(proof);
   if (!simulation) return std::nullopt;
-  World world(worker_.world_bundle(), *simulation);
+  World world(worker_context_.world_bundle(), *simulation);
   const auto value = world.number(Program{proof.run.text, proof.seconds, proof.value.text});
   if (value) return *value;
   script_error(value.error(), proof, proof.value);
@@ -132,7 +135,7 @@ bool Examiner::prove_options(const Proof& proof, QuestionResult& result) {
   for (std::size_t i = 0; i < proof.options.size(); ++i) {
     std::optional<Simulation> simulation = build(proof);  // a fresh state for each option
     if (!simulation) return false;
-    World world(worker_.world_bundle(), *simulation);
+    World world(worker_context_.world_bundle(), *simulation);
     const auto holds = world.truth(Program{proof.run.text, proof.seconds, proof.options[i].text});
     if (!holds) return script_error(holds.error(), proof, proof.options[i]);
     if (*holds) holding.push_back(i);
@@ -168,7 +171,7 @@ std::optional<std::vector<double>> Examiner::find_values(const Proof& proof) {
   for (const LocatedText& expression : proof.values) {
     std::optional<Simulation> simulation = build(proof);  // a fresh state for each item
     if (!simulation) return std::nullopt;
-    World world(worker_.world_bundle(), *simulation);
+    World world(worker_context_.world_bundle(), *simulation);
     const auto value = world.number(Program{proof.run.text, proof.seconds, expression.text});
     if (!value) {
       script_error(value.error(), proof, expression);
@@ -226,7 +229,7 @@ bool Examiner::prove(const Proof& proof, QuestionResult& result) {
   result.proved = result.proved || (proved && !proof.equals);
   if (proved) {
     const auto anew = [&] { return build(proof); };
-    warn_of_weak_proof(proof, question_, lesson_, anew, worker_, diagnostics_);
+    warn_of_weak_proof(proof, question_, lesson_, anew, worker_context_, diagnostics_);
   }
   return proved;
 }
@@ -243,8 +246,9 @@ std::optional<QuestionResult> Examiner::run() {
 }  // namespace
 
 std::optional<QuestionResult> evaluate_question(const Question& question, const Lesson& lesson,
-                                                WorkerContext& worker, Diagnostics& diagnostics) {
-  return Examiner(question, lesson, worker, diagnostics).run();
+                                                WorkerContext& worker_context,
+                                                Diagnostics& diagnostics) {
+  return Examiner(question, lesson, worker_context, diagnostics).run();
 }
 
 }  // namespace mjcourse

@@ -11,6 +11,7 @@ namespace mjcourse {
 
 // Nothing when an answer is wrong or a proof fails; both are reported.
 std::optional<QuestionResult> evaluate_question(const Question& question, const Lesson& lesson,
-                                                WorkerContext& worker, Diagnostics& diagnostics);
+                                                WorkerContext& worker_context,
+                                                Diagnostics& diagnostics);
 
 }  // namespace mjcourse

@@ -27,12 +27,12 @@ bool is_list_of_numbers(const json& value) {
 class WeakProof {
  public:
   WeakProof(const Proof& proof, const Question& question, const Lesson& lesson,
-            const std::function<std::optional<Simulation>()>& build, WorkerContext& worker,
+            const std::function<std::optional<Simulation>()>& build, WorkerContext& worker_context,
             Diagnostics& diagnostics)
       : proof_(proof),
         question_(question),
         build_(build),
-        worker_(worker),
+        worker_context_(worker_context),
         reading_(*lesson.source, diagnostics) {}
 
   void run() {
@@ -52,8 +52,8 @@ class WeakProof {
 
  private:
   bool asks_world(const LocatedText& expression) const {
-    const auto asked =
-        worker_.script_guard().ask(proof_.run.text, expression.text, worker_.script_names());
+    const auto asked = worker_context_.script_guard().ask(proof_.run.text, expression.text,
+                                                          worker_context_.script_names());
     return !asked || asked->world;
   }
 
@@ -84,8 +84,8 @@ class WeakProof {
     std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> twins;
     for (std::size_t i = 0; i < proof_.options.size(); ++i) {
       if (std::ranges::find(question_.right, i) != question_.right.end()) continue;
-      const auto asked = worker_.script_guard().ask(proof_.run.text, proof_.options[i].text,
-                                                    worker_.script_names());
+      const auto asked = worker_context_.script_guard().ask(proof_.run.text, proof_.options[i].text,
+                                                            worker_context_.script_names());
       if (!asked || asked->callee.empty()) continue;
       const std::optional<std::string> values = values_of(*asked);
       if (values) twins[{asked->callee, *values}].push_back(i);
@@ -99,7 +99,7 @@ class WeakProof {
   std::optional<std::string> values_of(const ExpressionText& asked) const {
     std::optional<Simulation> simulation = build_();
     if (!simulation) return std::nullopt;
-    World world(worker_.world_bundle(), *simulation);
+    World world(worker_context_.world_bundle(), *simulation);
     const std::string plain =
         "(key, value) => typeof value === 'object' && value !== null && value.length >= 0 ? "
         "Array.from(value) : value";
@@ -128,7 +128,7 @@ class WeakProof {
   const Proof& proof_;
   const Question& question_;
   const std::function<std::optional<Simulation>()>& build_;
-  WorkerContext& worker_;
+  WorkerContext& worker_context_;
   Reading reading_;
 };
 
@@ -136,8 +136,8 @@ class WeakProof {
 
 void warn_of_weak_proof(const Proof& proof, const Question& question, const Lesson& lesson,
                         const std::function<std::optional<Simulation>()>& build,
-                        WorkerContext& worker, Diagnostics& diagnostics) {
-  WeakProof(proof, question, lesson, build, worker, diagnostics).run();
+                        WorkerContext& worker_context, Diagnostics& diagnostics) {
+  WeakProof(proof, question, lesson, build, worker_context, diagnostics).run();
 }
 
 }  // namespace mjcourse

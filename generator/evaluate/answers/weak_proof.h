@@ -13,6 +13,6 @@ namespace mjcourse {
 // W-proof-constant and W-proof-indistinct, of a proof that holds. `build` makes what it asks anew.
 void warn_of_weak_proof(const Proof& proof, const Question& question, const Lesson& lesson,
                         const std::function<std::optional<Simulation>()>& build,
-                        WorkerContext& worker, Diagnostics& diagnostics);
+                        WorkerContext& worker_context, Diagnostics& diagnostics);
 
 }  // namespace mjcourse

@@ -1,4 +1,5 @@
-// The context that one block is worked on: its lesson, the tools, and where its mistakes go.
+// BlockContext: the context in which one block is evaluated: its lesson, the thread's tools, and
+// its diagnostics.
 #pragma once
 
 #include <optional>
@@ -12,15 +13,15 @@ namespace mjcourse {
 
 class BlockContext {
  public:
-  BlockContext(const Lesson& lesson, WorkerContext& worker, Diagnostics& diagnostics)
-      : lesson_(lesson), worker_(worker), diagnostics_(diagnostics) {}
+  BlockContext(const Lesson& lesson, WorkerContext& worker_context, Diagnostics& diagnostics)
+      : lesson_(lesson), worker_context_(worker_context), diagnostics_(diagnostics) {}
 
   const Lesson& lesson() const { return lesson_; }
-  WorkerContext& worker() const { return worker_; }
+  WorkerContext& worker_context() const { return worker_context_; }
   Diagnostics& diagnostics() const { return diagnostics_; }
 
   std::optional<Simulation> simulate(const LocatedText& model) const {
-    return worker_.simulate(model, *lesson_.source, diagnostics_);
+    return worker_context_.simulate(model, *lesson_.source, diagnostics_);
   }
 
   // Both report, and give false.
@@ -42,7 +43,7 @@ class BlockContext {
 
  private:
   const Lesson& lesson_;
-  WorkerContext& worker_;
+  WorkerContext& worker_context_;
   Diagnostics& diagnostics_;
 };
 

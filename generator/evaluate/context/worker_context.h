@@ -31,7 +31,7 @@ class WorkerContext {
   Trace& trace() { return trace_; }
   // The course's.
   const Files& files() const { return files_; }
-  // For who quotes the program `example`.
+  // For a block that quotes the program `example`.
   const Reports& reports_of(const std::string& example);
 
   Typesetter& typesetter();
@@ -40,7 +40,7 @@ class WorkerContext {
   // What scripts may use of the world.
   const std::vector<std::string>& script_names();
 
-  // What a large model left behind goes.
+  // Frees what a large model allocated.
   void let_go();
 
   // The off-screen renderer, made at first use; or why there is none.

@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 // Copies files and folders of a course to the same names in another folder.
 class Copies {
  public:
-  Copies(fs::path to, WorkerContext& worker)
-      : to_(std::move(to)), worker_(worker), files_(worker.root()) {}
+  Copies(fs::path to, WorkerContext& worker_context)
+      : to_(std::move(to)), worker_context_(worker_context), files_(worker_context.root()) {}
 
   // What is refused, and why, as Files::refusal() says it.
   struct Refused {
@@ -47,7 +47,7 @@ class Copies {
   // The first that was refused.
   const std::optional<Refused>& refused() const { return refused_; }
 
-  // Whoever the commands run as may change the copies.
+  // The user that the commands run as may change the copies.
   void open_for_all() const {
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(to_)) {
       fs::permissions(entry, entry.is_directory() ? fs::perms::all : fs::perms(0666));
@@ -58,7 +58,7 @@ class Copies {
 
  private:
   bool add_file(const std::string& name) {
-    const auto bytes = worker_.files().read(name);
+    const auto bytes = worker_context_.files().read(name);
     if (bytes) write_file(to_ / name, *bytes);
     names_.insert(name);
     std::string why = bytes ? "" : files_.refusal(name);
@@ -66,12 +66,12 @@ class Copies {
     return bytes.has_value();
   }
   void add_folder(const std::string& name) {
-    worker_.trace().file(name);
+    worker_context_.trace().file(name);
     fs::create_directories(to_ / name);
   }
 
   fs::path to_;
-  WorkerContext& worker_;
+  WorkerContext& worker_context_;
   DiskFiles files_;
   std::set<std::string> names_;
   std::optional<Refused> refused_;
@@ -107,8 +107,9 @@ std::string without_folder(std::string text, const std::string& folder) {
 }  // namespace
 
 std::optional<ExampleResult> evaluate_commands(const Commands& commands, const Lesson& lesson,
-                                               WorkerContext& worker, Diagnostics& diagnostics) {
-  if (auto why = worker.run_context().why_nothing_runs()) {
+                                               WorkerContext& worker_context,
+                                               Diagnostics& diagnostics) {
+  if (auto why = worker_context.run_context().why_nothing_runs()) {
     why->place = place_of(*lesson.source, commands.span);
     diagnostics.push_back(*std::move(why));
     return std::nullopt;
@@ -117,10 +118,10 @@ std::optional<ExampleResult> evaluate_commands(const Commands& commands, const L
   const fs::path script = folder.path() / "commands.sh", place = folder.path() / "course";
   write_file(script, commands.code.text);
   fs::create_directory(place);
-  Copies copies(place, worker);
+  Copies copies(place, worker_context);
   if (!add_all(commands, lesson, copies, diagnostics)) return std::nullopt;
   // All that is installed may have a part in it.
-  worker.trace().file(kInstalledPackages);
+  worker_context.trace().file(kInstalledPackages);
 
   Command command;
   // A command that fails is the last, and stderr names each before what it says.

@@ -16,6 +16,7 @@ namespace mjcourse {
 // What they printed; nothing (reported) where a file is missing or one of them failed, behind which
 // no other is run.
 std::optional<ExampleResult> evaluate_commands(const Commands& commands, const Lesson& lesson,
-                                               WorkerContext& worker, Diagnostics& diagnostics);
+                                               WorkerContext& worker_context,
+                                               Diagnostics& diagnostics);
 
 }  // namespace mjcourse

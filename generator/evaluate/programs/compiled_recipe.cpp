@@ -47,8 +47,9 @@ Dependencies compiled_recipe(const RunContext& run_context, const std::string& k
   return recipe;
 }
 
-void trace_compilation(const Compiled& compiled, const fs::path& folder, WorkerContext& worker) {
-  Trace& trace = worker.trace();
+void trace_compilation(const Compiled& compiled, const fs::path& folder,
+                       WorkerContext& worker_context) {
+  Trace& trace = worker_context.trace();
   if (!compiled.dependencies) return trace.unknown();
   // Mostly the system's headers, which are the same hundreds behind each program.
   std::vector<std::string> files = *compiled.dependencies;
@@ -57,15 +58,15 @@ void trace_compilation(const Compiled& compiled, const fs::path& folder, WorkerC
   for (const WarmObjects::Entry& entry : {compiled.header, compiled.handlers}) {
     if (entry) trace.files(entry->inputs);
   }
-  for (const fs::path& include : worker.run_context().include_folders()) {
+  for (const fs::path& include : worker_context.run_context().include_folders()) {
     trace_folders(fs::absolute(include), trace);
   }
 }
 
-void trace_run(const Outcome& outcome, const fs::path& folder, WorkerContext& worker) {
-  Trace& trace = worker.trace();
+void trace_run(const Outcome& outcome, const fs::path& folder, WorkerContext& worker_context) {
+  Trace& trace = worker_context.trace();
   // Where the kernel does not tell, a program may have read whatever it was allowed to.
-  if (!outcome.opened) return trace_tree(fs::absolute(worker.root()) / "models", trace);
+  if (!outcome.opened) return trace_tree(fs::absolute(worker_context.root()) / "models", trace);
   trace_files(*outcome.opened, folder, trace);
 }
 

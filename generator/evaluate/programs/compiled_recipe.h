@@ -20,7 +20,8 @@ Dependencies compiled_recipe(const RunContext& run_context, const std::string& k
 
 // `folder` is where both worked, of which nothing is traced.
 void trace_compilation(const Compiled& compiled, const std::filesystem::path& folder,
-                       WorkerContext& worker);
-void trace_run(const Outcome& outcome, const std::filesystem::path& folder, WorkerContext& worker);
+                       WorkerContext& worker_context);
+void trace_run(const Outcome& outcome, const std::filesystem::path& folder,
+               WorkerContext& worker_context);
 
 }  // namespace mjcourse

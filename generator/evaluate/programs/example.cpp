@@ -91,12 +91,13 @@ Command run_command(const Example& example, const LocatedText& code, const fs::p
 }
 
 // The folder of the program, where that includes headers from there; "" where it does not.
-fs::path folder_beside(const Example& example, const LocatedText& code, WorkerContext& worker) {
+fs::path folder_beside(const Example& example, const LocatedText& code,
+                       WorkerContext& worker_context) {
   const fs::path folder =
-      fs::absolute(worker.root() / example.file.text).lexically_normal().parent_path();
+      fs::absolute(worker_context.root() / example.file.text).lexically_normal().parent_path();
   bool holds_some = false;
   for (const std::string& name : quoted_includes(code.text)) {
-    worker.trace().file(folder / name);
+    worker_context.trace().file(folder / name);
     holds_some = holds_some || fs::exists(folder / name);
   }
   return holds_some ? folder : fs::path();
@@ -117,18 +118,18 @@ std::optional<Diagnostic> refused_beside(const Example& example, const fs::path&
 }  // namespace
 
 std::optional<ExampleResult> evaluate_example(const Example& example, const LocatedText& code,
-                                              const Lesson& lesson, WorkerContext& worker,
+                                              const Lesson& lesson, WorkerContext& worker_context,
                                               Diagnostics& diagnostics) {
   const auto report = [&](Diagnostic wrong) {
     wrong.place = place_of(*lesson.source, example.span);
     diagnostics.push_back(std::move(wrong));
     return std::nullopt;
   };
-  if (auto why = worker.run_context().why_nothing_runs()) return report(*std::move(why));
-  const std::optional<Compiler>& compiler = worker.run_context().compiler();
+  if (auto why = worker_context.run_context().why_nothing_runs()) return report(*std::move(why));
+  const std::optional<Compiler>& compiler = worker_context.run_context().compiler();
   if (!compiler) return report(no_compiler());
-  const fs::path& root = worker.root();
-  const fs::path beside = folder_beside(example, code, worker);
+  const fs::path& root = worker_context.root();
+  const fs::path beside = folder_beside(example, code, worker_context);
   if (!beside.empty()) {
     if (auto refused = refused_beside(example, root)) return report(*std::move(refused));
   }
@@ -144,7 +145,7 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
 
   const Compiled compiled =
       compiler->compile(source, binary, folder.path(), example.optimize, beside);
-  trace_compilation(compiled, folder.path(), worker);
+  trace_compilation(compiled, folder.path(), worker_context);
   if (!example.compiles && compiled.refused()) {
     return ExampleResult{shown,
                          without_folders(compiled.raw, {fs::absolute(root), root, folder.path()})};
@@ -160,8 +161,8 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
   const Stopwatch stopwatch;
   Outcome outcome = run(run_command(example, code, binary, folder.path(), root, records));
   const double seconds = stopwatch.seconds();
-  trace_run(outcome, folder.path(), worker);
-  std::vector<std::string> files = program_files(compiled, outcome, worker.run_context());
+  trace_run(outcome, folder.path(), worker_context);
+  std::vector<std::string> files = program_files(compiled, outcome, worker_context.run_context());
   if (auto wrong = judge_run(outcome, {"program", example.seconds, example.exit_code})) {
     return report(*std::move(wrong));
   }

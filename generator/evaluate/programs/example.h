@@ -16,7 +16,7 @@ namespace mjcourse {
 
 // `code` is all of the program (evaluate/programs/example_code.h).
 std::optional<ExampleResult> evaluate_example(const Example& example, const LocatedText& code,
-                                              const Lesson& lesson, WorkerContext& worker,
+                                              const Lesson& lesson, WorkerContext& worker_context,
                                               Diagnostics& diagnostics);
 
 }  // namespace mjcourse

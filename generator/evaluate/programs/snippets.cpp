@@ -160,12 +160,13 @@ std::string snippets_prelude(const IncludeFolders& include) {
   return text;
 }
 
-std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, WorkerContext& worker,
+std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson,
+                                                       WorkerContext& worker_context,
                                                        Diagnostics& diagnostics) {
   const std::vector<Placed> snippets = snippets_of(lesson);
-  const fs::path& root = worker.root();
-  const std::optional<Compiler>& compiler = worker.run_context().compiler();
-  std::optional<Diagnostic> why = worker.run_context().why_nothing_runs();
+  const fs::path& root = worker_context.root();
+  const std::optional<Compiler>& compiler = worker_context.run_context().compiler();
+  std::optional<Diagnostic> why = worker_context.run_context().why_nothing_runs();
   if (!why && !compiler) why = no_compiler();
   if (why) {
     diagnostics.push_back(*std::move(why));
@@ -174,15 +175,16 @@ std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, Wor
   }
   const TemporaryFolder folder;
   const fs::path source = folder.path() / "snippets.cpp", binary = folder.path() / "snippets";
-  write_file(source, program_text(snippets, lesson, worker.run_context().include_folders()));
+  write_file(source,
+             program_text(snippets, lesson, worker_context.run_context().include_folders()));
   const Compiled compiled = compiler->compile(source, binary, folder.path());
-  trace_compilation(compiled, folder.path(), worker);
+  trace_compilation(compiled, folder.path(), worker_context);
   report_messages(compiled, snippets, lesson, root, diagnostics);
   std::map<std::size_t, ExampleResult> results;
   if (!compiled.succeeded) return results;
   for (std::size_t i = 0; i < snippets.size(); ++i) {
     const Snippet& snippet = *snippets[i].snippet;
-    const fs::path model = model_file(snippet, worker.course(), root);
+    const fs::path model = model_file(snippet, worker_context.course(), root);
     if (model.empty()) continue;
     Command command;
     command.arguments = {binary.string(), std::to_string(i), model.string()};
@@ -195,7 +197,7 @@ std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, Wor
     const Stopwatch stopwatch;
     Outcome outcome = run(command);
     const double seconds = stopwatch.seconds();
-    trace_run(outcome, folder.path(), worker);
+    trace_run(outcome, folder.path(), worker_context);
     if (auto wrong = judge_run(outcome, {"snippet", snippet.seconds})) {
       wrong->place = place_of(*lesson.source, snippet.span);
       diagnostics.push_back(*std::move(wrong));

@@ -17,7 +17,8 @@ namespace mjcourse {
 // What their program includes.
 std::string snippets_prelude(const IncludeFolders& include);
 
-std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson, WorkerContext& worker,
+std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson,
+                                                       WorkerContext& worker_context,
                                                        Diagnostics& diagnostics);
 
 }  // namespace mjcourse

@@ -26,7 +26,8 @@ std::optional<LocatedText> edited_model(const LabContext& context, const Lab::Go
   const LocatedText& model = context.lab().model;
   const bool is_mjcf = model.text.starts_with('<');
   const std::string base =
-      is_mjcf ? model.text : read_again(context.worker().files(), "models/" + model.text + ".xml");
+      is_mjcf ? model.text
+              : read_again(context.worker_context().files(), "models/" + model.text + ".xml");
   const auto refuse = [&](const LocatedText& text, const std::string& message,
                           const std::string& cure) {
     context.error("E-lab-goal", text.span(), message, cure);

@@ -46,7 +46,7 @@ std::string shoot(const Figure::Animation& animation, Simulation& simulation, Vi
     return picture.has_value();
   });
   if (!played) return "";
-  context.worker().trace().file(find_program("ffmpeg"));
+  context.worker_context().trace().file(find_program("ffmpeg"));
   auto bytes = film.encode();
   if (bytes) return *std::move(bytes);
   context.error("E-figure-film", animation.span, bytes.error().message, bytes.error().cure);
@@ -56,9 +56,10 @@ std::string shoot(const Figure::Animation& animation, Simulation& simulation, Vi
 }  // namespace
 
 std::optional<FigureResult> evaluate_figure(const Figure& figure, const Lesson& lesson,
-                                            WorkerContext& worker, Diagnostics& diagnostics) {
+                                            WorkerContext& worker_context,
+                                            Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.size();
-  const BlockContext context(lesson, worker, diagnostics);
+  const BlockContext context(lesson, worker_context, diagnostics);
   check_overlays(names_of(figure.overlays), context);
   std::optional<Simulation> simulation = simulate_figure(figure, context);
   if (!simulation || diagnostics.size() > before) return std::nullopt;

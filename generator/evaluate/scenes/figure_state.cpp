@@ -43,7 +43,7 @@ bool sound(const Simulation& simulation, Span blamed, const BlockContext& contex
 bool restore(const Figure::Snapshot& from, const Figure& figure, Simulation& simulation,
              const BlockContext& context) {
   const auto state =
-      context.worker()
+      context.worker_context()
           .reports_of(from.example.text)
           .find_snapshot(from.example, from.name, *context.lesson().source, context.diagnostics());
   if (!state) return false;
@@ -67,7 +67,7 @@ bool restore(const Figure::Snapshot& from, const Figure& figure, Simulation& sim
 }
 
 bool run_script(const LocatedText& script, Simulation& simulation, const BlockContext& context) {
-  World world(context.worker().world_bundle(), simulation);
+  World world(context.worker_context().world_bundle(), simulation);
   const auto done = world.run(script.text);
   if (!done) return context.error(done.error(), script);
   simulation.forward();

@@ -46,12 +46,12 @@ bool read_at_rest(const Lab& lab, LabRun& run, LabResult& result) {
 
 }  // namespace
 
-std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, WorkerContext& worker,
-                                      Diagnostics& diagnostics) {
+std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson,
+                                      WorkerContext& worker_context, Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.size();
   LabResult result;
   std::vector<DoubtfulScript> doubtful;
-  const LabContext context(lab, result.scripts, lesson, worker, diagnostics);
+  const LabContext context(lab, result.scripts, lesson, worker_context, diagnostics);
   check_overlays(lab.toggles, context);
   check_overlays(names_of(lab.overlays), context);
   if (!guard_scripts(context, result.scripts, doubtful)) return std::nullopt;
@@ -79,11 +79,12 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, Work
   return result;
 }
 
-std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, WorkerContext& worker,
-                                      Diagnostics& diagnostics) {
-  std::optional<LabResult> result = rehearse_lab(lab, lesson, worker, diagnostics);
+std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson,
+                                      WorkerContext& worker_context, Diagnostics& diagnostics) {
+  std::optional<LabResult> result = rehearse_lab(lab, lesson, worker_context, diagnostics);
   const LabScripts none;
-  const LabContext context(lab, result ? result->scripts : none, lesson, worker, diagnostics);
+  const LabContext context(lab, result ? result->scripts : none, lesson, worker_context,
+                           diagnostics);
   const std::optional<LabRun> run = result ? LabRun::start(context, lab.model) : std::nullopt;
   if (!run) return std::nullopt;
   const View view{result->camera, lab.overlays, kPosterWidth, lab.height};

@@ -14,10 +14,10 @@
 namespace mjcourse {
 
 // As evaluate_lab(), but without the poster.
-std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson, WorkerContext& worker,
-                                      Diagnostics& diagnostics);
+std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson,
+                                      WorkerContext& worker_context, Diagnostics& diagnostics);
 
-std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson, WorkerContext& worker,
-                                      Diagnostics& diagnostics);
+std::optional<LabResult> evaluate_lab(const Lab& lab, const Lesson& lesson,
+                                      WorkerContext& worker_context, Diagnostics& diagnostics);
 
 }  // namespace mjcourse

@@ -1,4 +1,4 @@
-// The context that a lab is rehearsed on.
+// LabContext: the context in which a lab is rehearsed.
 #pragma once
 
 #include "evaluate/context/block_context.h"
@@ -9,9 +9,9 @@ namespace mjcourse {
 class LabContext : public BlockContext {
  public:
   // `scripts` may be filled later; it outlives the context.
-  LabContext(const Lab& lab, const LabScripts& scripts, const Lesson& lesson, WorkerContext& worker,
-             Diagnostics& diagnostics)
-      : BlockContext(lesson, worker, diagnostics), lab_(lab), scripts_(scripts) {}
+  LabContext(const Lab& lab, const LabScripts& scripts, const Lesson& lesson,
+             WorkerContext& worker_context, Diagnostics& diagnostics)
+      : BlockContext(lesson, worker_context, diagnostics), lab_(lab), scripts_(scripts) {}
 
   const Lab& lab() const { return lab_; }
   // What is run of the author's `text`.

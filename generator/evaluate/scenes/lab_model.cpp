@@ -17,7 +17,7 @@ std::optional<LabModel> find_lab_model(const LabContext& context) {
     return refuse("a model inside a lesson cannot name files; this one names " + file,
                   "put the model into a file of its own, models/NAME.xml");
   }
-  const std::filesystem::path& root = context.worker().root();
+  const std::filesystem::path& root = context.worker_context().root();
   const tl::expected<ModelSources, std::string> sources =
       find_model_sources(root, "models/" + named.text + ".xml");
   if (!sources) return refuse(sources.error(), "rename a file, or leave one out");

@@ -51,7 +51,7 @@ struct ValueAtStart {
 }  // namespace
 
 LabRun::Actor::Actor(const LabContext& context, Simulation loaded)
-    : simulation(std::move(loaded)), world(context.worker().world_bundle(), simulation) {}
+    : simulation(std::move(loaded)), world(context.worker_context().world_bundle(), simulation) {}
 
 std::unique_ptr<LabRun::Actor> LabRun::load(const LabContext& context, const LocatedText& model) {
   std::optional<Simulation> simulation = context.simulate(model);

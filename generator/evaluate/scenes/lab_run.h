@@ -3,7 +3,7 @@
 // start() resets and applies the controls that have a value from the start; act() and script() are
 // followed by forward(); step_to() is mj_step and nothing else. With a ghost there is a second
 // simulation, which takes part in everything. Whatever fails is reported, and the method gives
-// false; the run is then of no more use.
+// false; the run must not be used then.
 // Tested by tests/generator/evaluate/scenes/rehearsal_test.cpp.
 #pragma once
 

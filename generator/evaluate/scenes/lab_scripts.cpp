@@ -24,7 +24,7 @@ class Guarding {
 
  private:
   bool guard(const LocatedText& text, ScriptKind kind) {
-    WorkerContext& worker_context = context_.worker();
+    WorkerContext& worker_context = context_.worker_context();
     const auto safe =
         worker_context.script_guard().guard(text.text, kind, worker_context.script_names());
     std::string& known = scripts_[lab_script_key(text.text, kind)];

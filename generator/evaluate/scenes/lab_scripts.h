@@ -21,7 +21,7 @@ struct DoubtfulScript {
   ScriptError error;
 };
 
-// Of the lab on `context`. False where the page would refuse one, which is reported.
+// Guards the scripts of `context.lab()`. False where the page would refuse one, which is reported.
 bool guard_scripts(const LabContext& context, LabScripts& scripts,
                    std::vector<DoubtfulScript>& doubtful);
 

@@ -69,12 +69,12 @@ std::string fence_of(const ModelPage& page, const View& view, json controls, jso
 }
 
 std::optional<ModelPage::LiveLab> rehearsed(const std::string& name, std::string fence,
-                                            WorkerContext& worker) {
+                                            WorkerContext& worker_context) {
   Diagnostics mistakes;
   const Lesson lesson = lesson_of_lab(name, fence, mistakes);
   if (!mistakes.empty() || lesson.blocks.size() != 1) return std::nullopt;
   const Lab& lab = std::get<Lab>(lesson.blocks.front());
-  std::optional<LabResult> result = rehearse_lab(lab, lesson, worker, mistakes);
+  std::optional<LabResult> result = rehearse_lab(lab, lesson, worker_context, mistakes);
   if (!result) return std::nullopt;
   return ModelPage::LiveLab{std::move(fence), *std::move(result)};
 }
@@ -90,9 +90,9 @@ std::vector<std::string> model_lab_fences(const ModelPage& page, const Model& mo
 
 std::optional<ModelPage::LiveLab> evaluate_model_lab(const std::string& name,
                                                      const std::vector<std::string>& fences,
-                                                     WorkerContext& worker) {
+                                                     WorkerContext& worker_context) {
   for (const std::string& fence : fences) {
-    if (auto lab = rehearsed(name, fence, worker)) return lab;
+    if (auto lab = rehearsed(name, fence, worker_context)) return lab;
   }
   return std::nullopt;
 }

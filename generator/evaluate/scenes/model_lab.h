@@ -24,6 +24,6 @@ std::vector<std::string> model_lab_fences(const ModelPage& page, const Model& mo
 // even the model alone can.
 std::optional<ModelPage::LiveLab> evaluate_model_lab(const std::string& name,
                                                      const std::vector<std::string>& fences,
-                                                     WorkerContext& worker);
+                                                     WorkerContext& worker_context);
 
 }  // namespace mjcourse

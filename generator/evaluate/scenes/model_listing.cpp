@@ -21,10 +21,12 @@ Span span_of_line(const SourceText& text, int number) {
 }  // namespace
 
 std::optional<ModelResult> evaluate_excerpt(const ModelExcerpt& excerpt, const Lesson& lesson,
-                                            WorkerContext& worker, Diagnostics& diagnostics) {
-  if (!worker.simulate_named(excerpt.model, *lesson.source, diagnostics)) return std::nullopt;
+                                            WorkerContext& worker_context,
+                                            Diagnostics& diagnostics) {
+  if (!worker_context.simulate_named(excerpt.model, *lesson.source, diagnostics))
+    return std::nullopt;
   const std::string path = "models/" + excerpt.model.text + ".xml";
-  const SourceText file(path, read_again(worker.files(), path));
+  const SourceText file(path, read_again(worker_context.files(), path));
   const Place fence = place_of(*lesson.source, excerpt.span);
   if (excerpt.text.text.find_first_not_of(" \n") == std::string::npos) {
     diagnostics.push_back(error_at(fence, "E-excerpt-empty", "this excerpt shows nothing",
@@ -45,9 +47,10 @@ std::optional<ModelResult> evaluate_excerpt(const ModelExcerpt& excerpt, const L
 }
 
 std::optional<ModelResult> evaluate_inline_model(const InlineModel& model, const Lesson& lesson,
-                                                 WorkerContext& worker, Diagnostics& diagnostics) {
+                                                 WorkerContext& worker_context,
+                                                 Diagnostics& diagnostics) {
   if (model.compiles) {
-    const auto simulation = worker.simulate_mjcf(model.text, *lesson.source, diagnostics);
+    const auto simulation = worker_context.simulate_mjcf(model.text, *lesson.source, diagnostics);
     return simulation ? std::optional(ModelResult{}) : std::nullopt;
   }
   const tl::expected<Model, ModelError> loaded = load_vetted_text(model.text.text);

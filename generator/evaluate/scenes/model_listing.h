@@ -13,10 +13,12 @@ namespace mjcourse {
 // Is this a part of the model's file? Line by line, whatever their indentation; a line that is `…`
 // or a comment with `…` in it stands for any lines. The model must compile.
 std::optional<ModelResult> evaluate_excerpt(const ModelExcerpt& excerpt, const Lesson& lesson,
-                                            WorkerContext& worker, Diagnostics& diagnostics);
+                                            WorkerContext& worker_context,
+                                            Diagnostics& diagnostics);
 
 // Does this model compile, or not, as the lesson says?
 std::optional<ModelResult> evaluate_inline_model(const InlineModel& model, const Lesson& lesson,
-                                                 WorkerContext& worker, Diagnostics& diagnostics);
+                                                 WorkerContext& worker_context,
+                                                 Diagnostics& diagnostics);
 
 }  // namespace mjcourse

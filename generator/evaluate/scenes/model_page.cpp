@@ -106,7 +106,7 @@ std::vector<ModelPage::Keyframe> keyframes_of(const Model& model) {
   return keyframes;
 }
 
-// Whoever downloads the model needs these; what lies outside of the course is not handed on.
+// A download of the model needs these; what lies outside of the course is not handed on.
 std::vector<ModelPage::File> files_of(const fs::path& root, const std::string& main) {
   std::map<std::string, std::string> others;
   if (const auto sources = find_model_sources(root, main)) {
@@ -140,9 +140,9 @@ View portrait_of(Simulation& simulation) {
 }  // namespace
 
 std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const BlockContext& context) {
-  WorkerContext& worker = context.worker();
+  WorkerContext& worker_context = context.worker_context();
   std::optional<Simulation> simulation =
-      worker.simulate_named(name, *context.lesson().source, context.diagnostics());
+      worker_context.simulate_named(name, *context.lesson().source, context.diagnostics());
   if (!simulation) return std::nullopt;
   const Model& model = simulation->model();
   ModelPage page;
@@ -155,7 +155,7 @@ std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Bloc
   page.actuators = actuators_of(model);
   page.sensors = sensors_of(model);
   page.keyframes = keyframes_of(model);
-  page.files = files_of(worker.root(), "models/" + name.text + ".xml");
+  page.files = files_of(worker_context.root(), "models/" + name.text + ".xml");
   for (const ModelPage::File& file : page.files) {
     if (!find_invalid_utf8(file.text)) continue;
     context.error("E-model-utf8", name.span(), file.path + " is not UTF-8, as its page needs it",
@@ -168,7 +168,7 @@ std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Bloc
   page.poster = poster_of(*picture, view);
   const std::vector<std::string> fences = model_lab_fences(page, model, view);
   simulation.reset();  // a large model is not there twice
-  page.lab = evaluate_model_lab(page.name, fences, worker);
+  page.lab = evaluate_model_lab(page.name, fences, worker_context);
   return page;
 }
 

@@ -50,7 +50,7 @@ class Pin {
   PinComparison compare() {
     result_.name = pin_.text;
     keep(std::min(kReferenceWidth, picture_.width));
-    const Files& files = context_.worker().files();
+    const Files& files = context_.worker_context().files();
     if (const std::string why = files.refusal(path_); !why.empty()) {
       context_.diagnostics().push_back(
           refused_file(place_of(*context_.lesson().source, pin_.span()), path_, why));

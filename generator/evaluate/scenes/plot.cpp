@@ -63,10 +63,10 @@ json columns_of(const Table& table) {
 }  // namespace
 
 std::optional<PlotResult> evaluate_plot(const Plot& plot, std::size_t index, const Lesson& lesson,
-                                        WorkerContext& worker, Diagnostics& diagnostics) {
+                                        WorkerContext& worker_context, Diagnostics& diagnostics) {
   const Table* table = nullptr;
   if (!plot.example.text.empty()) {
-    table = worker.reports_of(plot.example.text)
+    table = worker_context.reports_of(plot.example.text)
                 .find_table(plot.example, plot.table, *lesson.source, diagnostics);
   }
   if (table != nullptr && (table->empty() || table->front().values.empty())) {
@@ -82,8 +82,8 @@ std::optional<PlotResult> evaluate_plot(const Plot& plot, std::size_t index, con
         "let the example report fewer rows, say every tenth"));
     return std::nullopt;
   }
-  auto drawn = worker.plot_renderer().draw(plot.json, table ? columns_of(*table) : json(),
-                                           block_name(lesson, index));
+  auto drawn = worker_context.plot_renderer().draw(plot.json, table ? columns_of(*table) : json(),
+                                                   block_name(lesson, index));
   if (!drawn) {
     for (const PlotFault& fault : drawn.error()) {
       const Place place = place_of(*lesson.source, place_of_fault(plot, fault));

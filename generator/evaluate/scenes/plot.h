@@ -16,7 +16,7 @@ namespace mjcourse {
 // when its table is not there, or the spec is not well made; it is reported, but for a table whose
 // example failed, which was.
 std::optional<PlotResult> evaluate_plot(const Plot& plot, std::size_t index, const Lesson& lesson,
-                                        WorkerContext& worker, Diagnostics& diagnostics);
+                                        WorkerContext& worker_context, Diagnostics& diagnostics);
 
 // Do they hold what draws alone, also where a browser reads them as a part of a page? `name` is the
 // block's, with which their ids begin.

@@ -42,7 +42,7 @@ Lab::Camera camera_of(const std::optional<Lab::Camera>& camera, const WholeView&
 
 std::optional<Picture> draw(const Simulation& simulation, const View& view, const std::string& what,
                             Span blamed, const BlockContext& context) {
-  const tl::expected<Renderer*, std::string> renderer = context.worker().renderer();
+  const tl::expected<Renderer*, std::string> renderer = context.worker_context().renderer();
   if (!renderer) {
     context.error("E-picture", blamed, "no picture can be drawn: " + renderer.error());
     return std::nullopt;

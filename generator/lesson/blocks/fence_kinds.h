@@ -1,4 +1,4 @@
-// The kinds of fences, with the options that each may have behind its words.
+// The kinds of fences, with the options that each may have behind its name.
 //
 // A reader hands its options to Fence::finish, which refuses all others; an editor offers the same.
 // Enter at fence_kinds(), where all are; a reader takes its own from `fences`.

@@ -1,12 +1,12 @@
 // JsonObject: read an object key by key, as its vocabulary says, and complain about what is not so.
 //
 //   JsonObject object(value, words::kLab, reading);
-//   lab.title = object.string("title");            // reported where it must be there and is not
-//   lab.height = object.number("height", 300);     // and where it is out of its limits
+//   lab.title = object.string("title").text;  // reported where it must be there and is
+//   not lab.height = object.number("height", 300);     // and where it is out of its limits
 //   object.finish();  // any other key is an error with "did you mean"
 //
-// Whoever asks for a key that the vocabulary has not, or as another kind, or finishes without
-// having asked for all that it has, is at fault, and not the author: that is a std::logic_error.
+// A reader that asks for a key that the vocabulary does not have, or as another kind, or that does
+// not ask for all keys, is at fault, and not the author: that is a std::logic_error.
 #pragma once
 
 #include <initializer_list>

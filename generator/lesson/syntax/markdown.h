@@ -37,7 +37,7 @@ const MathText& math_text(cmark_node* math);
 
 // What a text has more of than is read.
 enum class Excess {
-  // Whoever walks a tree goes down into it, so it ends where it would be nested deeper than
+  // A walk over a tree goes down into it, so it ends where it would be nested deeper than
   // kDeepestMarkdown: such a node loses its children.
   depth,
   // A row has a cell in each column, also where nothing stands: ten bytes a row make a hundred

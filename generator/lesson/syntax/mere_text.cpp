@@ -113,7 +113,7 @@ class Finder {
     return std::string_view(text_).substr(0, at + most).find_first_of(signs, at);
   }
 
-  // `\(x\)` and `\[y\]`, of which Markdown leaves the brackets.
+  // `\(x\)` and `\[y\]`, of which Markdown keeps the brackets alone.
   void look_at_escape(std::size_t at) {
     if (text_.compare(at, 7, "\\begin{") == 0) return look_at_environment(at);
     const bool inline_math = text_.compare(at, 2, "\\(") == 0;

@@ -1,7 +1,7 @@
 /**
  * What the strict world needs from the engine under it: the one interface with two implementations,
  * MuJoCo linked into the generator (generator/script/native_world.cpp) and MuJoCo compiled to
- * WebAssembly in the page. Whoever gives these gets the same scripts with the same results.
+ * WebAssembly in the page. Any side that gives these gets the same results of the same scripts.
  */
 
 /** Numbers as MuJoCo stores them: double, float, int, and byte. */

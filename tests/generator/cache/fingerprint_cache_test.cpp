@@ -12,9 +12,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-class KnownFilesTest : public testing::Test {
+class FingerprintCacheTest : public testing::Test {
  protected:
-  KnownFilesTest() {
+  FingerprintCacheTest() {
     write_file(path(), "one");
     std::this_thread::sleep_for(50ms);
   }
@@ -30,26 +30,26 @@ class KnownFilesTest : public testing::Test {
   MemoryStore store_;
 };
 
-TEST_F(KnownFilesTest, BelieveWhatHasNotChanged) {
-  FingerprintCache files;
-  EXPECT_EQ(files.find(path(), status()), std::nullopt);
-  files.keep(path(), status(), "print");
-  EXPECT_EQ(files.find(path(), status()), "print");
+TEST_F(FingerprintCacheTest, BelievesUnchangedFiles) {
+  FingerprintCache cache;
+  EXPECT_EQ(cache.find(path(), status()), std::nullopt);
+  cache.keep(path(), status(), "print");
+  EXPECT_EQ(cache.find(path(), status()), "print");
   write_file(path(), "two");
-  EXPECT_EQ(files.find(path(), status()), std::nullopt);
+  EXPECT_EQ(cache.find(path(), status()), std::nullopt);
 }
 
-TEST_F(KnownFilesTest, DoNotKeepWhatWasChangedJustNow) {
+TEST_F(FingerprintCacheTest, DoNotKeepWhatWasChangedJustNow) {
   write_file(path(), "two");
-  FingerprintCache files;
-  files.keep(path(), status(), "print");
-  EXPECT_EQ(files.find(path(), status()), std::nullopt);
+  FingerprintCache cache;
+  cache.keep(path(), status(), "print");
+  EXPECT_EQ(cache.find(path(), status()), std::nullopt);
 }
 
-TEST_F(KnownFilesTest, AreKeptForTheNextRun) {
-  FingerprintCache files;
-  files.keep(path(), status(), "print");
-  files.write(store_, folder_.path());
+TEST_F(FingerprintCacheTest, PersistsForTheNextRun) {
+  FingerprintCache cache;
+  cache.keep(path(), status(), "print");
+  cache.write(store_, folder_.path());
 
   FingerprintCache later(1h);
   later.read(store_, folder_.path());
@@ -60,10 +60,10 @@ TEST_F(KnownFilesTest, AreKeptForTheNextRun) {
   EXPECT_EQ(elsewhere.find(path(), status()), std::nullopt);
 }
 
-TEST_F(KnownFilesTest, AreForgottenWhereNobodyAsksForThem) {
-  FingerprintCache files;
-  files.keep(path(), status(), "print");
-  files.write(store_, folder_.path());
+TEST_F(FingerprintCacheTest, AreForgottenWhereNobodyAsksForThem) {
+  FingerprintCache cache;
+  cache.keep(path(), status(), "print");
+  cache.write(store_, folder_.path());
   FingerprintCache later;
   later.read(store_, folder_.path());
   later.write(store_, folder_.path());

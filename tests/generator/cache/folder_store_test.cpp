@@ -13,16 +13,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class PreparedFilesTest : public testing::Test {
+class FolderStoreTest : public testing::Test {
  protected:
-  PreparedFilesTest() { write_file(input_, "1"); }
+  FolderStoreTest() { write_file(input_, "1"); }
 
   // The bytes of the entry, which are the input's and `more`; asked for in a new run.
   std::string get(const std::string& request, const std::string& more = "",
                   std::uintmax_t most_bytes = 1000) {
-    FolderStore files(
+    FolderStore store(
         cache_, [](const std::string& name) { return name; }, most_bytes);
-    const auto entry = files.get(request, [&](const fs::path&, const fs::path& staging) {
+    const auto entry = store.get(request, [&](const fs::path&, const fs::path& staging) {
       ++made_;
       write_file(staging / "a", bytes(input_) + more);
       return FolderStore::Made{worked_, {input_.string()}};
@@ -42,7 +42,7 @@ class PreparedFilesTest : public testing::Test {
   int made_ = 0;  // how many times
 };
 
-TEST_F(PreparedFilesTest, AreMadeOnceForOneInput) {
+TEST_F(FolderStoreTest, AreMadeOnceForOneInput) {
   EXPECT_EQ(get("x"), "1");
   EXPECT_EQ(get("x"), "1");
   EXPECT_EQ(made_, 1);
@@ -55,7 +55,7 @@ TEST_F(PreparedFilesTest, AreMadeOnceForOneInput) {
   EXPECT_EQ(made_, 2);
 }
 
-TEST_F(PreparedFilesTest, GoThroughNoLink) {
+TEST_F(FolderStoreTest, GoThroughNoLink) {
   EXPECT_EQ(get("x"), "1");
   const fs::path request = fs::directory_iterator(cache_)->path();
   const fs::path elsewhere = folder_.path() / "elsewhere";
@@ -68,24 +68,24 @@ TEST_F(PreparedFilesTest, GoThroughNoLink) {
   EXPECT_EQ(std::distance(fs::directory_iterator(elsewhere), {}), 1);
 }
 
-TEST_F(PreparedFilesTest, AreFoundByWhoDoesNotMakeThem) {
+TEST_F(FolderStoreTest, AreFoundByWhoDoesNotMakeThem) {
   EXPECT_FALSE(FolderStore(cache_).find("x"));
   EXPECT_EQ(get("x"), "1");
-  FolderStore files(cache_);
-  EXPECT_EQ(bytes(files.find("x")->folder / "a"), "1");
+  FolderStore store(cache_);
+  EXPECT_EQ(bytes(store.find("x")->folder / "a"), "1");
   write_file(input_, "2");
   EXPECT_FALSE(FolderStore(cache_).find("x"));
-  EXPECT_TRUE(files.find("x"));  // in one run, all is compiled with the same
+  EXPECT_TRUE(store.find("x"));  // in one run, all is compiled with the same
 }
 
-TEST_F(PreparedFilesTest, AreFoundWhereInputsLieElsewhere) {
+TEST_F(FolderStoreTest, AreFoundWhereInputsLieElsewhere) {
   const FolderStore::Make make = [](const fs::path&, const fs::path& staging) {
     write_file(staging / "a", "");
     return FolderStore::Made{true, {"/virtual/input"}};
   };
   const auto find = [&](const fs::path& place) {
-    FolderStore files(cache_, [&](const std::string&) { return place.string(); });
-    return files.get("x", make);
+    FolderStore store(cache_, [&](const std::string&) { return place.string(); });
+    return store.get("x", make);
   };
   EXPECT_EQ(find(input_)->inputs, std::vector{input_.string()});
   const fs::path moved = folder_.path() / "moved";
@@ -93,7 +93,7 @@ TEST_F(PreparedFilesTest, AreFoundWhereInputsLieElsewhere) {
   EXPECT_EQ(find(moved)->inputs, std::vector{moved.string()});
 }
 
-TEST_F(PreparedFilesTest, AreNotTriedAgainWhereTheInputsDoNotGiveThem) {
+TEST_F(FolderStoreTest, AreNotTriedAgainWhereTheInputsDoNotGiveThem) {
   worked_ = false;
   EXPECT_EQ(get("x"), "nothing");
   EXPECT_EQ(get("x"), "nothing");
@@ -103,26 +103,26 @@ TEST_F(PreparedFilesTest, AreNotTriedAgainWhereTheInputsDoNotGiveThem) {
   EXPECT_EQ(get("x"), "2");
 }
 
-TEST_F(PreparedFilesTest, AreTriedAgainWhereTheyCouldNotBeTried) {
-  FolderStore files(cache_);
-  EXPECT_FALSE(files.get(
+TEST_F(FolderStoreTest, AreTriedAgainWhereTheyCouldNotBeTried) {
+  FolderStore store(cache_);
+  EXPECT_FALSE(store.get(
       "x", [](const fs::path&, const fs::path&) { return std::optional<FolderStore::Made>(); }));
   EXPECT_EQ(get("x"), "1");
 }
 
 // All that wait for them end, and the next one begins anew.
-TEST_F(PreparedFilesTest, AreGivenUpWhereTheWorkIsCancelled) {
-  FolderStore files(cache_);
+TEST_F(FolderStoreTest, AreGivenUpWhereTheWorkIsCancelled) {
+  FolderStore store(cache_);
   const FolderStore::Make cancelled = [](const fs::path&,
                                          const fs::path&) -> std::optional<FolderStore::Made> {
     throw Cancelled();
   };
-  EXPECT_THROW(files.get("x", cancelled), Cancelled);
-  EXPECT_THROW(files.get("x", cancelled), Cancelled);
+  EXPECT_THROW(store.get("x", cancelled), Cancelled);
+  EXPECT_THROW(store.get("x", cancelled), Cancelled);
   EXPECT_EQ(get("x"), "1");
 }
 
-TEST_F(PreparedFilesTest, ClearUpAfterAMakerThatWasKilled) {
+TEST_F(FolderStoreTest, ClearUpAfterAMakerThatWasKilled) {
   get("x");
   const fs::path request = fs::directory_iterator(cache_)->path();
   write_file(request / "making/half", "0");
@@ -131,7 +131,7 @@ TEST_F(PreparedFilesTest, ClearUpAfterAMakerThatWasKilled) {
   EXPECT_FALSE(fs::exists(request / "making"));
 }
 
-TEST_F(PreparedFilesTest, LoseWhatWasNotUsedForLongest) {
+TEST_F(FolderStoreTest, LoseWhatWasNotUsedForLongest) {
   get("a");
   get("b");
   get("a");
@@ -157,10 +157,10 @@ TEST_F(PreparedFilesTest, LoseWhatWasNotUsedForLongest) {
   EXPECT_EQ(made_, 1);  // c; b is gone
 }
 
-TEST_F(PreparedFilesTest, AreNotThereWithoutAFolder) {
-  FolderStore files(std::nullopt);
+TEST_F(FolderStoreTest, AreNotThereWithoutAFolder) {
+  FolderStore store(std::nullopt);
   EXPECT_FALSE(
-      files.get("x", [](const fs::path&, const fs::path&) -> std::optional<FolderStore::Made> {
+      store.get("x", [](const fs::path&, const fs::path&) -> std::optional<FolderStore::Made> {
         ADD_FAILURE();
         return std::nullopt;
       }));

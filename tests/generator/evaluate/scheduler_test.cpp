@@ -21,8 +21,8 @@ class Faulty : public Task {
     if (when_ == When::preparing) throw std::logic_error("not foreseen\nat all");
     return true;
   }
-  bool work(WorkerContext& worker, Finding& finding) override {
-    worker.typesetter();  // what a former task left of the worker context is of use
+  bool work(WorkerContext& worker_context, Finding& finding) override {
+    worker_context.typesetter();  // what a former task left of the worker context is of use
     if (when_ == When::working) throw std::out_of_range("not foreseen");
     finding.results[block()] = ValueResult{"done", ""};
     return true;

@@ -21,7 +21,7 @@ class PlotGalleryTest : public PlotRendererTest {
 
   std::string faults_of(const std::string& spec) { return faults(spec, rows()); }
   std::string svg_of(const std::string& spec) {
-    return press_.draw(spec, rows(), "p").value().wide.svg;
+    return renderer_.draw(spec, rows(), "p").value().wide.svg;
   }
 
   static constexpr const char* kXY =
@@ -44,7 +44,7 @@ TEST_F(PlotGalleryTest, ABoxplotNeedsNoOutliers) {
 TEST_F(PlotGalleryTest, AHeightMayBeAStepForEachValue) {
   const std::string bars = R"("mark": "bar", "encoding": {"y": {"field": "g", "type": "ordinal"},
       "x": {"field": "y", "type": "quantitative", "aggregate": "sum"}})";
-  const auto drawn = press_.draw(R"({"height": {"step": 17}, )" + bars + "}", rows(), "p");
+  const auto drawn = renderer_.draw(R"({"height": {"step": 17}, )" + bars + "}", rows(), "p");
   ASSERT_TRUE(drawn);
   EXPECT_EQ(drawn->wide.width, 640);
   EXPECT_LT(drawn->wide.height, 110);

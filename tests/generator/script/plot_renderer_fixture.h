@@ -26,7 +26,7 @@ class PlotRendererTest : public testing::Test {
 
   // "id path message | cure" of each fault; "" for none.
   std::string faults(const std::string& spec, const json& table) {
-    const auto drawn = press_.draw(spec, table, "plot-1");
+    const auto drawn = renderer_.draw(spec, table, "plot-1");
     std::string text;
     for (const PlotFault& fault : drawn ? std::vector<PlotFault>{} : drawn.error()) {
       const std::string part =
@@ -39,7 +39,7 @@ class PlotRendererTest : public testing::Test {
   }
   std::string faults(const std::string& spec) { return faults(spec, table_); }
 
-  PlotRenderer press_{bundle("plot")};
+  PlotRenderer renderer_{bundle("plot")};
   json table_ = table({0, 1, 2}, {-1, 0.5, 3e-7});
 };
 

@@ -4,7 +4,7 @@ namespace mjcourse {
 namespace {
 
 TEST_F(PlotRendererTest, DrawsForWideAndForNarrowScreens) {
-  const PlotDrawings drawings = press_.draw(line(), table_, "plot-1").value();
+  const PlotDrawings drawings = renderer_.draw(line(), table_, "plot-1").value();
   EXPECT_EQ(drawings.wide.width, 640);
   EXPECT_EQ(drawings.wide.height, 320);
   ASSERT_TRUE(drawings.narrow);
@@ -24,16 +24,16 @@ TEST_F(PlotRendererTest, DrawsTheSameAgainWhateverCameBefore) {
           "stops": [{"offset": 0, "color": "red"}, {"offset": 1, "color": "blue"}]}},
           "encoding": {"x": {"field": "x", "type": "quantitative"},
                        "y": {"field": "y", "type": "quantitative"}}})";
-  const std::string first = press_.draw(clipped, table_, "plot-1").value().wide.svg;
+  const std::string first = renderer_.draw(clipped, table_, "plot-1").value().wide.svg;
   EXPECT_NE(first.find("id=\"plot-1-wide-clip"), std::string::npos) << first;
   EXPECT_NE(first.find("url(#plot-1-wide-gradient"), std::string::npos) << first;
   const std::string small = line(R"(, "width": 90, "height": 60)");
-  for (int i = 0; i < 35; ++i) ASSERT_TRUE(press_.draw(small, table_, "plot-2"));
-  EXPECT_EQ(press_.draw(clipped, table_, "plot-1").value().wide.svg, first);
+  for (int i = 0; i < 35; ++i) ASSERT_TRUE(renderer_.draw(small, table_, "plot-2"));
+  EXPECT_EQ(renderer_.draw(clipped, table_, "plot-1").value().wide.svg, first);
 }
 
 TEST_F(PlotRendererTest, LeavesTheSizeToAnAuthorWhoSaysIt) {
-  const PlotDrawings drawings = press_.draw(line(R"(, "width": 200)"), table_, "plot-1").value();
+  const PlotDrawings drawings = renderer_.draw(line(R"(, "width": 200)"), table_, "plot-1").value();
   EXPECT_FALSE(drawings.narrow);
   EXPECT_GT(drawings.wide.width, 200);
   EXPECT_LT(drawings.wide.width, 300);
@@ -46,9 +46,9 @@ TEST_F(PlotRendererTest, TellsSeriesApartByMoreThanColour) {
   const std::string spec = line(R"(, "transform": [{"fold": ["y", "x"], "as": ["which", "y"]}])");
   const std::string coloured = R"("color": {"field": "which", "type": "nominal"}, "x":)";
   const std::string with_colour = std::string(spec).replace(spec.rfind("\"x\":"), 4, coloured);
-  EXPECT_EQ(press_.draw(spec, table_, "p").value().wide.svg.find("stroke-dasharray"),
+  EXPECT_EQ(renderer_.draw(spec, table_, "p").value().wide.svg.find("stroke-dasharray"),
             std::string::npos);
-  const std::string svg = press_.draw(with_colour, table_, "p").value().wide.svg;
+  const std::string svg = renderer_.draw(with_colour, table_, "p").value().wide.svg;
   EXPECT_NE(svg.find("stroke-dasharray=\"9,4\""), std::string::npos) << svg;
   EXPECT_NE(svg.find("var(--data-2)"), std::string::npos) << svg;
 }
@@ -56,7 +56,7 @@ TEST_F(PlotRendererTest, TellsSeriesApartByMoreThanColour) {
 TEST_F(PlotRendererTest, WritesPowersOfTenAsPeopleDo) {
   const json small = table({0, 1}, {1e-7, 2e-7});
   const std::string spec = line("", R"(, "axis": {"format": "e", "values": [1e-7, 2e-7]})");
-  const std::string svg = press_.draw(spec, small, "p").value().wide.svg;
+  const std::string svg = renderer_.draw(spec, small, "p").value().wide.svg;
   EXPECT_NE(svg.find("<tspan class=\"power\" dy=\"-0.4em\">−7</tspan>"), std::string::npos) << svg;
 }
 

@@ -1,7 +1,7 @@
 /**
  * A lab as it is, in a link: what the reader set, where the simulation is, how one looks at it, the
  * edited model. The value of `?lab=` is a version, then deflated JSON in base64url; a state's doubles
- * are kept bit by bit. Whoever makes such a value up gets nothing worse than no lab.
+ * are kept bit by bit. A value that was made up gives nothing worse than no lab.
  */
 import type { CameraPlace } from "../lab-module.js";
 import { fromBase64Url, toBase64Url } from "./base64url.js";
