@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "lesson/blocks/block.h"
+#include "lesson/syntax/located_text.h"
 #include "lesson/syntax/reading.h"
 
 namespace mjcourse {

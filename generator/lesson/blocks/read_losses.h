@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "lesson/syntax/located_text.h"
 #include "lesson/syntax/loss.h"
 #include "lesson/syntax/reading.h"
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lesson/blocks/lesson.h"
+#include "lesson/syntax/located_text.h"
 #include "lesson/syntax/reading.h"
 
 namespace mjcourse {
