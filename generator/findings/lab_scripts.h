@@ -14,8 +14,8 @@ using LabScripts = std::map<std::string, std::string>;
 
 std::string lab_script_key(const std::string& text, ScriptKind kind);
 
-// What is run of the author's `text`. Throws std::logic_error where nobody has guarded it: a page
-// must not get a script that was not looked at.
+// The form in which the author's `text` runs. Throws std::logic_error where the guard did not look
+// at it, since a page must not get such a script.
 const std::string& guarded(const LabScripts& scripts, const std::string& text, ScriptKind kind);
 
 }  // namespace mjcourse
