@@ -1,5 +1,6 @@
 // In each lab of a built site every reading of the build's rehearsal comes out again, to the last
-// printed digit, in the engine of the page; and of a ghost, the traces of the plots to ten digits. MJCOURSE_SITE is the site's folder.
+// printed digit, in the engine of the page; and of a ghost, the traces of the plots to ten digits.
+// MJCOURSE_SITE is the site's folder.
 //
 //   node --test tests/site/lab/run-rehearsal.mjs
 
