@@ -3,7 +3,7 @@
 //     ac/3f/2a91…   "mjcourse-store 2 SHA256\n", then the bytes
 //     cas/77/b0c4…  the bytes
 //     tmp/XXXXXX    what is being written, and what a killed process left of that
-//     prepared/…    folders of what programs share (cache/folder_store.h)
+//     prepared/…    folders of what programs share (cache/prepared_folders.h)
 //     lock          held shared by each run, and alone by who prunes
 //
 // The first hash is of the entry's name and its bytes, so no entry can take another's place.

@@ -14,7 +14,7 @@ namespace mjcourse {
 namespace {
 
 namespace fs = std::filesystem;
-using Made = std::optional<FolderStore::Made>;
+using Made = std::optional<PreparedFolders::Made>;
 
 constexpr const char* kHeaderRule = "dependencies";
 
@@ -44,7 +44,7 @@ Made compile(const std::vector<std::string>& command, const fs::path& folder,
   if (!silent && parse_messages(outcome.err).empty()) return std::nullopt;
   const auto rule = DiskFiles(folder).read(kHeaderRule);
   if (!rule) return std::nullopt;
-  return FolderStore::Made{silent, parse_dependencies(*rule, folder)};
+  return PreparedFolders::Made{silent, parse_dependencies(*rule, folder)};
 }
 
 // The code of all that is inline in the header `pch`, as `object`.
@@ -67,8 +67,8 @@ WarmObjects::WarmObjects(Toolchain toolchain, std::optional<fs::path> cache,
       include_(include),
       headers_(include),
       contents_(headers_.contents()),
-      folder_store_(std::move(cache),
-                    [this](const std::string& path) { return headers_.true_path(path); }) {}
+      prepared_(std::move(cache),
+                [this](const std::string& path) { return headers_.true_path(path); }) {}
 
 // All that an entry depends on besides the contents of the system's files. All headers of the
 // course belong to it, as a new one may hide another.
@@ -80,7 +80,7 @@ std::string WarmObjects::request(const std::string& what) const {
 WarmObjects::Entry WarmObjects::header(const std::vector<std::string>& roots) {
   if (roots.empty() || !toolchain_.is_clang()) return nullptr;
   for (const Warmth warmth : {Warmth::thorough, Warmth::quick}) {
-    if (Entry entry = folder_store_.find(request(source_of(roots, warmth)))) return entry;
+    if (Entry entry = prepared_.find(request(source_of(roots, warmth)))) return entry;
   }
   return nullptr;
 }
@@ -88,7 +88,7 @@ WarmObjects::Entry WarmObjects::header(const std::vector<std::string>& roots) {
 void WarmObjects::make_header(const std::vector<std::string>& roots, Warmth warmth) {
   if (roots.empty() || !toolchain_.is_clang()) return;
   const std::string text = source_of(roots, warmth);
-  folder_store_.get(request(text), [&](const fs::path& kept, const fs::path& staging) -> Made {
+  prepared_.get(request(text), [&](const fs::path& kept, const fs::path& staging) -> Made {
     const TemporaryFolder work;
     const fs::path source = kept / "header.hpp", pch = work.path() / "header.pch",
                    object = work.path() / "header.o", overlay = work.path() / "overlay.json";
@@ -116,21 +116,20 @@ void WarmObjects::make_header(const std::vector<std::string>& roots, Warmth warm
 
 WarmObjects::Entry WarmObjects::handlers() {
   if (handlers_source(include_).empty() || !toolchain_.is_clang()) return nullptr;
-  return folder_store_.get(
-      request("handlers"), [&](const fs::path&, const fs::path& staging) -> Made {
-        const TemporaryFolder work;
-        const fs::path source = work.path() / "handlers.cpp", object = work.path() / "handlers.o",
-                       overlay = work.path() / "overlay.json";
-        write_file(source, "#include <mjcourse/handlers.cpp>\n");
-        write_file(overlay, headers_.overlay(std::nullopt));
-        Made made = compile(with(toolchain_.command(false, headers_.shown()),
-                                 {"-ivfsoverlay", overlay, "-c", source, "-o", object}),
-                            work.path(), read_for(include_));
-        if (!made || headers_.contents() != contents_) return std::nullopt;
-        std::erase(made->inputs, source.string());
-        if (made->worked) fs::copy_file(object, staging / "handlers.o");
-        return made;
-      });
+  return prepared_.get(request("handlers"), [&](const fs::path&, const fs::path& staging) -> Made {
+    const TemporaryFolder work;
+    const fs::path source = work.path() / "handlers.cpp", object = work.path() / "handlers.o",
+                   overlay = work.path() / "overlay.json";
+    write_file(source, "#include <mjcourse/handlers.cpp>\n");
+    write_file(overlay, headers_.overlay(std::nullopt));
+    Made made = compile(with(toolchain_.command(false, headers_.shown()),
+                             {"-ivfsoverlay", overlay, "-c", source, "-o", object}),
+                        work.path(), read_for(include_));
+    if (!made || headers_.contents() != contents_) return std::nullopt;
+    std::erase(made->inputs, source.string());
+    if (made->worked) fs::copy_file(object, staging / "handlers.o");
+    return made;
+  });
 }
 
 }  // namespace mjcourse

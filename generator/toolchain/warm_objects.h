@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "cache/folder_store.h"
+#include "cache/prepared_folders.h"
 #include "toolchain/course_headers.h"
 #include "toolchain/toolchain.h"
 
@@ -31,7 +31,7 @@ enum class Warmth { quick, thorough };
 
 class WarmObjects {
  public:
-  using Entry = std::shared_ptr<const FolderStore::Entry>;
+  using Entry = std::shared_ptr<const PreparedFolders::Entry>;
 
   // Of a course whose headers are in these folders. What is made is kept in `cache`, or nothing is
   // made.
@@ -40,7 +40,7 @@ class WarmObjects {
 
   const CourseHeaders& headers() const { return headers_; }
 
-  bool makes_headers() const { return toolchain_.is_clang() && folder_store_.keeps(); }
+  bool makes_headers() const { return toolchain_.is_clang() && prepared_.keeps(); }
   // header.pch of what these includes bring, and of a thorough one header.o; the best that was made
   // before. Null where there is none, and each program compiles it all.
   Entry header(const std::vector<std::string>& roots);
@@ -51,7 +51,7 @@ class WarmObjects {
   Entry handlers();
 
   // The entry was of no use: it is made anew by who asks next, in another process.
-  static void drop(const Entry& entry) { FolderStore::drop(*entry); }
+  static void drop(const Entry& entry) { PreparedFolders::drop(*entry); }
 
  private:
   std::string request(const std::string& what) const;
@@ -60,7 +60,7 @@ class WarmObjects {
   IncludeFolders include_;
   CourseHeaders headers_;
   std::string contents_;  // of the headers, when this was made
-  FolderStore folder_store_;
+  PreparedFolders prepared_;
 };
 
 }  // namespace mjcourse

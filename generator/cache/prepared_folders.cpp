@@ -1,4 +1,4 @@
-#include "cache/folder_store.h"
+#include "cache/prepared_folders.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -24,7 +24,7 @@ namespace mjcourse {
 namespace {
 
 namespace fs = std::filesystem;
-using Entry = FolderStore::Entry;
+using Entry = PreparedFolders::Entry;
 
 constexpr const char* kManifest = "current";
 constexpr const char* kLock = "lock";
@@ -62,7 +62,7 @@ std::string hash_of_file(const fs::path& path) {
 }
 
 Manifest manifest_of(const std::vector<std::string>& names,
-                     const FolderStore::TruePath& true_path) {
+                     const PreparedFolders::TruePath& true_path) {
   Manifest manifest;
   std::string all;
   for (const std::string& name : names) {
@@ -127,7 +127,7 @@ void prune(const fs::path& all, const fs::path& kept, std::uintmax_t most_bytes)
 
 }  // namespace
 
-FolderStore::Found FolderStore::look(const fs::path& folder) const {
+PreparedFolders::Found PreparedFolders::look(const fs::path& folder) const {
   const std::optional<Manifest> manifest = read_manifest(folder);
   if (!manifest) return {};
   Entry entry{folder / manifest->name, {}};
@@ -144,7 +144,7 @@ FolderStore::Found FolderStore::look(const fs::path& folder) const {
 }
 
 // Under the folder's lock.
-std::shared_ptr<const Entry> FolderStore::make_anew(const fs::path& folder, const Make& make) {
+std::shared_ptr<const Entry> PreparedFolders::make_anew(const fs::path& folder, const Make& make) {
   const fs::path staging = folder / kStaging;
   for (const fs::directory_entry& old : fs::directory_iterator(folder)) {
     // The last entry, and what a maker left who was killed. A compiler that reads the last entry
@@ -179,7 +179,7 @@ std::shared_ptr<const Entry> FolderStore::make_anew(const fs::path& folder, cons
   return look(folder).entry;
 }
 
-std::shared_ptr<const Entry> FolderStore::find(const std::string& request) {
+std::shared_ptr<const Entry> PreparedFolders::find(const std::string& request) {
   if (!folder_) return nullptr;
   const std::lock_guard lock(mutex_);
   if (const auto known = found_.find(request); known != found_.end()) return known->second;
@@ -192,7 +192,7 @@ std::shared_ptr<const Entry> FolderStore::find(const std::string& request) {
   return nullptr;
 }
 
-std::shared_ptr<const Entry> FolderStore::get(const std::string& request, const Make& make) {
+std::shared_ptr<const Entry> PreparedFolders::get(const std::string& request, const Make& make) {
   if (!folder_) return nullptr;
   std::promise<std::shared_ptr<const Entry>> promise;
   std::shared_future<std::shared_ptr<const Entry>> future;
@@ -218,7 +218,8 @@ std::shared_ptr<const Entry> FolderStore::get(const std::string& request, const 
   return entry;
 }
 
-std::shared_ptr<const Entry> FolderStore::find_or_make(const fs::path& folder, const Make& make) {
+std::shared_ptr<const Entry> PreparedFolders::find_or_make(const fs::path& folder,
+                                                           const Make& make) {
   if (const Found found = look(folder); found.current) return found.entry;
   // What is made anew removes what was there, and a link leads to what is somebody's.
   if (fs::is_symlink(folder)) fs::remove(folder);
@@ -231,7 +232,7 @@ std::shared_ptr<const Entry> FolderStore::find_or_make(const fs::path& folder, c
   return entry;
 }
 
-void FolderStore::drop(const Entry& entry) {
+void PreparedFolders::drop(const Entry& entry) {
   std::error_code ignored;
   fs::remove(entry.folder.parent_path() / kManifest, ignored);
 }

@@ -1,4 +1,5 @@
-// FolderStore: folders of files, each made once for a request and kept for later programs and runs.
+// PreparedFolders: folders of files, each made once for a request and kept for later programs and
+// runs.
 //
 // Enter with find() or get(). An entry is a folder of files, made once for a request (a text that
 // says all that went in but the contents of files) and made again when one of the files that were
@@ -24,7 +25,7 @@
 
 namespace mjcourse {
 
-class FolderStore {
+class PreparedFolders {
  public:
   struct Entry {
     std::filesystem::path folder;
@@ -43,7 +44,7 @@ class FolderStore {
                                                  const std::filesystem::path& staging)>;
 
   // Without a folder nothing is kept, and nothing made.
-  explicit FolderStore(
+  explicit PreparedFolders(
       std::optional<std::filesystem::path> folder,
       TruePath true_path = [](const std::string& name) { return name; },
       std::uintmax_t most_bytes = std::uintmax_t{1} << 30)

@@ -1,4 +1,4 @@
-#include "cache/folder_store.h"
+#include "cache/prepared_folders.h"
 
 #include <gtest/gtest.h>
 
@@ -13,19 +13,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class FolderStoreTest : public testing::Test {
+class PreparedFoldersTest : public testing::Test {
  protected:
-  FolderStoreTest() { write_file(input_, "1"); }
+  PreparedFoldersTest() { write_file(input_, "1"); }
 
   // The bytes of the entry, which are the input's and `more`; asked for in a new run.
   std::string get(const std::string& request, const std::string& more = "",
                   std::uintmax_t most_bytes = 1000) {
-    FolderStore store(
+    PreparedFolders folders(
         cache_, [](const std::string& name) { return name; }, most_bytes);
-    const auto entry = store.get(request, [&](const fs::path&, const fs::path& staging) {
+    const auto entry = folders.get(request, [&](const fs::path&, const fs::path& staging) {
       ++made_;
       write_file(staging / "a", bytes(input_) + more);
-      return FolderStore::Made{worked_, {input_.string()}};
+      return PreparedFolders::Made{worked_, {input_.string()}};
     });
     return entry ? bytes(entry->folder / "a") : "nothing";
   }
@@ -42,7 +42,7 @@ class FolderStoreTest : public testing::Test {
   int made_ = 0;  // how many times
 };
 
-TEST_F(FolderStoreTest, AreMadeOnceForOneInput) {
+TEST_F(PreparedFoldersTest, AreMadeOnceForOneInput) {
   EXPECT_EQ(get("x"), "1");
   EXPECT_EQ(get("x"), "1");
   EXPECT_EQ(made_, 1);
@@ -55,7 +55,7 @@ TEST_F(FolderStoreTest, AreMadeOnceForOneInput) {
   EXPECT_EQ(made_, 2);
 }
 
-TEST_F(FolderStoreTest, GoThroughNoLink) {
+TEST_F(PreparedFoldersTest, GoThroughNoLink) {
   EXPECT_EQ(get("x"), "1");
   const fs::path request = fs::directory_iterator(cache_)->path();
   const fs::path elsewhere = folder_.path() / "elsewhere";
@@ -68,24 +68,24 @@ TEST_F(FolderStoreTest, GoThroughNoLink) {
   EXPECT_EQ(std::distance(fs::directory_iterator(elsewhere), {}), 1);
 }
 
-TEST_F(FolderStoreTest, AreFoundByWhoDoesNotMakeThem) {
-  EXPECT_FALSE(FolderStore(cache_).find("x"));
+TEST_F(PreparedFoldersTest, AreFoundByWhoDoesNotMakeThem) {
+  EXPECT_FALSE(PreparedFolders(cache_).find("x"));
   EXPECT_EQ(get("x"), "1");
-  FolderStore store(cache_);
-  EXPECT_EQ(bytes(store.find("x")->folder / "a"), "1");
+  PreparedFolders folders(cache_);
+  EXPECT_EQ(bytes(folders.find("x")->folder / "a"), "1");
   write_file(input_, "2");
-  EXPECT_FALSE(FolderStore(cache_).find("x"));
-  EXPECT_TRUE(store.find("x"));  // in one run, all is compiled with the same
+  EXPECT_FALSE(PreparedFolders(cache_).find("x"));
+  EXPECT_TRUE(folders.find("x"));  // in one run, all is compiled with the same
 }
 
-TEST_F(FolderStoreTest, AreFoundWhereInputsLieElsewhere) {
-  const FolderStore::Make make = [](const fs::path&, const fs::path& staging) {
+TEST_F(PreparedFoldersTest, AreFoundWhereInputsLieElsewhere) {
+  const PreparedFolders::Make make = [](const fs::path&, const fs::path& staging) {
     write_file(staging / "a", "");
-    return FolderStore::Made{true, {"/virtual/input"}};
+    return PreparedFolders::Made{true, {"/virtual/input"}};
   };
   const auto find = [&](const fs::path& place) {
-    FolderStore store(cache_, [&](const std::string&) { return place.string(); });
-    return store.get("x", make);
+    PreparedFolders folders(cache_, [&](const std::string&) { return place.string(); });
+    return folders.get("x", make);
   };
   EXPECT_EQ(find(input_)->inputs, std::vector{input_.string()});
   const fs::path moved = folder_.path() / "moved";
@@ -93,7 +93,7 @@ TEST_F(FolderStoreTest, AreFoundWhereInputsLieElsewhere) {
   EXPECT_EQ(find(moved)->inputs, std::vector{moved.string()});
 }
 
-TEST_F(FolderStoreTest, AreNotTriedAgainWhereTheInputsDoNotGiveThem) {
+TEST_F(PreparedFoldersTest, AreNotTriedAgainWhereTheInputsDoNotGiveThem) {
   worked_ = false;
   EXPECT_EQ(get("x"), "nothing");
   EXPECT_EQ(get("x"), "nothing");
@@ -103,26 +103,27 @@ TEST_F(FolderStoreTest, AreNotTriedAgainWhereTheInputsDoNotGiveThem) {
   EXPECT_EQ(get("x"), "2");
 }
 
-TEST_F(FolderStoreTest, AreTriedAgainWhereTheyCouldNotBeTried) {
-  FolderStore store(cache_);
-  EXPECT_FALSE(store.get(
-      "x", [](const fs::path&, const fs::path&) { return std::optional<FolderStore::Made>(); }));
+TEST_F(PreparedFoldersTest, AreTriedAgainWhereTheyCouldNotBeTried) {
+  PreparedFolders folders(cache_);
+  EXPECT_FALSE(folders.get("x", [](const fs::path&, const fs::path&) {
+    return std::optional<PreparedFolders::Made>();
+  }));
   EXPECT_EQ(get("x"), "1");
 }
 
 // All that wait for them end, and the next one begins anew.
-TEST_F(FolderStoreTest, AreGivenUpWhereTheWorkIsCancelled) {
-  FolderStore store(cache_);
-  const FolderStore::Make cancelled = [](const fs::path&,
-                                         const fs::path&) -> std::optional<FolderStore::Made> {
+TEST_F(PreparedFoldersTest, AreGivenUpWhereTheWorkIsCancelled) {
+  PreparedFolders folders(cache_);
+  const PreparedFolders::Make cancelled =
+      [](const fs::path&, const fs::path&) -> std::optional<PreparedFolders::Made> {
     throw Cancelled();
   };
-  EXPECT_THROW(store.get("x", cancelled), Cancelled);
-  EXPECT_THROW(store.get("x", cancelled), Cancelled);
+  EXPECT_THROW(folders.get("x", cancelled), Cancelled);
+  EXPECT_THROW(folders.get("x", cancelled), Cancelled);
   EXPECT_EQ(get("x"), "1");
 }
 
-TEST_F(FolderStoreTest, ClearUpAfterAMakerThatWasKilled) {
+TEST_F(PreparedFoldersTest, ClearUpAfterAMakerThatWasKilled) {
   get("x");
   const fs::path request = fs::directory_iterator(cache_)->path();
   write_file(request / "making/half", "0");
@@ -131,7 +132,7 @@ TEST_F(FolderStoreTest, ClearUpAfterAMakerThatWasKilled) {
   EXPECT_FALSE(fs::exists(request / "making"));
 }
 
-TEST_F(FolderStoreTest, LoseWhatWasNotUsedForLongest) {
+TEST_F(PreparedFoldersTest, LoseWhatWasNotUsedForLongest) {
   get("a");
   get("b");
   get("a");
@@ -157,10 +158,10 @@ TEST_F(FolderStoreTest, LoseWhatWasNotUsedForLongest) {
   EXPECT_EQ(made_, 1);  // c; b is gone
 }
 
-TEST_F(FolderStoreTest, AreNotThereWithoutAFolder) {
-  FolderStore store(std::nullopt);
-  EXPECT_FALSE(
-      store.get("x", [](const fs::path&, const fs::path&) -> std::optional<FolderStore::Made> {
+TEST_F(PreparedFoldersTest, AreNotThereWithoutAFolder) {
+  PreparedFolders folders(std::nullopt);
+  EXPECT_FALSE(folders.get(
+      "x", [](const fs::path&, const fs::path&) -> std::optional<PreparedFolders::Made> {
         ADD_FAILURE();
         return std::nullopt;
       }));
