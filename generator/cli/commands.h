@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/parallel.h"
-#include "cli/command_store.h"
+#include "cli/open_store.h"
 
 namespace mjcourse {
 

@@ -111,11 +111,11 @@ int explain(const ExplainOptions& options) {
     }
     wanted.push_back(*place);
   }
-  if (verified.kept->store() == nullptr) return kClean;  // it was said that there is no store
+  if (verified.store == nullptr) return kClean;  // it was said that there is no store
   const DiskFiles assets(assets_folder());
   std::size_t kept = 0, told = 0;
   for (const Explanation& task :
-       explain_course(*verified.course, workplace_of(options, assets, verified.kept->store()))) {
+       explain_course(*verified.course, workplace_of(options, assets, verified.store.get()))) {
     const bool meant =
         wanted.empty() || std::any_of(wanted.begin(), wanted.end(),
                                       [&](const Where& where) { return where.has(task.place); });

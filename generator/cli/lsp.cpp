@@ -4,8 +4,8 @@
 #include <iostream>
 #include <memory>
 
-#include "cli/command_store.h"
 #include "cli/commands.h"
+#include "cli/open_store.h"
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "lsp/language_server.h"
@@ -20,8 +20,8 @@ constexpr int kLeftAlone = 1;
 }  // namespace
 
 int lsp(const LspOptions& options) {
-  CommandStore command_store(options.store);
-  WriteBehindStore store(command_store.store());
+  const OpenedStore opened = open_store(options.store);
+  WriteBehindStore store(opened.get());
   const DiskFiles assets(assets_folder());
   Workplace workplace = workplace_of(options, assets, &store);
   workplace.fingerprint_cache = std::make_shared<FingerprintCache>(kPatienceWhileEditing);

@@ -1,4 +1,4 @@
-#include "cli/command_store.h"
+#include "cli/open_store.h"
 
 #include <chrono>
 #include <fstream>
@@ -31,26 +31,27 @@ fs::path store_folder(const fs::path& named) {
   return cache ? *cache / "store" : fs::path();
 }
 
-CommandStore::CommandStore(fs::path folder) {
-  folder = store_folder(folder);
-  if (folder.empty()) {
+OpenedStore open_store(const fs::path& folder) {
+  fs::path place = store_folder(folder);
+  if (place.empty()) {
     std::cerr << "note: results are not kept: neither XDG_CACHE_HOME nor HOME names a folder that "
                  "can be written\n";
-    return;
+    return nullptr;
   }
   try {
-    store_.emplace(std::move(folder));
+    return OpenedStore(std::make_unique<DiskStore>(std::move(place)).release());
   } catch (const std::system_error& error) {
     std::cerr << "note: results are not kept: " << error.what() << '\n';
+    return nullptr;
   }
 }
 
-CommandStore::~CommandStore() {
-  if (!store_) return;
-  for (const std::string& note : store_->notes()) std::cerr << "note: " << note << '\n';
-  const fs::path folder = store_->folder();
-  const bool can_be_written = store_->can_be_written();
-  store_.reset();
+void CloseStore::operator()(DiskStore* opened) const {
+  std::unique_ptr<DiskStore> store(opened);
+  for (const std::string& note : store->notes()) std::cerr << "note: " << note << '\n';
+  const fs::path folder = store->folder();
+  const bool can_be_written = store->can_be_written();
+  store.reset();
   if (!can_be_written) return;
   try {
     if (is_due(folder / "pruned")) prune_store(folder, kMostKept, false);

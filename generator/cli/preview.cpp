@@ -94,8 +94,8 @@ void open_browser(const std::string& address) {
 
 int preview(const PreviewOptions& options) {
   const Interrupt interrupt;
-  CommandStore command_store(options.store);
-  WriteBehindStore store(command_store.store());
+  const OpenedStore opened = open_store(options.store);
+  WriteBehindStore store(opened.get());
   const DiskFiles assets(assets_folder());
   Teller teller;
   Workplace workplace = workplace_of(options, assets, &store);

@@ -5,9 +5,9 @@
 
 #include "base/counted.h"
 #include "base/disk_store.h"
-#include "cli/command_store.h"
 #include "cli/commands.h"
 #include "cli/new_files.h"
+#include "cli/open_store.h"
 #include "cli/run.h"
 #include "cli/size.h"
 #include "process/our_command.h"

@@ -103,7 +103,7 @@ std::ptrdiff_t count_errors(const Diagnostics& diagnostics) {
 
 Verified read_course_of(const CourseOptions& options) {
   Verified verified;
-  verified.kept = std::make_unique<CommandStore>(options.store);
+  verified.store = open_store(options.store);
   verified.course =
       read_course(DiskFiles(options.course), verified.evaluation.diagnostics, options.jobs);
   return verified;
@@ -114,7 +114,7 @@ void evaluate_course(const CourseOptions& options, Verified& verified, bool all_
   if (verified.course) {
     ProgressBar progress;
     const DiskFiles assets(assets_folder());
-    Store* store = verified.kept->store();
+    Store* store = verified.store.get();
     const Workplace workplace = workplace_of(options, assets, store);
     if (store != nullptr) workplace.fingerprint_cache->read(*store, options.course);
     verified.evaluation = examine(*verified.course, workplace, progress, std::move(reading));

@@ -3,18 +3,17 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <optional>
 
-#include "cli/command_store.h"
 #include "cli/commands.h"
+#include "cli/open_store.h"
 #include "evaluate/evaluate.h"
 
 namespace mjcourse {
 
 struct Verified {
-  std::optional<Course> course;        // nothing when there is no readable course.yaml
-  std::unique_ptr<CommandStore> kept;  // which has the pictures of the evaluation
+  std::optional<Course> course;  // nothing when there is no readable course.yaml
+  OpenedStore store;             // which has the pictures of the evaluation
   Evaluation evaluation;
   bool failed = false;
   double seconds = 0;  // measured
