@@ -1,4 +1,4 @@
-#include "evaluate/former_names.h"
+#include "evaluate/last_run.h"
 
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -17,30 +17,30 @@ std::string key_of(const Task& task) {
 
 }  // namespace
 
-FormerNames::FormerNames(Store& store, const std::filesystem::path& root)
+LastRun::LastRun(Store& store, const std::filesystem::path& root)
     : store_(store), name_("ac/" + Sha256().add("last").add(root.string()).hex()) {}
 
-FormerNames::~FormerNames() {
+LastRun::~LastRun() {
   // Nobody must fail here, whatever a lesson's file is called.
   if (changed_)
     store_.put(name_, json(results_).dump(-1, ' ', true, json::error_handler_t::replace));
 }
 
-void FormerNames::read() {
+void LastRun::read() {
   if (was_read_) return;
   was_read_ = true;
   auto known = stored_json<std::map<std::string, std::string>>(store_.get(name_));
   if (known) results_ = *std::move(known);
 }
 
-std::string FormerNames::find(const Task& task) {
+std::string LastRun::find(const Task& task) {
   const std::lock_guard lock(mutex_);
   read();
   const auto found = results_.find(key_of(task));
   return found != results_.end() ? found->second : "";
 }
 
-void FormerNames::note(const Task& task, const std::string& result) {
+void LastRun::note(const Task& task, const std::string& result) {
   const std::lock_guard lock(mutex_);
   read();
   std::string& last = results_[key_of(task)];

@@ -1,4 +1,5 @@
-// FormerNames: for each task of a course, the name of its last result. `explain` compares with it.
+// LastRun: the name of the result that each task of a course had when it was last evaluated.
+// `explain` compares with it.
 //
 // It is a question about this folder, and not about what is in it: one entry of the store, read
 // when it is first needed, and written at the end where anything changed.
@@ -15,13 +16,13 @@
 
 namespace mjcourse {
 
-class FormerNames {
+class LastRun {
  public:
   // `root` is the course's folder. The store must outlive this.
-  FormerNames(Store& store, const std::filesystem::path& root);
-  ~FormerNames();
-  FormerNames(const FormerNames&) = delete;
-  FormerNames& operator=(const FormerNames&) = delete;
+  LastRun(Store& store, const std::filesystem::path& root);
+  ~LastRun();
+  LastRun(const LastRun&) = delete;
+  LastRun& operator=(const LastRun&) = delete;
 
   // Both from any thread. The name of the result in the store; empty where there was none.
   std::string find(const Task& task);

@@ -19,7 +19,7 @@ bool TaskStore::find(const Task& task, TaskRecord& record, bool noted) {
   finding->diagnostics = std::move(record.finding.diagnostics);
   record.finding = *std::move(finding);
   record.reused = true;
-  if (noted) former_names_.note(task, found->name);
+  if (noted) last_run_.note(task, found->name);
   return true;
 }
 
@@ -30,12 +30,12 @@ void TaskStore::keep(const Task& task, const Trace& trace,
   if (!bytes) return;
   if (auto kept = results_.keep(record.recipe, trace, begin, *bytes)) {
     record.traced = std::move(kept->traced);
-    former_names_.note(task, kept->name);
+    last_run_.note(task, kept->name);
   }
 }
 
 Dependencies TaskStore::last(const Task& task) {
-  const std::string result = former_names_.find(task);
+  const std::string result = last_run_.find(task);
   return result.empty() ? Dependencies{} : one_by_one(results_.dependencies_of(result));
 }
 

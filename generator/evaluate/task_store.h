@@ -7,7 +7,7 @@
 
 #include "cache/result_codec.h"
 #include "cache/result_store.h"
-#include "evaluate/former_names.h"
+#include "evaluate/last_run.h"
 #include "evaluate/task.h"
 
 namespace mjcourse {
@@ -31,7 +31,7 @@ class TaskStore {
   TaskStore(Store& store, const std::filesystem::path& root, Fingerprints& fingerprints)
       : root_(std::filesystem::absolute(root).lexically_normal()),
         results_(store, fingerprints),
-        former_names_(store, root_),
+        last_run_(store, root_),
         codec_(store, root_) {}
 
   // Does `record`, which has its recipe, get its finding? Where this is to be `noted`, last() will
@@ -50,7 +50,7 @@ class TaskStore {
  private:
   std::filesystem::path root_;
   ResultStore results_;
-  FormerNames former_names_;
+  LastRun last_run_;
   ResultCodec codec_;
 };
 
