@@ -27,6 +27,8 @@ class Fence {
   bool indented() const { return indented_; }
   // The words of the info string that are no options: "lab simlab" → lab, simlab.
   const std::vector<LocatedText>& words() const { return words_; }
+  // The first of them; empty where there is none.
+  std::string kind() const { return words_.empty() ? "" : words_[0].text; }
   const LocatedText& body() const { return body_; }
 
   // The value of `name=value` or `name="value"`; nothing when it is not there.

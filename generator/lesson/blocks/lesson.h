@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <unordered_map>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -76,6 +77,12 @@ struct Lesson {
   std::string hash;        // of a card: its bytes'
   std::size_t length = 0;  // of a card: how many these are
   int unchecked = 0;       // of a card: how many such blocks it has
+
+  // A block that `node` stands for.
+  void add(const cmark_node* node, Block block) {
+    block_of[node] = blocks.size();
+    blocks.push_back(std::move(block));
+  }
 
   // The block that `node` stands for; null for plain Markdown.
   const Block* block(const cmark_node* node) const {

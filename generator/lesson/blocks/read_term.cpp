@@ -1,10 +1,9 @@
-// Texts of a lesson, and the glossary terms in them.
-#include <algorithm>
+#include "lesson/blocks/read_term.h"
+
+#include <string>
+#include <utility>
 
 #include "base/utf8.h"
-#include "lesson/blocks/lesson_reader.h"
-#include "lesson/blocks/read_image.h"
-#include "lesson/syntax/term_syntax.h"
 
 namespace mjcourse {
 namespace {
@@ -26,41 +25,17 @@ std::string link_around(cmark_node* node) {
   return "";
 }
 
-}  // namespace
-
-// Gives the node to go on with.
-cmark_node* LessonReader::read_text(cmark_node* node, Region& region) {
-  refuse_unclosed_math(node, region);
-  refuse_blank_in_name(node, region.text, region.cursor, reading_);
-  TextWithTerms text(node);
-  // A term that ends in another node takes the rest of this one.
-  for (std::size_t at = 0; (at = text.literal().find("[[", at)) != std::string::npos; at += 2) {
-    const bool plain = pass_brackets(region);
-    if (!plain || (at > 0 && is_word_character(text.literal()[at - 1]))) continue;
-    if (const std::optional<CutTerm> term = text.cut(at)) {
-      read_term(*term, region);
-      continue;
-    }
-    if (!looks_like_term(node, text.literal(), at)) continue;
-    const Span brackets = region.text.span(region.cursor - 2, region.cursor);
-    reading_.error(
-        "E-term-unclosed", brackets, "no `]]` closes this term on its line",
-        "write `[[term]]`, in a table `[[term\\|shown text]]`; `\\[[` for brackets as text");
-  }
-  return text.finish();
-}
-
-// Move the region's cursor behind the next `[[`. False when a backslash makes it mere text.
-bool LessonReader::pass_brackets(Region& region) {
-  const std::string& text = region.text.text;
-  for (std::size_t at = region.cursor; at < text.size(); ++at) {
+// Moves the cursor behind the next `[[`. False when a backslash makes it mere text.
+bool pass_brackets(SourceCursor& cursor) {
+  const std::string& text = cursor.text.text;
+  for (std::size_t at = cursor.at; at < text.size(); ++at) {
     for (const char* escaped : {"\\[\\[", "\\[[", "[\\["}) {
       if (text.compare(at, std::string(escaped).size(), escaped) != 0) continue;
-      region.cursor = at + std::string(escaped).size();
+      cursor.at = at + std::string(escaped).size();
       return false;
     }
     if (text.compare(at, 2, "[[") == 0) {
-      region.cursor = at + 2;
+      cursor.at = at + 2;
       return true;
     }
     if (text[at] == '\\') ++at;
@@ -68,29 +43,43 @@ bool LessonReader::pass_brackets(Region& region) {
   return true;
 }
 
-// The cursor stands behind the term's `[[`.
-void LessonReader::read_term(const CutTerm& term, Region& region) {
-  if (is_too_much(region)) return;
-  const std::string& text = region.text.text;
-  std::size_t end = region.cursor;
+}  // namespace
+
+std::optional<CutTerm> next_term(cmark_node* node, TextWithTerms& text, std::size_t& at,
+                                 SourceCursor& cursor, Reading& reading) {
+  // A term that ends in another node takes the rest of this one.
+  while ((at = text.literal().find("[[", at)) != std::string::npos) {
+    const std::size_t opened = std::exchange(at, at + 2);
+    const bool plain = pass_brackets(cursor);
+    if (!plain || (opened > 0 && is_word_character(text.literal()[opened - 1]))) continue;
+    if (std::optional<CutTerm> term = text.cut(opened)) return term;
+    if (!looks_like_term(node, text.literal(), opened)) continue;
+    const Span brackets = cursor.text.span(cursor.at - 2, cursor.at);
+    reading.error(
+        "E-term-unclosed", brackets, "no `]]` closes this term on its line",
+        "write `[[term]]`, in a table `[[term\\|shown text]]`; `\\[[` for brackets as text");
+  }
+  return std::nullopt;
+}
+
+ReadTerm read_term(const CutTerm& term, bool in_callout_title, SourceCursor& cursor,
+                   Reading& reading) {
+  const std::string& text = cursor.text.text;
+  std::size_t end = cursor.at;
   while (end < text.size() && text[end] != '|' && text[end] != '\n' &&
          text.compare(end, 2, "]]") != 0) {
     ++end;
   }
-  if (end > region.cursor && text[end - 1] == '\\') --end;  // `\|`, in a table
-  const LocatedText name = region.text.part(region.cursor, end);
+  if (end > cursor.at && text[end - 1] == '\\') --end;  // `\|`, in a table
+  LocatedText name = cursor.text.part(cursor.at, end);
   // What is shown stands behind the bar, or is the name itself.
-  if (text.compare(end, 1, "|") == 0 || text.compare(end, 2, "\\|") == 0) region.cursor = end;
+  if (text.compare(end, 1, "|") == 0 || text.compare(end, 2, "\\|") == 0) cursor.at = end;
   std::string around = link_around(cmark_node_parent(term.node));
-  if (in_callout_title_) around = "a callout's title";  // which may fold the callout
-  if (!around.empty()) {
-    reading_.error("E-term-place", name.span(), "a term cannot stand in " + around,
-                   "a term is a link itself: put it where the text first speaks of it");
-  } else {
-    add(term.node, TermUse{name, term_key(term.name)});
-  }
-  walk_children(term.node, region);
-  region.cursor = std::max(region.cursor, end);
+  if (in_callout_title) around = "a callout's title";  // which may fold the callout
+  if (around.empty()) return {TermUse{std::move(name), term_key(term.name)}, end};
+  reading.error("E-term-place", name.span(), "a term cannot stand in " + around,
+                "a term is a link itself: put it where the text first speaks of it");
+  return {std::nullopt, end};
 }
 
 }  // namespace mjcourse

@@ -160,6 +160,13 @@ Document parse_markdown(const std::string& text, const Refuse& refuse, int first
   return document;
 }
 
+bool stands_in(cmark_node* node, cmark_node_type type) {
+  while ((node = cmark_node_parent(node)) != nullptr) {
+    if (cmark_node_get_type(node) == type) return true;
+  }
+  return false;
+}
+
 std::string plain_text(cmark_node* node) {
   const cmark_node_type type = cmark_node_get_type(node);
   if (type == CMARK_NODE_TEXT || type == CMARK_NODE_CODE) return cmark_node_get_literal(node);

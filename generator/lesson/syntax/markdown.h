@@ -58,6 +58,9 @@ using Refuse = std::function<void(Excess excess, int line)>;
 Document parse_markdown(const std::string& text, const Refuse& refuse = {}, int first_line = 1,
                         Losses* losses = nullptr, const Typography& typography = {});
 
+// Does `node` stand in one of the type?
+bool stands_in(cmark_node* node, cmark_node_type type);
+
 // What a reader sees of `node` with all markup gone: text, code, and formulas as TeX.
 std::string plain_text(cmark_node* node);
 
