@@ -1,4 +1,3 @@
-// Tested by tests/generator/cli/run_test.cpp.
 #include <iostream>
 #include <string>
 #include <utility>

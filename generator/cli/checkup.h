@@ -1,5 +1,5 @@
 // What this machine has of all that a course may need, found out by trying.
-// Tested by tests/generator/cli/run_test.cpp.
+// Tested by tests/generator/cli/doctor_test.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,4 @@
 // `mjcourse doctor`: a line for each thing that courses need, and the cure of what is not well.
-// Tested by tests/generator/cli/run_test.cpp.
 #include <algorithm>
 #include <iostream>
 

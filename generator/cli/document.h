@@ -1,6 +1,6 @@
 // What was found, as one document for another tool: on stdout, while what a person reads goes to
 // stderr.
-// Tested by tests/generator/cli/run_test.cpp.
+// Tested by tests/generator/cli/verify_test.cpp.
 #pragma once
 
 #include <string>

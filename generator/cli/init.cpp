@@ -1,6 +1,6 @@
 // `mjcourse init DIR [TITLE]`: a course that checks and builds at once. Its files are skeletons,
 // and what every course's examples have: their CMake file and the helper header.
-// Tested by tests/generator/cli/run_test.cpp.
+// Tested by tests/system/begin.mjs.
 #include <array>
 #include <filesystem>
 #include <iostream>

@@ -1,5 +1,4 @@
 // `mjcourse list`: the lessons in their order, and how each of them stands.
-// Tested by tests/generator/cli/run_test.cpp.
 #include <algorithm>
 #include <array>
 #include <iostream>

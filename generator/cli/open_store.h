@@ -1,5 +1,5 @@
 // OpenedStore: the store that a command works with, from opening it to what is said of it.
-// Tested by tests/generator/cli/run_test.cpp.
+// Tested by tests/store/shared.mjs.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // Where a command may write: a course is often somebody else's, and its `build` a link.
-// Tested by tests/generator/cli/run_test.cpp.
+// Tested by tests/generator/cli/build_test.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,4 @@
 // What the commands have in common: read the course, evaluate it, tell what was found.
-// Tested by tests/generator/cli/run_test.cpp.
 #pragma once
 
 #include <filesystem>

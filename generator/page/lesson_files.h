@@ -1,5 +1,5 @@
 // A lesson's part of the site: its page, and the files that this shows.
-// Tested by tests/generator/cli/run_test.cpp.
+// Tested by tests/generator/cli/build_test.cpp.
 #pragma once
 
 #include <cstddef>

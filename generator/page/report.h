@@ -3,7 +3,7 @@
 //
 // Steps: verification.json has everything; index.html shows it, with the mistakes first; pictures/
 // has what is pinned, as it was and as it was drawn now. It is made of a failed run as well.
-// Tested by tests/generator/cli/run_test.cpp.
+// Tested by tests/generator/cli/verify_test.cpp.
 #pragma once
 
 #include <filesystem>

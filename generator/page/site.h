@@ -5,7 +5,7 @@
 // and what leads on from former addresses; the assets that the site's build made (styles, fonts,
 // scripts); what a browser needs to keep all this. All of it goes into a SiteDirectory, which
 // replaces the old site at once.
-// Tested by tests/generator/cli/run_test.cpp.
+// Tested by tests/generator/cli/build_test.cpp.
 #pragma once
 
 #include <cstddef>

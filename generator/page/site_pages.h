@@ -3,7 +3,7 @@
 //
 // Enter with write_lesson() for each lesson and write_others() for all the rest; site.h does both
 // for a site on the disk.
-// Tested by tests/generator/cli/run_test.cpp.
+// Tested by tests/generator/cli/build_test.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
 // What is told of a file that a course names and that is never read (base/beneath.h).
-// Tested by tests/generator/cli/run_test.cpp.
+// Tested by tests/system/links.mjs.
 #pragma once
 
 #include <string>

@@ -1,0 +1,53 @@
+#include <gtest/gtest.h>
+
+#include "cli/ran.h"
+
+namespace mjcourse {
+namespace {
+
+TEST(Explain, ExplainsAMessageByItsName) {
+  const Ran result = ran({"explain", "W-lesson-unlisted", "E-lesson-number"});
+  EXPECT_EQ(result.code, kClean);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(result.out,
+            "warning W-lesson-unlisted\n"
+            "\n"
+            "  A file is in the folder of a level, but `content/course.yaml` does not list it. It "
+            "is not in the\n"
+            "  site, and nothing in it is checked, perhaps contrary to what you expect. List it. "
+            "If you are still\n"
+            "  working on it, put `draft: true` in its front matter: the lesson then stays out of "
+            "the site but is\n"
+            "  checked all the same.\n"
+            "\n"
+            "  wrong: `lessons: [1.1-lesson]` beside a file `1.2-more.md`\n"
+            "  right: `lessons: [1.1-lesson, 1.2-more]`\n"
+            "\n"
+            "error E-lesson-number\n"
+            "\n"
+            "  Two lessons of the course have the same number, so a link to it would be ambiguous. "
+            "Give one of\n"
+            "  them another number.\n"
+            "\n"
+            "  wrong: `1.2-state.md` and `1.2-joints.md`\n"
+            "  right: `1.2-state.md` and `1.3-joints.md`\n");
+}
+
+TEST(Explain, KnowsWhichMessagesThereAre) {
+  const auto refused = [](const std::vector<std::string>& arguments) {
+    const Ran result = ran(arguments);
+    EXPECT_EQ(result.code, kWrongUsage);
+    EXPECT_EQ(result.out, "");
+    return result.err;
+  };
+  EXPECT_EQ(refused({"explain", "E-output-difers"}),
+            "mjcourse: no message is called E-output-difers; did you mean `E-output-differs`?\n");
+  EXPECT_EQ(refused({"explain", "E-frobnicate"}),
+            "mjcourse: no message is called E-frobnicate; lesson A.9 of the author guide has them "
+            "all\n");
+  EXPECT_EQ(refused({"explain", "E-output-differs", "1.2"}),
+            "mjcourse: explain takes messages' names or places of the course, and not both\n");
+}
+
+}  // namespace
+}  // namespace mjcourse
