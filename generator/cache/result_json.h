@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "findings/finding.h"
+#include "lesson/lesson_of_lab.h"
 
 // How the library reads and writes what the standard library has and JSON has not.
 namespace nlohmann {
@@ -99,7 +100,15 @@ MJCOURSE_FIELDS(ModelPage::Actuator, name, on, limits)
 MJCOURSE_FIELDS(ModelPage::Sensor, name, of, data)
 MJCOURSE_FIELDS(ModelPage::Keyframe, name, time)
 MJCOURSE_FIELDS(ModelPage::File, path, text)
-MJCOURSE_FIELDS(ModelPage::LiveLab, fence, result)
+// By its fence, which is parsed here and nowhere else but where it was written.
+inline void to_json(nlohmann::json& j, const ModelPage::LiveLab& lab) {
+  j = {
+      {"model", lab.lesson->number}, {"fence", lab.lesson->source->text()}, {"result", lab.result}};
+}
+inline void from_json(const nlohmann::json& j, ModelPage::LiveLab& lab) {
+  lab.lesson = lesson_of_lab(j.at("model").get<std::string>(), j.at("fence").get<std::string>());
+  j.at("result").get_to(lab.result);
+}
 MJCOURSE_FIELDS(ModelPage, name, sizes, timestep, joints, actuators, sensors, keyframes, files,
                 poster, lab)
 #undef MJCOURSE_FIELDS

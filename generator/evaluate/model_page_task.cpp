@@ -25,7 +25,7 @@ bool ModelPageTask::work_apart(WorkerContext& worker_context, Finding& finding) 
 
 bool ModelPageTask::work(WorkerContext& worker_context, Finding& finding) {
   if (!finding.model_page || !finding.model_page->lab) return true;
-  const Lesson page = lesson_of_lab(*finding.model_page);
+  const Lesson& page = *finding.model_page->lab->lesson;
   LabScripts& scripts = finding.model_page->lab->result.scripts;
   if (guard_scripts(std::get<Lab>(page.blocks.at(0)), page, worker_context, scripts)) return true;
   throw std::runtime_error("the model's lab was rehearsed with a script that no page runs");

@@ -127,9 +127,9 @@ bool is_page_of(const Task& task, const ModelPage& page, const fs::path& root) {
   });
   if (page.name != task.model() || !has_own_files) return false;
   if (!page.lab) return true;
-  const Lesson lesson = lesson_of_lab(page);
-  return lesson.blocks.size() == 1 && fits(lesson.blocks.front(), page.lab->result) &&
-         lie_in(root, page.lab->result);
+  const Lesson& lesson = *page.lab->lesson;
+  return lesson.number == page.name && lesson.blocks.size() == 1 &&
+         fits(lesson.blocks.front(), page.lab->result) && lie_in(root, page.lab->result);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Tested by tests/generator/evaluate/scenes/model_lab_test.cpp.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -50,16 +51,13 @@ struct ModelPage {
   Poster poster;
   // A lab with this model (evaluate/scenes/model_lab.h).
   struct LiveLab {
-    std::string fence;  // as it would stand in a lesson
-    LabResult result;   // without a poster, which is the page's
+    std::shared_ptr<const Lesson> lesson;  // whose one block it is (lesson/lesson_of_lab.h)
+    LabResult result;                      // without a poster, which is the page's
   };
   std::optional<LiveLab> lab;  // nothing for a model that does not bear to be simulated
 };
 
 // What its poster shows, in words.
 std::string alt_of(const ModelPage& page);
-
-// Its lab, as the one block of a lesson. `page` has one.
-Lesson lesson_of_lab(const ModelPage& page);
 
 }  // namespace mjcourse

@@ -59,10 +59,9 @@ json tables_of(const ModelPage& model) {
 json lab_data(const ModelPage& model, const Course& course, const PageContext& context,
               std::vector<LabFiles>& files) {
   if (!model.lab) return nullptr;
-  const Lesson lesson = lesson_of_lab(model);
   LessonResults results;
   results.of_block[0] = model.lab->result;
-  PageWriter writer(course, lesson, results, context);
+  PageWriter writer(course, *model.lab->lesson, results, context);
   json data = writer.lab(0);
   data["poster"] = poster_data(model, way_to_root(context.page), Loaded::at_once);
   files = writer.lab_files();

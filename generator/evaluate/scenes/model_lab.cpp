@@ -1,5 +1,6 @@
 #include "evaluate/scenes/model_lab.h"
 
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -68,15 +69,15 @@ std::string fence_of(const ModelPage& page, const View& view, json controls, jso
   return "```lab simlab\n" + lab.dump() + "\n```\n";
 }
 
-std::optional<ModelPage::LiveLab> rehearsed(const std::string& name, std::string fence,
+std::optional<ModelPage::LiveLab> rehearsed(const std::string& name, const std::string& fence,
                                             WorkerContext& worker_context) {
+  std::shared_ptr<const Lesson> lesson = lesson_of_lab(name, fence);
+  if (!lesson->sound || lesson->blocks.size() != 1) return std::nullopt;
+  const Lab& lab = std::get<Lab>(lesson->blocks.front());
   Diagnostics mistakes;
-  const Lesson lesson = lesson_of_lab(name, fence, mistakes);
-  if (!mistakes.empty() || lesson.blocks.size() != 1) return std::nullopt;
-  const Lab& lab = std::get<Lab>(lesson.blocks.front());
-  std::optional<LabResult> result = rehearse_lab(lab, lesson, worker_context, mistakes);
+  std::optional<LabResult> result = rehearse_lab(lab, *lesson, worker_context, mistakes);
   if (!result) return std::nullopt;
-  return ModelPage::LiveLab{std::move(fence), *std::move(result)};
+  return ModelPage::LiveLab{std::move(lesson), *std::move(result)};
 }
 
 }  // namespace

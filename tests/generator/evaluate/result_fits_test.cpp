@@ -8,6 +8,7 @@
 #include "base/temporary_folder.h"
 #include "course/course.h"
 #include "evaluate/plan.h"
+#include "lesson/lesson_of_lab.h"
 #include "reading_of.h"
 
 namespace mjcourse {
@@ -44,6 +45,16 @@ class FilesOfAModel : public testing::Test {
       return task->model() == "ball" && fits(*task, finding, folder_.path());
     });
   }
+  // As a page of the model has the lab of `fence`, which was made for the page of `model`.
+  bool plays(const std::string& model, const std::string& fence) const {
+    Finding finding;
+    finding.model_page.emplace();
+    finding.model_page->name = "ball";
+    finding.model_page->lab = {lesson_of_lab(model, fence), {}};
+    return std::ranges::any_of(tasks_, [&](const auto& task) {
+      return task->model() == "ball" && fits(*task, finding, folder_.path());
+    });
+  }
   // As a lab brings the picture along under the name `name`.
   bool brings(const std::string& name) const {
     LabResult result;
@@ -74,6 +85,16 @@ TEST_F(FilesOfAModel, GoWithALabUnderSuchNames) {
   EXPECT_TRUE(brings("picture.png"));
   EXPECT_FALSE(brings("picture.html"));
   EXPECT_FALSE(brings("picture.svg"));
+}
+
+TEST_F(FilesOfAModel, ArePlayedInOneLabOfTheModelsPage) {
+  const std::string lab =
+      "```lab simlab\n{\"title\": \"L\", \"model\": \"ball\", \"alt\": \"A ball.\"}\n```\n";
+  EXPECT_TRUE(plays("ball", lab));
+  EXPECT_FALSE(plays("../../ball", lab));
+  EXPECT_FALSE(plays("ball", lab + lab));
+  EXPECT_FALSE(plays("ball", "Text.\n"));
+  EXPECT_FALSE(plays("ball", "> [!note] A callout\n"));
 }
 
 // A lab of one readout, with one button.

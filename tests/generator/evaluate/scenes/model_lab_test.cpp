@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include "evaluate/evaluation_of.h"
-#include "lesson/lesson_of_lab.h"
 
 namespace mjcourse {
 namespace {
@@ -24,7 +23,7 @@ class ModelLabOf {
 
   const ModelPage& page() const { return evaluation_.evaluation().models.at(0); }
   std::string mistakes() const { return evaluation_.mistakes(); }
-  Lesson lesson() const { return lesson_of_lab(page()); }
+  const Lesson& lesson() const { return *page().lab->lesson; }
 
  private:
   EvaluationOf evaluation_;
@@ -33,7 +32,7 @@ class ModelLabOf {
 TEST(ModelLab, HasKeyframesActuatorsAndJoints) {
   const ModelLabOf rig(kRig);
   ASSERT_TRUE(rig.page().lab);
-  const Lesson lesson = rig.lesson();
+  const Lesson& lesson = rig.lesson();
   const Lab& lab = std::get<Lab>(lesson.blocks.at(0));
   EXPECT_EQ(lab.title, "rig, live");
   EXPECT_TRUE(lab.editable);
@@ -69,7 +68,7 @@ TEST(ModelLab, LeavesOutWhatTheModelDoesNotBear) {
 )");
   EXPECT_EQ(wild.mistakes(), "");
   ASSERT_TRUE(wild.page().lab);
-  const Lesson lesson = wild.lesson();
+  const Lesson& lesson = wild.lesson();
   EXPECT_TRUE(std::get<Lab>(lesson.blocks.at(0)).controls.empty());
 }
 
