@@ -30,12 +30,14 @@ tl::unexpected<Unopened> failed(int reason) {
   return tl::unexpected(Unopened{reason, std::generic_category().message(reason)});
 }
 
-tl::unexpected<Unopened> refused(std::string why) {
-  return tl::unexpected(Unopened{0, std::move(why)});
+tl::unexpected<Unopened> refused(FileRefusal refusal) {
+  return tl::unexpected(Unopened{0, std::move(refusal.why), std::move(refusal.cure)});
 }
 
 tl::unexpected<Unopened> leads_out() {
-  return refused("leads out of the course");
+  return refused({"leads out of the course",
+                  "a course is made of its own files: put a copy there, or a link that stays "
+                  "inside of the course"});
 }
 
 bool is_gits(std::string_view name) {
@@ -108,7 +110,10 @@ class Walk {
         passed_.pop_back();
         continue;
       }
-      if (is_gits(name)) return refused("lies in .git, which is no part of the course");
+      if (is_gits(name)) {
+        return refused({"lies in .git, which is no part of the course",
+                        "put a copy of it into another folder of the course, and name that"});
+      }
       auto end = step(name);
       if (!end) return tl::unexpected(end.error());
       if (*end) return **std::move(end);
@@ -148,7 +153,10 @@ class Walk {
   }
 
   tl::expected<std::optional<End>, Unopened> follow(const std::string& link) {
-    if (++links_ > kMostLinks) return refused("is a link that leads in a circle");
+    if (++links_ > kMostLinks) {
+      return refused({"is a link that leads in a circle",
+                      "put the file itself there, or a link to a file of the course"});
+    }
     if (link.empty()) return failed(ENOENT);
     std::string below = link;
     if (link.front() == '/') {
@@ -177,7 +185,7 @@ tl::expected<Beneath::File, Unopened> as_file(Descriptor descriptor) {
   if (fstat(file.descriptor.get(), &file.status) != 0) return failed(errno);
   const mode_t mode = file.status.st_mode;
   if (S_ISDIR(mode)) return tl::unexpected(Unopened{EISDIR, "is a folder, not a file"});
-  if (!S_ISREG(mode)) return refused("is not a file");
+  if (!S_ISREG(mode)) return refused(refusal_of_no_file());
   return file;
 }
 
@@ -188,6 +196,10 @@ tl::expected<Descriptor, Unopened> opened(int folder, const char* name, int flag
 }
 
 }  // namespace
+
+FileRefusal refusal_of_no_file() {
+  return {"is not a file", "put a plain file there: a pipe or a device is never read"};
+}
 
 void throw_unopened(const std::string& path, const Unopened& unopened) {
   if (unopened.is_refused()) throw RefusedPath(path + " " + unopened.why);

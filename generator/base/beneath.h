@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <tl/expected.hpp>
@@ -19,13 +20,27 @@
 
 namespace mjcourse {
 
+// Why something that is there is never opened, and what the course's author does then.
+struct FileRefusal {
+  std::string why;  // "leads out of the course"
+  std::string cure;
+};
+
 // Why something was not opened.
 struct Unopened {
-  int reason;       // as errno has it; 0 where it is there and is refused
-  std::string why;  // "leads out of the course"
+  int reason;          // as errno has it; 0 where it is there and is refused
+  std::string why;     // "leads out of the course"
+  std::string cure{};  // of what is refused
 
   bool is_refused() const { return reason == 0; }
+  // Nothing where it only could not be opened.
+  std::optional<FileRefusal> refusal() const {
+    return is_refused() ? std::optional(FileRefusal{why, cure}) : std::nullopt;
+  }
 };
+
+// What is there under a name, and is neither a file nor a folder.
+FileRefusal refusal_of_no_file();
 
 // Thrown where something would have been written that is refused: "build leads out of the course".
 class RefusedPath : public std::runtime_error {

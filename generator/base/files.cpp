@@ -100,12 +100,13 @@ bool DiskFiles::is_folder(const std::string& path) const {
   return status && S_ISDIR(status->st_mode);
 }
 
-std::string DiskFiles::refusal(const std::string& path) const {
+std::optional<FileRefusal> DiskFiles::refusal(const std::string& path) const {
   const auto status = beneath_.status(path);
-  if (!status) return status.error().is_refused() ? status.error().why : "";
-  if (S_ISDIR(status->st_mode)) return "";
-  if (!S_ISREG(status->st_mode)) return "is not a file";
-  return status->st_size > kMostOfAFile ? kTooLarge : "";
+  if (!status) return status.error().refusal();
+  if (S_ISDIR(status->st_mode)) return std::nullopt;
+  if (!S_ISREG(status->st_mode)) return refusal_of_no_file();
+  if (status->st_size <= kMostOfAFile) return std::nullopt;
+  return FileRefusal{kTooLarge, "put a smaller one there"};
 }
 
 std::vector<std::string> DiskFiles::list(const std::string& folder) const {

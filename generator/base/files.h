@@ -30,9 +30,11 @@ class Files {
   virtual std::vector<std::string> folders(const std::string& /*folder*/) const { return {}; }
   // The same of what is in `folder` or in a folder below it, sorted: "scene.xml", "arm/arm.xml".
   virtual std::vector<std::string> list_below(const std::string& folder) const = 0;
-  // Why the file or the folder `path`, which is there, is never read: "leads out of the course". ""
-  // where it is not there, or is read.
-  virtual std::string refusal(const std::string& /*path*/) const { return ""; }
+  // Why the file or the folder `path`, which is there, is never read; nothing where it is not
+  // there, or is read.
+  virtual std::optional<FileRefusal> refusal(const std::string& /*path*/) const {
+    return std::nullopt;
+  }
 };
 
 // The files under `root` on the disk, and beneath it wherever links lead (beneath.h).
@@ -46,7 +48,7 @@ class DiskFiles : public Files {
   std::vector<std::string> list(const std::string& folder) const override;
   std::vector<std::string> folders(const std::string& folder) const override;
   std::vector<std::string> list_below(const std::string& folder) const override;
-  std::string refusal(const std::string& path) const override;
+  std::optional<FileRefusal> refusal(const std::string& path) const override;
 
   bool is_folder(const std::string& path) const;
 

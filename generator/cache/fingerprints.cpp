@@ -53,7 +53,7 @@ std::string Fingerprints::of(const std::string& name) {
   if (stat(path.c_str(), &status) != 0) return kAbsent;
   if (auto known = files_->find(path.string(), status)) return *std::move(known);
   // Nobody reads it; what a link leads to says nothing of the link.
-  if (!name.starts_with('/') && !DiskFiles(root_).refusal(name).empty()) return kUnreadable;
+  if (!name.starts_with('/') && DiskFiles(root_).refusal(name)) return kUnreadable;
   std::string found = fingerprint(path, status);
   files_->keep(path.string(), status, found);
   return found;

@@ -55,7 +55,7 @@ std::vector<std::string> TracedFiles::list_below(const std::string& folder) cons
   return files_.list_below(folder);
 }
 
-std::string TracedFiles::refusal(const std::string& path) const {
+std::optional<FileRefusal> TracedFiles::refusal(const std::string& path) const {
   trace_.file(path);
   return files_.refusal(path);
 }

@@ -55,7 +55,7 @@ class TracedFiles : public Files {
   bool exists(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;
   std::vector<std::string> list_below(const std::string& folder) const override;
-  std::string refusal(const std::string& path) const override;
+  std::optional<FileRefusal> refusal(const std::string& path) const override;
 
  private:
   DiskFiles files_;

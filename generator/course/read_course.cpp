@@ -28,8 +28,9 @@ constexpr std::size_t kMostLessons = 20'000;
 
 // Tells of the file or folder `path` where it is refused.
 void report_refused(const std::string& path, const Files& files, Diagnostics& diagnostics) {
-  const std::string why = files.refusal(path);
-  if (!why.empty()) diagnostics.push_back(refused_file({path, 0, 0, 1, ""}, path, why));
+  if (const auto refusal = files.refusal(path)) {
+    diagnostics.push_back(refused_file({path, 0, 0, 1, ""}, path, *refusal));
+  }
 }
 
 // What is used without being named: models and headers, of which a compiler would tell that they
@@ -37,7 +38,7 @@ void report_refused(const std::string& path, const Files& files, Diagnostics& di
 void report_refused_folders(const Files& files, Diagnostics& diagnostics) {
   report_refused("models", files, diagnostics);
   report_refused("examples", files, diagnostics);
-  if (!files.refusal("examples").empty()) return;
+  if (files.refusal("examples")) return;
   report_refused("examples/include", files, diagnostics);
   for (const std::string& name : files.list_below("examples/include")) {
     report_refused("examples/include/" + name, files, diagnostics);
@@ -54,7 +55,7 @@ struct Listed {
   LocatedText entry;
   std::string path;
   std::optional<Lesson> lesson = {};
-  std::string refusal = {};  // as Files has it
+  std::optional<FileRefusal> refusal = {};
   Diagnostics diagnostics = {};
 };
 
@@ -121,9 +122,9 @@ void add_listed(const Files& files, Listed& listed, Reading& reading, Course& co
   Level& level = course.levels[listed.level];
   const Span span = listed.entry.span();
   diagnostics.insert(diagnostics.end(), listed.diagnostics.begin(), listed.diagnostics.end());
-  if (!listed.refusal.empty()) {
+  if (listed.refusal) {
     diagnostics.push_back(
-        refused_file(place_of(reading.source(), span), listed.path, listed.refusal));
+        refused_file(place_of(reading.source(), span), listed.path, *listed.refusal));
   } else if (!listed.lesson && listed.diagnostics.empty()) {
     const MissingLesson missing = missing_lesson(files, level.folder, listed.entry.text);
     reading.error("E-lesson-missing", span, missing.message, missing.cure);
@@ -163,7 +164,7 @@ void read_glossary_file(const Files& files, Course& course, Diagnostics& diagnos
   const tl::expected<std::string, std::string> bytes = files.read(kGlossaryPath);
   if (bytes) course.glossary = read_glossary(*bytes, diagnostics, course.typography);
   report_refused(kGlossaryPath, files, diagnostics);
-  if (!bytes && files.exists(kGlossaryPath) && files.refusal(kGlossaryPath).empty()) {
+  if (!bytes && files.exists(kGlossaryPath) && !files.refusal(kGlossaryPath)) {
     diagnostics.push_back(error_at({kGlossaryPath, 0, 0, 1, ""}, "E-file-refused",
                                    "cannot read " + bytes.error(), "let it be read"));
   }
@@ -251,7 +252,7 @@ std::vector<const Lesson*> Course::pages() const {
 std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, std::size_t threads,
                                   std::size_t awake, LessonShelf* shelf) {
   const tl::expected<std::string, std::string> bytes = files.read(kCoursePath);
-  if (!bytes && !files.refusal(kCoursePath).empty()) {
+  if (!bytes && files.refusal(kCoursePath)) {
     report_refused(kCoursePath, files, diagnostics);
     return std::nullopt;
   }

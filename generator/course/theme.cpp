@@ -53,9 +53,9 @@ Diagnostics check_theme(const Files& course, const Files& assets) {
   }
   std::set<std::string> used(known.begin(), known.end());
   const auto check = [&](const std::string& path) {
-    const std::string why = course.refusal(path);
-    if (!why.empty()) diagnostics.push_back(refused_file({path, 0, 0, 1, ""}, path, why));
-    return why.empty();
+    const auto refusal = course.refusal(path);
+    if (refusal) diagnostics.push_back(refused_file({path, 0, 0, 1, ""}, path, *refusal));
+    return !refusal;
   };
   if (!check("theme")) return diagnostics;
   check(kThemeTemplates);

@@ -30,9 +30,9 @@ std::vector<std::string> ProgramTask::warm_roots(const RunContext& run_context) 
 bool ProgramTask::prepare(WorkerContext& worker_context, Finding& finding) {
   const DiskFiles files(worker_context.root());
   const std::string& path = program_.file.text;
-  if (const std::string why = files.refusal(path); !why.empty()) {
+  if (const auto refusal = files.refusal(path)) {
     const Place place = place_of(*lesson().source, program_.file.span());
-    finding.diagnostics.push_back(refused_file(place, path, why));
+    finding.diagnostics.push_back(refused_file(place, path, *refusal));
     return false;
   }
   file_ = files.read(path);

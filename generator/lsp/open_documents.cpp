@@ -101,7 +101,7 @@ bool OpenDocuments::exists(const std::string& path) const {
   return text(path) != nullptr || saved_.exists(path);
 }
 
-std::string OpenDocuments::refusal(const std::string& path) const {
+std::optional<FileRefusal> OpenDocuments::refusal(const std::string& path) const {
   return saved_.refusal(path);
 }
 

@@ -50,7 +50,7 @@ class OpenDocuments : public Files {
   std::vector<std::string> list(const std::string& folder) const override;
   std::vector<std::string> folders(const std::string& folder) const override;
   std::vector<std::string> list_below(const std::string& folder) const override;
-  std::string refusal(const std::string& path) const override;
+  std::optional<FileRefusal> refusal(const std::string& path) const override;
 
  private:
   std::filesystem::path root_;

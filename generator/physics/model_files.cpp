@@ -229,38 +229,43 @@ class SourceWalk {
   std::string current_;  // the file that is walked
 };
 
-// What is wrong with a file that a model in `folder` names; "" where it is one of them, or not
+constexpr const char* kBeside = "put it beside the model, or into a folder there";
+
+// What is wrong with a file that a model in `folder` names; nothing where it is one of them, or not
 // there, of which MuJoCo tells.
-std::string why_foreign(const fs::path& path, const fs::path& root, const fs::path& folder,
-                        bool is_mjcf) {
-  const char* const outside = "lies outside of the folder of the model";
+std::optional<FileRefusal> why_foreign(const fs::path& path, const fs::path& root,
+                                       const fs::path& folder, const char* cure_outside,
+                                       bool is_mjcf) {
+  const FileRefusal outside{"lies outside of the folder of the model", cure_outside};
   const Beneath beneath(root);
   const auto name = name_beneath(root, path), inside = name_beneath(root, folder);
   if (!name || !inside) return outside;
   const auto real = beneath.target(*name), real_folder = beneath.target(*inside);
-  if (!real) return real.error().is_refused() ? outside : "";
+  if (!real) return real.error().is_refused() ? std::optional(outside) : std::nullopt;
   if (!real_folder || !name_beneath("/" + *real_folder, "/" + *real)) return outside;
   const auto status = beneath.status(*name);
-  if (!status) return status.error().is_refused() ? status.error().why : "";
-  if (!S_ISREG(status->st_mode)) return "is not a file";
-  if (is_mjcf && status->st_size > kMostMjcf) return "is larger than 16 MiB";
-  return "";
+  if (!status) return status.error().refusal();
+  if (!S_ISREG(status->st_mode)) return refusal_of_no_file();
+  if (!is_mjcf || status->st_size <= kMostMjcf) return std::nullopt;
+  return FileRefusal{"is larger than 16 MiB", "put a smaller one there"};
 }
 
 std::optional<ModelError> find_foreign(const SourceWalk& walk, const std::string& main,
                                        const fs::path& root, const fs::path& folder) {
-  const auto refuse_main = [&](const std::string& why) {
-    return ModelError{main, 0, 0, "the model's file " + why, "write it into the models' folder"};
+  const auto refuse_main = [&](const FileRefusal& refusal) {
+    return ModelError{main, 0, 0, "the model's file " + refusal.why, refusal.cure};
   };
   const auto beneath = name_beneath(root, main);
-  const std::string refusal = beneath ? DiskFiles(root).refusal(*beneath) : "";
-  if (!refusal.empty()) return refuse_main(refusal);
-  if (const std::string why = why_foreign(main, root, folder, true); !why.empty()) {
-    return refuse_main(why);
+  if (const auto refusal = beneath ? DiskFiles(root).refusal(*beneath) : std::nullopt) {
+    return refuse_main(*refusal);
   }
-  const auto refuse = [](const SourceWalk::Name& name, const std::string& why) {
-    return ModelError{name.by, name.line, 0, "the file '" + name.file + "' " + why,
-                      "put it beside the model, or into a folder there"};
+  const char* const home = "write it into the models' folder";
+  if (const auto refusal = why_foreign(main, root, folder, home, true)) {
+    return refuse_main(*refusal);
+  }
+  const auto refuse = [](const SourceWalk::Name& name, const FileRefusal& refusal) {
+    return ModelError{name.by, name.line, 0, "the file '" + name.file + "' " + refusal.why,
+                      refusal.cure};
   };
   const auto misnamed = [](const SourceWalk::Name& name, const std::string& right) {
     return ModelError{name.by, name.line, 0,
@@ -268,8 +273,8 @@ std::optional<ModelError> find_foreign(const SourceWalk& walk, const std::string
                       "name it as what it is, such as " + right};
   };
   for (const SourceWalk::Name& name : walk.includes()) {
-    const std::string why = why_foreign(walk.path_of_include(name), root, folder, true);
-    if (!why.empty()) return refuse(name, why);
+    const auto why = why_foreign(walk.path_of_include(name), root, folder, kBeside, true);
+    if (why) return refuse(name, *why);
     if (!ends_as(kMjcfEndings, name.file)) return misnamed(name, "x.xml");
     if (!name.again) continue;
     return ModelError{name.by, name.line, 0, "the file '" + name.file + "' is included again",
@@ -277,8 +282,8 @@ std::optional<ModelError> find_foreign(const SourceWalk& walk, const std::string
   }
   if (walk.broken()) return walk.broken();
   for (const SourceWalk::Name& name : walk.named()) {
-    const std::string why = why_foreign(walk.path_of_asset(name), root, folder, false);
-    if (!why.empty()) return refuse(name, why);
+    const auto why = why_foreign(walk.path_of_asset(name), root, folder, kBeside, false);
+    if (why) return refuse(name, *why);
     if (!ends_as(kAssetEndings, name.file)) return misnamed(name, "x.png, x.stl, x.obj or x.bin");
   }
   return walk.instruction();

@@ -38,7 +38,7 @@ Diagnostic fault_of(const std::exception& error, const fs::path& root) {
 // `edited`: templates that are just being written; empty for none.
 std::vector<fs::path> template_folders(const fs::path& root, const fs::path& edited) {
   std::vector<fs::path> folders;
-  if (DiskFiles(root).refusal(kThemeTemplates).empty()) folders.push_back(root / kThemeTemplates);
+  if (!DiskFiles(root).refusal(kThemeTemplates)) folders.push_back(root / kThemeTemplates);
   if (!edited.empty()) folders.push_back(edited);
   return folders;
 }

@@ -4,11 +4,12 @@
 
 #include <string>
 
+#include "base/beneath.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {
 
-// `why` is what Files::refusal() says of `path`.
-Diagnostic refused_file(Place place, const std::string& path, const std::string& why);
+// `refusal` is what Files::refusal() says of `path`.
+Diagnostic refused_file(Place place, const std::string& path, const FileRefusal& refusal);
 
 }  // namespace mjcourse

@@ -30,18 +30,26 @@ const mostSeconds = 20;
 const failures = [];
 const expect = (good, what) => good || failures.push(what);
 
-const cure =
-  "  cure: a course is made of its own files: put a copy there, or a link that stays inside of the course\n";
 const outside = "leads out of the course";
 const gits = "lies in .git, which is no part of the course";
+const noFile = "is not a file";
+const circle = "is a link that leads in a circle";
+const cures = {
+  [outside]:
+    "a course is made of its own files: put a copy there, or a link that stays inside of the course",
+  [gits]: "put a copy of it into another folder of the course, and name that",
+  [noFile]: "put a plain file there: a pipe or a device is never read",
+  [circle]: "put the file itself there, or a link to a file of the course",
+};
 
 // What is said of a file as a whole, of one that course.yaml lists, and of one that the lesson names
 // in its line 5.
-const ofFile = (path, why) => `${path}: error: ${path} ${why} [E-file-refused]\n${cure}`;
+const ofFile = (path, why) =>
+  `${path}: error: ${path} ${why} [E-file-refused]\n  cure: ${cures[why]}\n`;
 const listed = "  - {folder: 1-basics, title: Basics, lessons: [1.1-one]}";
 const marked = (where, number, line, word, path, why) =>
   `${where}:${number}:${line.indexOf(word) + 1}: error: ${path} ${why} [E-file-refused]\n` +
-  `  ${number} | ${line}\n    | ${" ".repeat(line.indexOf(word))}^${"~".repeat(word.length - 1)}\n${cure}`;
+  `  ${number} | ${line}\n    | ${" ".repeat(line.indexOf(word))}^${"~".repeat(word.length - 1)}\n  cure: ${cures[why]}\n`;
 const ofListed = (why) =>
   marked("content/course.yaml", 3, listed, "1.1-one", "content/1-basics/1.1-one.md", why);
 const ofNamed = (line, word, path, why) =>
@@ -52,7 +60,6 @@ const ofModel = (path, line, what, code, advice) =>
   "  note: content/1-basics/1.1-one.md:5:3: lesson content/1-basics/1.1-one.md uses this model\n" +
   "  5 | `{m} model.nq`\n    |   ^\n" +
   `  cure: ${advice}\n`;
-const inModels = "write it into the models' folder";
 const beside = "put it beside the model, or into a folder there";
 
 // A course with one lesson, in which `body` is line 5.
@@ -106,7 +113,7 @@ const courses = {
     ofListed(outside),
   ],
   "a lesson that is the kernel's log": [(c) => c.link("/proc/kmsg", lesson), ofListed(outside)],
-  "a lesson that is a pipe": [(c) => c.pipe(lesson), ofListed("is not a file")],
+  "a lesson that is a pipe": [(c) => c.pipe(lesson), ofListed(noFile)],
   "a lesson that is a device": [(c) => c.link("/dev/zero", lesson), ofListed(outside)],
   "a lesson that is git's": [(c) => c.link("../../.git/config", lesson), ofListed(gits)],
   "a lesson by a chain of links": [
@@ -122,7 +129,7 @@ const courses = {
       c.link("two.md", lesson);
       c.link("1.1-one.md", "content/1-basics/two.md");
     },
-    ofListed("is a link that leads in a circle"),
+    ofListed(circle),
   ],
   "a level's folder elsewhere": [(c) => c.link("/etc", "content/1-basics"), ofListed(outside)],
   "a course.yaml that is /etc/passwd": [
@@ -146,11 +153,11 @@ const courses = {
   "models that are the whole disk": [(c) => c.link("/", "models"), ofFile("models", outside)],
   "a model that is /etc/passwd": [
     (c) => c.model(() => c.link("/etc/passwd", "models/m.xml")),
-    ofModel("models/m.xml", 0, `the model's file ${outside}`, "", inModels),
+    ofModel("models/m.xml", 0, `the model's file ${outside}`, "", cures[outside]),
   ],
   "a model that is a pipe": [
     (c) => c.model(() => c.pipe("models/m.xml")),
-    ofModel("models/m.xml", 0, "the model's file is not a file", "", inModels),
+    ofModel("models/m.xml", 0, `the model's file ${noFile}`, "", cures[noFile]),
   ],
   "a model that includes the kernel's log": [
     (c) =>
@@ -192,7 +199,7 @@ const courses = {
   ],
   "a header that is a pipe in a folder": [
     (c) => c.pipe("examples/include/deep/a.hpp"),
-    ofFile("examples/include/deep/a.hpp", "is not a file"),
+    ofFile("examples/include/deep/a.hpp", noFile),
   ],
   "a program that is /etc/passwd": [
     (c) => {
@@ -213,7 +220,7 @@ const courses = {
       "```cpp file=examples/a.cpp",
       "```cpp file=examples/a.cpp",
       "examples/deep/other.h",
-      "is not a file",
+      noFile,
     ),
   ],
   "a theme's style that is /etc/passwd": [

@@ -24,9 +24,9 @@ class Copies {
   Copies(fs::path to, WorkerContext& worker_context)
       : to_(std::move(to)), worker_context_(worker_context), files_(worker_context.root()) {}
 
-  // What is refused, and why, as Files::refusal() says it.
   struct Refused {
-    std::string path, why;
+    std::string path;
+    FileRefusal refusal;
   };
   // False where it cannot be read. A link to another folder may lead in a circle, and stands for an
   // empty one.
@@ -61,8 +61,8 @@ class Copies {
     const auto bytes = worker_context_.files().read(name);
     if (bytes) write_file(to_ / name, *bytes);
     names_.insert(name);
-    std::string why = bytes ? "" : files_.refusal(name);
-    if (!why.empty() && !refused_) refused_ = {name, std::move(why)};
+    auto refusal = bytes ? std::nullopt : files_.refusal(name);
+    if (refusal && !refused_) refused_ = {name, *std::move(refusal)};
     return bytes.has_value();
   }
   void add_folder(const std::string& name) {
@@ -85,7 +85,7 @@ bool add_all(const Commands& commands, const Lesson& lesson, Copies& copies,
     whole = false;
     if (const auto& refused = copies.refused()) {
       diagnostics.push_back(
-          refused_file(place_of(*lesson.source, file.span()), refused->path, refused->why));
+          refused_file(place_of(*lesson.source, file.span()), refused->path, refused->refusal));
       continue;
     }
     diagnostics.push_back(error_at(place_of(*lesson.source, file.span()), "E-commands-file",

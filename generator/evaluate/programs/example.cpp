@@ -109,8 +109,8 @@ std::optional<Diagnostic> refused_beside(const Example& example, const fs::path&
   const DiskFiles files(root);
   for (const DiskFiles::Entry& entry :
        files.below(fs::path(example.file.text).parent_path().string())) {
-    const std::string why = entry.is_folder ? "" : files.refusal(entry.path);
-    if (!why.empty()) return refused_file({}, entry.path, why);
+    const auto refusal = entry.is_folder ? std::nullopt : files.refusal(entry.path);
+    if (refusal) return refused_file({}, entry.path, *refusal);
   }
   return std::nullopt;
 }

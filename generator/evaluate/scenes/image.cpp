@@ -59,8 +59,9 @@ std::optional<ImageResult> evaluate_image(const Image& image, const Lesson& less
     return std::nullopt;
   };
   const DiskFiles files(root);
-  if (const std::string why = files.refusal(path); !why.empty()) {
-    diagnostics.push_back(refused_file(place_of(*lesson.source, image.file.span()), path, why));
+  if (const auto refusal = files.refusal(path)) {
+    diagnostics.push_back(
+        refused_file(place_of(*lesson.source, image.file.span()), path, *refusal));
     return std::nullopt;
   }
   if (!files.exists(path)) {

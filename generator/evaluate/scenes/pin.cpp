@@ -51,9 +51,9 @@ class Pin {
     result_.name = pin_.text;
     keep(std::min(kReferenceWidth, picture_.width));
     const Files& files = context_.worker_context().files();
-    if (const std::string why = files.refusal(path_); !why.empty()) {
+    if (const auto refusal = files.refusal(path_)) {
       context_.diagnostics().push_back(
-          refused_file(place_of(*context_.lesson().source, pin_.span()), path_, why));
+          refused_file(place_of(*context_.lesson().source, pin_.span()), path_, *refusal));
       return result_;
     }
     if (!files.exists(path_)) {

@@ -19,6 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 using Way = Beneath::Way;
 
+constexpr const char* kOutside =
+    "leads out of the course; a course is made of its own files: put a copy there, or a link that "
+    "stays inside of the course";
+
 // A course beside a secret; each test with the kernel's way and by hand.
 class BeneathTest : public testing::TestWithParam<Way> {
  protected:
@@ -37,6 +41,12 @@ class BeneathTest : public testing::TestWithParam<Way> {
     return bytes ? *bytes : bytes.error();
   }
 
+  // "why; cure"; empty for what is read or is absent.
+  std::string refusal(const std::string& path) const {
+    const auto refused = files_.refusal(path);
+    return refused ? refused->why + "; " + refused->cure : "";
+  }
+
   TemporaryFolder folder_;
   DiskFiles files_{folder_.path() / "course", GetParam()};
 };
@@ -52,7 +62,7 @@ TEST_P(BeneathTest, FollowsLinksThatStayInside) {
         "absolute.xml", "folder/../plain.xml", "./models//real.xml"}) {
     EXPECT_EQ(read(path), "the text") << path;
     EXPECT_TRUE(files_.exists(path)) << path;
-    EXPECT_EQ(files_.refusal(path), "") << path;
+    EXPECT_EQ(refusal(path), "") << path;
   }
   EXPECT_TRUE(files_.is_folder("folder"));
   EXPECT_EQ(files_.list("folder"), (std::vector<std::string>{"climbing.xml", "real.xml"}));
@@ -72,7 +82,7 @@ TEST_P(BeneathTest, RefusesWhatLeadsOut) {
        {"relative", "absolute", "chain", "parent/secret", "models/system/passwd", "winding",
         "dangling", "magic", "back", "../secret", "models/../../secret", "/etc/passwd"}) {
     EXPECT_EQ(read(path), path + ": leads out of the course");
-    EXPECT_EQ(files_.refusal(path), "leads out of the course") << path;
+    EXPECT_EQ(refusal(path), kOutside) << path;
     EXPECT_TRUE(files_.exists(path)) << "it is not absent: " << path;
   }
   EXPECT_EQ(files_.list("models/system"), std::vector<std::string>{});
@@ -83,7 +93,7 @@ TEST_P(BeneathTest, TellsWhatIsAbsentFromWhatIsRefused) {
   link("models/none.xml", "dangling");
   for (const std::string path : {"none", "models/none.xml", "dangling"}) {
     EXPECT_EQ(read(path), path + ": No such file or directory");
-    EXPECT_EQ(files_.refusal(path), "");
+    EXPECT_EQ(refusal(path), "");
     EXPECT_FALSE(files_.exists(path));
   }
 }
@@ -96,7 +106,8 @@ TEST_P(BeneathTest, RefusesWhatIsGits) {
        {".git/config", "config", "folder/config", "models/../.git/config"}) {
     EXPECT_EQ(read(path), path + ": " + why);
   }
-  EXPECT_EQ(files_.refusal("folder"), why);
+  EXPECT_EQ(refusal("folder"),
+            why + "; put a copy of it into another folder of the course, and name that");
   write_file(course() / ".gitignore", "build");
   EXPECT_EQ(read(".gitignore"), "build");
   for (const DiskFiles::Entry& entry : files_.below("")) {
@@ -109,7 +120,8 @@ TEST_P(BeneathTest, DoesNotWaitForPipes) {
   link("pipe", "to-pipe");
   for (const std::string path : {"pipe", "to-pipe"}) {
     EXPECT_EQ(read(path), path + ": is not a file");
-    EXPECT_EQ(files_.refusal(path), "is not a file");
+    EXPECT_EQ(refusal(path),
+              "is not a file; put a plain file there: a pipe or a device is never read");
   }
 }
 
@@ -118,14 +130,16 @@ TEST_P(BeneathTest, EndsInACircle) {
   link("b", "a");
   link("a", "b");
   EXPECT_EQ(read("loop"), "loop: is a link that leads in a circle");
-  EXPECT_EQ(files_.refusal("a"), "is a link that leads in a circle");
+  EXPECT_EQ(refusal("a"),
+            "is a link that leads in a circle; put the file itself there, or a link to a file of "
+            "the course");
 }
 
 TEST_P(BeneathTest, ReadsNoMoreThanFitsIntoMemory) {
   write_file(course() / "huge", "");
   fs::resize_file(course() / "huge", std::uintmax_t{1} << 40);
   EXPECT_EQ(read("huge"), "huge: is larger than 256 MiB");
-  EXPECT_EQ(files_.refusal("huge"), "is larger than 256 MiB");
+  EXPECT_EQ(refusal("huge"), "is larger than 256 MiB; put a smaller one there");
 }
 
 TEST_P(BeneathTest, KnowsTheEndOfALink) {
