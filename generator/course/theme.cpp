@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/editor_files.h"
 #include "base/nearest.h"
 #include "report/refused_file.h"
 
@@ -31,6 +32,12 @@ std::set<std::string> partials_in(std::string_view text) {
 std::optional<std::string> template_name(const std::string& file) {
   if (!file.ends_with(kTemplateEnding)) return std::nullopt;
   return file.substr(0, file.size() - kTemplateEnding.size());
+}
+
+// Without what an editor left there.
+std::vector<std::string> of_author(std::vector<std::string> names) {
+  std::erase_if(names, is_of_editor);
+  return names;
 }
 
 Diagnostic stray(const std::string& file, const std::string& message, const std::string& cure) {
@@ -59,7 +66,7 @@ Diagnostics check_theme(const Files& course, const Files& assets) {
   };
   if (!check("theme")) return diagnostics;
   check(kThemeTemplates);
-  const std::vector<std::string> files = course.list(kThemeTemplates);
+  const std::vector<std::string> files = of_author(course.list(kThemeTemplates));
   for (const std::string& file : files) {
     used.merge(partials_in(course.read(std::string(kThemeTemplates) + "/" + file).value_or("")));
   }
@@ -70,20 +77,21 @@ Diagnostics check_theme(const Files& course, const Files& assets) {
     diagnostics.push_back(stray(std::string(kThemeTemplates) + "/" + file,
                                 name ? "no template has this name, and none includes it"
                                      : "a template is a file `NAME.hbs`",
-                                name ? suggest(*name, known) : ""));
+                                name ? suggest(*name, known) : "name it so, or remove it"));
   }
-  for (const std::string& folder : course.folders(kThemeTemplates)) {
+  for (const std::string& folder : of_author(course.folders(kThemeTemplates))) {
     diagnostics.push_back(stray(std::string(kThemeTemplates) + "/" + folder,
-                                "a template is a file `NAME.hbs`, and no folder", ""));
+                                "a template is a file `NAME.hbs`, and no folder",
+                                "put what is in it into `theme/templates/` itself"));
   }
   const auto complain = [&](const std::string& name, const std::string& what) {
     diagnostics.push_back(stray("theme/" + name, "a theme has no such " + what,
                                 "its styles are `style.css`, its templates `templates/NAME.hbs`"));
   };
-  for (const std::string& file : course.list("theme")) {
+  for (const std::string& file : of_author(course.list("theme"))) {
     if (check("theme/" + file) && "theme/" + file != kThemeStyle) complain(file, "file");
   }
-  for (const std::string& folder : course.folders("theme")) {
+  for (const std::string& folder : of_author(course.folders("theme"))) {
     if ("theme/" + folder != kThemeTemplates) complain(folder, "folder");
   }
   return diagnostics;

@@ -13,6 +13,7 @@
 
 #include "base/beneath.h"
 #include "base/descriptor.h"
+#include "base/editor_files.h"
 
 namespace mjcourse {
 namespace {
@@ -27,11 +28,6 @@ constexpr int kLookForStop = 100;
 
 constexpr unsigned kEvents = IN_CLOSE_WRITE | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO |
                              IN_DELETE_SELF | IN_MOVE_SELF | IN_ONLYDIR;
-
-// What editors write beside a file.
-bool is_litter(const std::string& name) {
-  return name.empty() || name.starts_with('.') || name.ends_with('~') || name == "4913";
-}
 
 bool is_in(const fs::path& path, const fs::path& folder) {
   const auto [end, ignored] = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
@@ -83,7 +79,7 @@ void FolderWatch::watch_below(const fs::path& folder) {
                                            gone);
   for (; !gone && entries != fs::recursive_directory_iterator(); entries.increment(gone)) {
     const bool is_folder = entries->is_directory(gone) && !entries->is_symlink(gone);
-    if (!is_litter(entries->path().filename().string())) {
+    if (!is_of_editor(entries->path().filename().string())) {
       if (entries->is_symlink(gone)) watch_target(entries->path());
       if (is_folder) watch(entries->path());
     } else if (is_folder) {
@@ -197,7 +193,7 @@ void FolderWatch::read_events() {
         continue;
       }
       const std::string name = event->len > 0 ? event->name : "";
-      if (!is_litter(name)) take(event->mask, folder->second / name);
+      if (!name.empty() && !is_of_editor(name)) take(event->mask, folder->second / name);
     }
   }
 }

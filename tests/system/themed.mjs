@@ -58,6 +58,11 @@ test("what stands for nothing is an error", () => {
   write("logo.svg", "x");
   write("styles/a.css", "x");
   write("templates/parts/a.hbs", "x");
+  // What editors leave is nothing of the theme's.
+  write("style.css~", "x");
+  write(".style.css.swp", "x");
+  write("templates/card.hbs~", "{{> lession}}");
+  write("templates/.card.hbs.swp", "x");
   const { status, stderr } = run("check", "--course", "course");
   assert.equal(status, 1);
   assert.equal(
@@ -72,8 +77,10 @@ theme/templates/lession.hbs: error: no template has this name, and none includes
   cure: did you mean \`lesson\`?
 
 theme/templates/notes.txt: error: a template is a file \`NAME.hbs\` [E-theme-file]
+  cure: name it so, or remove it
 
 theme/templates/parts: error: a template is a file \`NAME.hbs\`, and no folder [E-theme-file]
+  cure: put what is in it into \`theme/templates/\` itself
 
 `,
   );
