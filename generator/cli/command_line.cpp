@@ -14,13 +14,6 @@ namespace {
 
 constexpr std::size_t kOptionIndent = 17;
 
-void take_value(const std::string& name, const std::string& kind, const std::string& value,
-                const std::function<bool(const std::string&)>& take) {
-  // An unset variable in somebody's script, and not a wish for what is usual.
-  if (value.empty()) throw WrongUsage(name + " needs " + kind + ", and has \"\"");
-  if (!take(value)) throw WrongUsage(name + " takes " + kind + ", and not " + value);
-}
-
 }  // namespace
 
 void CommandLine::flag(std::string name, std::string help, bool& on) {
@@ -36,8 +29,10 @@ void CommandLine::path(std::string name, ValueKind kind, std::string help,
 }
 
 void CommandLine::value(std::string name, ValueKind kind, std::string help,
-                        std::function<bool(const std::string&)> take) {
-  options_.push_back({std::move(name), std::move(kind), std::move(help), std::move(take)});
+                        std::function<bool(const std::string&)> take,
+                        std::vector<std::string> known) {
+  options_.push_back(
+      {std::move(name), std::move(kind), std::move(help), std::move(take), std::move(known)});
 }
 
 void CommandLine::words(std::string form, std::string help, std::vector<std::string>& to) {
@@ -60,9 +55,20 @@ const CommandLine::Option& CommandLine::option_called(const std::string& name) c
   throw UnknownOption(name, command_ + " has no option " + name + "; " + suggest(name, known));
 }
 
+void CommandLine::take_value(const Option& option, const std::string& value) {
+  const std::string& kind = option.kind.called;
+  // An unset variable in somebody's script, and not a wish for what is usual.
+  if (value.empty()) throw WrongUsage(option.name + " needs " + kind + ", and has \"\"");
+  if (option.take(value)) return;
+  const bool is_near = !nearest(value, option.known).empty();
+  throw WrongUsage(option.name + " takes " + kind + ", and not " + value +
+                   (is_near ? "; " + suggest(value, option.known) : ""));
+}
+
 void CommandLine::take_word(const std::string& word) const {
-  if (words_ == nullptr) throw WrongUsage(command_ + " takes only options, and not " + word);
-  if (word.empty()) throw WrongUsage(command_ + " takes " + form_ + ", and not \"\"");
+  const std::string shown = word.empty() ? "\"\"" : word;
+  if (words_ == nullptr) throw WrongUsage(command_ + " takes only options, and not " + shown);
+  if (word.empty()) throw WrongUsage(command_ + " takes " + form_ + ", and not " + shown);
   words_->push_back(word);
 }
 
@@ -91,8 +97,7 @@ bool CommandLine::read(const std::vector<std::string>& arguments) {
     if (!joined && (is_last || has(arguments[i + 1]))) {
       throw WrongUsage(option.name + " needs " + kind);
     }
-    take_value(option.name, kind, joined ? argument.substr(equals + 1) : arguments[++i],
-               option.take);
+    take_value(option, joined ? argument.substr(equals + 1) : arguments[++i]);
   }
   return true;
 }

@@ -36,9 +36,9 @@ class CommandLine {
 
   void flag(std::string name, std::string help, bool& on);
   void path(std::string name, ValueKind kind, std::string help, std::filesystem::path& to);
-  // `take` says whether a value is one of that kind.
+  // `take` says whether a value is one of that kind; `known` are all of them, where they are few.
   void value(std::string name, ValueKind kind, std::string help,
-             std::function<bool(const std::string&)> take);
+             std::function<bool(const std::string&)> take, std::vector<std::string> known = {});
   // All that is no option: `form` is "[WHERE...]".
   void words(std::string form, std::string help, std::vector<std::string>& to);
 
@@ -56,9 +56,11 @@ class CommandLine {
     ValueKind kind;  // of nothing, where no value may follow
     std::string help;
     std::function<bool(const std::string&)> take;
+    std::vector<std::string> known;
   };
 
   const Option& option_called(const std::string& name) const;
+  static void take_value(const Option& option, const std::string& value);
   void take_word(const std::string& word) const;
 
   std::string command_, form_, words_help_;

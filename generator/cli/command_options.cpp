@@ -43,6 +43,12 @@ std::string format_names(std::size_t first) {
   return names;
 }
 
+std::vector<std::string> all_formats() {
+  std::vector<std::string> names;
+  for (const auto& [name, format] : kFormats) names.emplace_back(name);
+  return names;
+}
+
 bool take_format(const std::string& name, Format& to) {
   const auto* named = std::find_if(kFormats.begin(), kFormats.end(),
                                    [&](const auto& one) { return one.first == name; });
@@ -115,10 +121,11 @@ void declare(CommandLine& line, CheckOptions& options) {
   add_course(line, options.course);
   line.flag("--strict", "treat warnings as errors, and ask a reason for all that is not proved",
             options.strict);
-  line.value("--format", {"NAME", format_names(0)},
-             "write the messages for another tool to stdout, and for you to stderr: " +
-                 format_names(1) + " (default: text)",
-             [&](const std::string& value) { return take_format(value, options.format); });
+  line.value(
+      "--format", {"NAME", format_names(0)},
+      "write the messages for another tool to stdout, and for you to stderr: " + format_names(1) +
+          " (default: text)",
+      [&](const std::string& value) { return take_format(value, options.format); }, all_formats());
   add_report(line, options);
   add_evaluation(line, options);
 }

@@ -160,6 +160,7 @@ std::string help() {
 
 int run_command(const std::vector<std::string>& arguments) {
   if (arguments.empty()) return wrong_usage("which command?");
+  if (arguments[0].empty()) return wrong_usage("which command? The first word is \"\"");
   const bool asks = arguments[0] == "--help" || arguments[0] == "-h" || arguments[0] == "help";
   if (asks && arguments.size() > 1) return run_command({arguments[1], "--help"});
   if (asks) {

@@ -80,6 +80,8 @@ TEST(Run, TellsItsVersion) {
 
 TEST(Run, NeedsACommandThatThereIs) {
   EXPECT_EQ(usage_error({}), "mjcourse: which command?");
+  EXPECT_EQ(usage_error({""}), "mjcourse: which command? The first word is \"\"");
+  EXPECT_EQ(usage_error({"help", ""}), "mjcourse: which command? The first word is \"\"");
   EXPECT_EQ(usage_error({"biuld"}), "mjcourse: there is no command biuld; did you mean `build`?");
   EXPECT_EQ(usage_error({"frobnicate"}),
             "mjcourse: there is no command frobnicate; known: build, preview, lsp, check, "
@@ -100,6 +102,7 @@ TEST(Run, NeedsOptionsThatThereAre) {
   EXPECT_EQ(error_of({"accept", "--timings"}),
             "mjcourse: accept has no option --timings; it belongs to build, check");
   EXPECT_EQ(error_of({"check", "1.2"}), "mjcourse: check takes only options, and not 1.2");
+  EXPECT_EQ(error_of({"check", ""}), "mjcourse: check takes only options, and not \"\"");
   EXPECT_EQ(error_of({"store"}),
             "mjcourse: store what? `mjcourse store prune` forgets old results");
 }
@@ -121,6 +124,9 @@ TEST(Run, NeedsValuesOfTheirKind) {
             "not example.org");
   EXPECT_EQ(error_of({"check", "--format=xml"}),
             "mjcourse: --format takes text, json, github, sarif or junit, and not xml");
+  EXPECT_EQ(error_of({"check", "--format", "sarf"}),
+            "mjcourse: --format takes text, json, github, sarif or junit, and not sarf; did you "
+            "mean `sarif`?");
   EXPECT_EQ(error_of({"store", "prune", "--keep", "much"}),
             "mjcourse: --keep takes a size, as 2GB, and not much");
   EXPECT_EQ(error_of({"accept", ""}), "mjcourse: accept takes [WHERE...], and not \"\"");
