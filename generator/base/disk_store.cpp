@@ -104,7 +104,7 @@ void refuse_other_folder(const fs::path& folder) {
     const std::string name = entry.path().filename();
     if (std::ranges::count(kParts, name) > 0) continue;
     throw std::system_error(ENOTEMPTY, std::generic_category(),
-                            folder.string() + " is no store, as it holds " + name);
+                            folder.string() + " is not a store, as it holds " + name);
   }
 }
 

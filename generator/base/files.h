@@ -21,10 +21,10 @@ class Files {
 
   // The file's bytes, or why they cannot be had ("models/x.xml: No such file or directory").
   virtual tl::expected<std::string, std::string> read(const std::string& path) const = 0;
-  // Is there something under this name that is no folder? It may be what read() refuses.
+  // Is there something under this name that is not a folder? It may be what read() refuses.
   virtual bool exists(const std::string& path) const = 0;
-  // The names (not paths) of what is in `folder` and is no folder, sorted; empty when there is no
-  // such folder.
+  // The names (not paths) of what is in `folder` and is not a folder, sorted; empty when there is
+  // no such folder.
   virtual std::vector<std::string> list(const std::string& folder) const = 0;
   // The names of the folders in `folder`, sorted. Not all tell.
   virtual std::vector<std::string> folders(const std::string& /*folder*/) const { return {}; }

@@ -125,7 +125,7 @@ class Acceptance {
     std::cout << (files_ == 0        ? "nothing to accept"
                   : options_.dry_run ? what + " to accept; nothing was written"
                                      : "accepted " + what)
-              << (errors > 0 ? "; " + counted(errors, "error") + " to mend by hand" : "") << '\n';
+              << (errors > 0 ? "; " + counted(errors, "error") + " to fix by hand" : "") << '\n';
     return errors > 0 || (options_.dry_run && files_ > 0) ? kCourseErrors : kClean;
   }
 

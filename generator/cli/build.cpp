@@ -17,7 +17,7 @@ namespace mjcourse {
 int build(const BuildOptions& options) {
   Verified verified = verify_course(options);
   if (verified.failed) {
-    std::cout << "no site was written: mend the errors first\n";
+    std::cout << "no site was written: fix the errors first\n";
     return kCourseErrors;
   }
   History history = last_changed(options.course, "content");
@@ -36,14 +36,14 @@ int build(const BuildOptions& options) {
     const DiskFiles course(options.course);
     if (!is_themed(broken.error().name, course)) throw;
     print_diagnostics({template_mistake(broken.error(), course)});
-    std::cout << "no site was written: mend the error first\n";
+    std::cout << "no site was written: fix the error first\n";
     return kCourseErrors;
   }
   std::string kept;
   for (const std::string& file : foreign_files(options.out)) {
     kept += (kept.empty() ? "" : ", ") + readable(file);
   }
-  if (!kept.empty()) std::cout << "in the site stays what no build wrote: " << kept << '\n';
+  if (!kept.empty()) std::cout << "kept in the site, though no build wrote it: " << kept << '\n';
   std::cout << "site: " << options.out.lexically_normal().string() << "/index.html\n";
   return kClean;
 }

@@ -39,7 +39,7 @@ Sign mujoco() {
   if (mj_version() == mjVERSION_HEADER) return {"MuJoCo", Grade::good, version, ""};
   return {"MuJoCo", Grade::missing,
           "the library is " + version + ", and the headers are of another version",
-          "install both from one place: `apt-get install libmujoco-dev`, and build mjcourse anew"};
+          "install both from one place: `apt-get install libmujoco-dev`, and build mjcourse again"};
 }
 
 // Compiles and runs a program as a lesson's.
@@ -122,7 +122,7 @@ Sign sandbox() {
 
 Sign cache(const fs::path& store) {
   if (store.empty()) {
-    return {"store", Grade::slow, "none: every run begins anew",
+    return {"store", Grade::slow, "none: every run starts from nothing",
             "give HOME or XDG_CACHE_HOME a folder that can be written, or use --store DIR"};
   }
   FolderSize size;

@@ -57,18 +57,18 @@ const CommandLine::Option& CommandLine::option_called(const std::string& name) c
 
 void CommandLine::take_value(const Option& option, const std::string& value) {
   const std::string& kind = option.kind.called;
-  // An unset variable in somebody's script, and not a wish for what is usual.
-  if (value.empty()) throw WrongUsage(option.name + " needs " + kind + ", and has \"\"");
+  // An unset variable in somebody's script, not a wish for what is usual.
+  if (value.empty()) throw WrongUsage(option.name + " needs " + kind + ", not \"\"");
   if (option.take(value)) return;
   const bool is_near = !nearest(value, option.known).empty();
-  throw WrongUsage(option.name + " takes " + kind + ", and not " + value +
+  throw WrongUsage(option.name + " takes " + kind + ", not " + value +
                    (is_near ? "; " + suggest(value, option.known) : ""));
 }
 
 void CommandLine::take_word(const std::string& word) const {
   const std::string shown = word.empty() ? "\"\"" : word;
-  if (words_ == nullptr) throw WrongUsage(command_ + " takes only options, and not " + shown);
-  if (word.empty()) throw WrongUsage(command_ + " takes " + form_ + ", and not " + shown);
+  if (words_ == nullptr) throw WrongUsage(command_ + " takes only options, not " + shown);
+  if (word.empty()) throw WrongUsage(command_ + " takes " + form_ + ", not " + shown);
   words_->push_back(word);
 }
 

@@ -85,7 +85,7 @@ void add_report(CommandLine& line, VerifyOptions& options) {
             "write what was verified, and how, to DIR/index.html and verification.json",
             options.report);
   line.flag("--timings", "print what took longest", options.timings);
-  line.path("--trace", kFile, "write when everything was worked on, for a browser's trace viewer",
+  line.path("--trace", kFile, "write what was worked on when, for a browser's trace viewer",
             options.trace);
 }
 
@@ -119,7 +119,7 @@ void declare(CommandLine& line, BuildOptions& options) {
 
 void declare(CommandLine& line, CheckOptions& options) {
   add_course(line, options.course);
-  line.flag("--strict", "treat warnings as errors, and ask a reason for all that is not proved",
+  line.flag("--strict", "treat warnings as errors, and ask for a reason for all that is not proved",
             options.strict);
   line.value(
       "--format", {"NAME", format_names(0)},
@@ -174,7 +174,7 @@ void declare(CommandLine& line, NewOptions& options) {
 void declare(CommandLine& line, PreviewOptions& options) {
   add_course(line, options.course);
   line.value("--port", {"N", "a port from 1 to 65535"},
-             "where it answers (default: the first that is free from 8000 on)",
+             "where it answers (default: the first free one from 8000 on)",
              [&](const std::string& value) {
                return take_number(value, kLastPort, options.port.emplace());
              });

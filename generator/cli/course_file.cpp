@@ -32,7 +32,7 @@ tl::expected<CourseFile, Refusal> read_course_file(const Files& course) {
   auto levels = read_listing(*yaml);
   if (!levels) {
     return wrong_course(std::string(kCoursePath) + " has mistakes, so nothing was written",
-                        "mend them first: " + our_command("check") + " shows them");
+                        "fix them first: " + our_command("check") + " shows them");
   }
   return CourseFile{*yaml, *std::move(levels)};
 }
@@ -51,7 +51,7 @@ tl::expected<void, Refusal> check_title(const std::string& title) {
   const bool is_line = !title.empty() && !find_invalid_utf8(title) &&
                        title.find_first_not_of(' ') != title.npos && readable(title) == title;
   if (is_line) return {};
-  return wrong_words("`" + readable(title) + "` is no title", "a title is one line of text");
+  return wrong_words("`" + readable(title) + "` is not a title", "a title is one line of text");
 }
 
 }  // namespace mjcourse

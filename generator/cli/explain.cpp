@@ -32,7 +32,7 @@ std::string short_value(const std::string& value) {
 
 void print_changes(const Explanation& task) {
   if (task.before.empty()) {
-    std::cout << "  was never worked out here\n";
+    std::cout << "  was never evaluated here\n";
     return;
   }
   std::map<std::string, std::string> before;
@@ -45,7 +45,7 @@ void print_changes(const Explanation& task) {
     std::cout << "  " << one.name << " changed: " << was << " → " << short_value(one.value) << '\n';
     changed = true;
   }
-  if (!changed) std::cout << "  nothing has changed, but the result is not kept any more\n";
+  if (!changed) std::cout << "  nothing has changed, but the result is no longer kept\n";
 }
 
 void print_dependencies(const Dependencies& all) {
@@ -75,7 +75,7 @@ int explain_ids(const std::vector<std::string>& ids) {
       std::vector<std::string> known;
       for (const Meaning& one : meanings()) known.emplace_back(one.id);
       const std::string near = nearest(id, known);
-      std::cerr << "mjcourse: no message is called " << id
+      std::cerr << "mjcourse: there is no message " << id
                 << (near.empty() ? "; lesson A.9 of the author guide has them all"
                                  : "; did you mean `" + near + "`?")
                 << '\n';
@@ -93,7 +93,8 @@ int explain(const ExplainOptions& options) {
   const auto ids = static_cast<std::size_t>(
       std::count_if(options.where.begin(), options.where.end(), is_like_id));
   if (ids > 0 && ids < options.where.size()) {
-    std::cerr << "mjcourse: explain takes messages' names or places of the course, and not both\n";
+    std::cerr
+        << "mjcourse: explain takes the names of messages or places in the course, not both\n";
     return kWrongUsage;
   }
   if (ids > 0) return explain_ids(options.where);

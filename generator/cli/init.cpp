@@ -72,7 +72,7 @@ std::string title_for(const fs::path& folder) {
 tl::expected<void, Refusal> look_at(const fs::path& folder, const std::string& named) {
   if (!fs::exists(folder)) return {};
   if (!fs::is_directory(folder)) {
-    return wrong_course(named + " is no folder", "name a new or an empty one");
+    return wrong_course(named + " is not a folder", "name a new or empty one");
   }
   const std::string first = first_of(folder);
   if (first.empty()) return {};
@@ -87,7 +87,7 @@ int init(const InitOptions& options) {
   const std::string form = our_command("init my-course \"My course\"");
   if (words.empty()) return tell({kWrongUsage, "init needs a folder", "as in " + form});
   if (words.size() > 2) {
-    return tell({kWrongUsage, "init takes a folder and a title, and not `" + words[2] + "`",
+    return tell({kWrongUsage, "init takes a folder and a title, not `" + words[2] + "`",
                  std::string("put a title of several words into quotes: ") + form});
   }
   if (words.size() == 2) {

@@ -16,7 +16,7 @@ using Words = std::vector<std::string>;
 
 tl::unexpected<Refusal> no_lesson_name(const std::string& name) {
   const std::string slug = slug_of(name.substr(name.find_last_of('/') + 1));
-  return wrong_words("`" + name + "` is no name for a lesson",
+  return wrong_words("`" + name + "` is not a name for a lesson",
                      "a number, then small letters, digits and hyphens, as `2.1-forces`" +
                          (slug.empty() ? std::string() : "; did you mean `" + slug + "`?"));
 }
@@ -76,7 +76,7 @@ tl::expected<LessonAddress, Refusal> lesson_address(const CourseFile& file,
             our_command("new lesson 2-dynamics/2.1-forces \"Forces\"") + " names all of it");
   }
   if (words.size() > 2) {
-    return wrong_words("new lesson takes a name and a title, and not `" + words[2] + "`",
+    return wrong_words("new lesson takes a name and a title, not `" + words[2] + "`",
                        "put a title of several words into quotes");
   }
   if (words.size() == 2) {

@@ -26,7 +26,7 @@ NewPartOrRefusal new_part(const Files& course, const Files& assets,
   if (words[0] == "lesson") return new_lesson(course, assets, rest);
   if (words[0] == "model") return new_model(assets, rest);
   if (words[0] == "example") return new_example(course, assets, rest);
-  return wrong_words("there is no new " + words[0], suggest(words[0], kinds));
+  return wrong_words("new cannot make `" + words[0] + "`", suggest(words[0], kinds));
 }
 
 int make_new(const NewOptions& options) {

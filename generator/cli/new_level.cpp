@@ -36,7 +36,7 @@ tl::expected<Named, Refusal> name_of(const CourseFile& file,
     return wrong_words("new level needs a name", "as in " + level_form());
   }
   if (words.size() > 2) {
-    return wrong_words("new level takes a name and a title, and not `" + words[2] + "`",
+    return wrong_words("new level takes a name and a title, not `" + words[2] + "`",
                        "put a title of several words into quotes: " + level_form());
   }
   if (const auto good = check_title(words.back()); !good) return tl::unexpected(good.error());
@@ -51,7 +51,7 @@ tl::expected<Named, Refusal> name_of(const CourseFile& file,
   if (words.size() == 1 && is_slug && is_title && level_number(slug).empty()) {
     return Named{next_number(file) + "-" + slug, words[0]};
   }
-  return wrong_words("`" + words[0] + "` is no name for a level",
+  return wrong_words("`" + words[0] + "` is not a name for a level",
                      "a number, then small letters, digits and hyphens, as in " + level_form() +
                          (is_slug ? "; did you mean `" + slug + "`?" : ""));
 }

@@ -37,7 +37,7 @@ tl::expected<std::string, Refusal> name_of(const std::string& kind, const std::s
   std::string likely = slug_of(name);
   std::replace(likely.begin(), likely.end(), '-', '_');
   return wrong_words(
-      "`" + words[0] + "` is no name for " + (kind == "example" ? "an " : "a ") + kind,
+      "`" + words[0] + "` is not a name for " + (kind == "example" ? "an " : "a ") + kind,
       "small letters, digits and underscores, as in " + form +
           (RE2::FullMatch(likely, good) ? "; did you mean `" + likely + "`?" : ""));
 }
@@ -68,7 +68,7 @@ NewPartOrRefusal new_model(const Files& assets, const std::vector<std::string>& 
   const auto name = name_of("model", "models/", ".xml", words, form);
   if (!name) return tl::unexpected(name.error());
   if (words.size() > 1) {
-    return wrong_words("new model takes a name, and not `" + words[1] + "`", "as in " + form);
+    return wrong_words("new model takes a name, not `" + words[1] + "`", "as in " + form);
   }
   return NewPart{
       {{"models/" + *name + ".xml", filled_skeleton(assets, "model.xml", {{"name", *name}})}},
@@ -86,7 +86,7 @@ NewPartOrRefusal new_example(const Files& course, const Files& assets,
   const auto name = name_of("example", "examples/", ".cpp", words, form);
   if (!name) return tl::unexpected(name.error());
   if (words.size() > 2) {
-    return wrong_words("new example takes a name and a model, and not `" + words[2] + "`",
+    return wrong_words("new example takes a name and a model, not `" + words[2] + "`",
                        "as in " + form);
   }
   const auto model = model_for(course, *name, words);

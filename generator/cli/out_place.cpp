@@ -37,7 +37,7 @@ std::optional<Refusal> refused_by_system(const fs::path& place, const std::strin
   const std::error_code why(is_folder ? errno : ENOTDIR, std::generic_category());
   return Refusal{kWrongUsage,
                  place.string() + " cannot be written: " + above.string() + ": " + why.message(),
-                 (is_folder ? "let this user write in there, or name another place: `"
+                 (is_folder ? "allow this user to write there, or name another place: `"
                             : "name another place: `") +
                      option + "`"};
 }
@@ -90,7 +90,7 @@ Refusal failed_call(const std::system_error& error) {
     case EACCES:
     case EPERM:
     case EROFS:
-      return {kOurFault, message, "let this user read and write it"};
+      return {kOurFault, message, "allow this user to read and write it"};
     default:
       return {kOurFault, message, ""};
   }

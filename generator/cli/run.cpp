@@ -135,11 +135,11 @@ const std::vector<NamedCommand>& commands() {
             "what each block depends on, and whether its result would be used again; or, by a "
             "message's "
             "name (E-output-differs), what it means and how it is cured"),
-      named("list", list, "the lessons, and how each of them stands"),
+      named("list", list, "the lessons, and the state of each"),
       named("new", make_new, "begin a level, a lesson, a model or an example of the course"),
       named("init", init, "begin a course in a new folder"),
-      named("doctor", doctor, "try out what this machine has of all that courses need"),
-      named("store", store, "forget the results that were not used for longest")};
+      named("doctor", doctor, "check what this machine has of all that courses need"),
+      named("store", store, "forget the results that have gone unused longest")};
   return all;
 }
 
@@ -152,8 +152,8 @@ std::string help() {
          our_command("COMMAND --help") +
          " shows what a command takes.\n"
          "\n"
-         "Exit code: 0 clean, 1 the course has errors (after accept: those that it cannot mend),\n"
-         "2 wrong usage, 3 our fault.\n";
+         "Exit code: 0 clean, 1 the course has errors (after accept: those that it cannot fix),\n"
+         "2 wrong usage, 3 a fault of mjcourse.\n";
 }
 
 }  // namespace
@@ -187,7 +187,7 @@ int run_command(const std::vector<std::string>& arguments) {
     return tell(Refusal{kWrongUsage, refused.what(), refused.cure()});
   } catch (const LostFile& lost) {
     return tell(Refusal{kCourseErrors, lost.what(),
-                        "it was there a moment ago: let it be read, and start again"});
+                        "it was there a moment ago: make it readable, and start again"});
   } catch (const std::system_error& error) {
     return tell(failed_call(error));
   } catch (const std::exception& error) {

@@ -33,12 +33,12 @@ int store(const StoreOptions& options) {
   const std::filesystem::path folder = store_folder(options.store);
   try {
     const Pruned pruned = prune_store(folder, options.keep, true).value();
-    std::cout << "forgot " << in_words(pruned.removed) << "; kept are " << in_words(pruned.left)
+    std::cout << "forgot " << in_words(pruned.removed) << "; kept " << in_words(pruned.left)
               << '\n';
     return kClean;
   } catch (const std::system_error& error) {
     return tell(Refusal{kWrongUsage, "the store cannot be pruned: " + std::string(error.what()),
-                        "name a store that you may write: `--store DIR`"});
+                        "name a store that you can write to: `--store DIR`"});
   }
 }
 

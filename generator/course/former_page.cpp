@@ -46,7 +46,8 @@ std::optional<DeadLink> FormerPages::fault(const Lesson& lesson, std::size_t ind
   const std::string& written = lesson.front.formerly[index].text;
   const std::optional<std::string> page = former_page(lesson, written);
   if (!page) {
-    return DeadLink{"E-formerly-path", "`" + written + "` is no address that a page here can have",
+    return DeadLink{"E-formerly-path",
+                    "`" + written + "` is not an address that a page here can have",
                     "write the lesson's former file name, `1.2-old-name`, or its folder as well, "
                     "`1-state/1.2-old-name`"};
   }
@@ -66,7 +67,7 @@ std::optional<DeadLink> FormerPages::fault(const Lesson& lesson, std::size_t ind
   if (first.lesson == &lesson && first.index == index) return std::nullopt;
   return DeadLink{"E-formerly-twice",
                   first.lesson == &lesson
-                      ? *page + " stands here twice"
+                      ? *page + " is listed here twice"
                       : "lesson " + first.lesson->number + " was at " + *page + " as well",
                   "an old address leads to one lesson: keep it where most of its text is now"};
 }

@@ -80,8 +80,8 @@ tl::expected<LinkTarget, DeadLink> resolve_link(const Course& course, const Less
   return tl::unexpected(DeadLink{
       "E-link-dead", target.empty() ? "this link has no address" : "`" + target + "` leads nowhere",
       "a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of "
-      "its own page (`#heading`), to a model (`model:NAME`), to a name of "
-      "MuJoCo's (`api:mj_step`) or to the web (`https://…`)"});
+      "its own page (`#heading`), to a model (`model:NAME`), to a MuJoCo name (`api:mj_step`) or "
+      "to the web (`https://…`)"});
 }
 
 std::optional<DeadLink> unknown_term(const Course& course, const TermUse& term) {

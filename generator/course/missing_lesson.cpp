@@ -40,7 +40,7 @@ MissingLesson missing_lesson(const Files& files, const std::string& folder,
   const std::string path = place + "/" + entry + kMarkdown;
   const auto bytes = files.read(path);
   if (!bytes && !bytes.error().ends_with(kNotThere)) {
-    return {"cannot read " + bytes.error(), "a lesson is a text file that you may read"};
+    return {"cannot read " + bytes.error(), "a lesson is a text file that you can read"};
   }
   const std::vector<std::string> lessons = lessons_in(files, place);
   if (entry.ends_with(kMarkdown)) {

@@ -166,7 +166,7 @@ void read_glossary_file(const Files& files, Course& course, Diagnostics& diagnos
   report_refused(kGlossaryPath, files, diagnostics);
   if (!bytes && files.exists(kGlossaryPath) && !files.refusal(kGlossaryPath)) {
     diagnostics.push_back(error_at({kGlossaryPath, 0, 0, 1, ""}, "E-file-refused",
-                                   "cannot read " + bytes.error(), "let it be read"));
+                                   "cannot read " + bytes.error(), "make it readable"));
   }
 }
 
@@ -277,7 +277,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
     const auto cure = cure_of_language(language.text);
     if (cure) {
       reading.error("E-course-language", language.span(),
-                    "`" + language.text + "` is no tag of a language", *cure);
+                    "`" + language.text + "` is not a language tag", *cure);
     } else {
       course.language = language.text;
     }

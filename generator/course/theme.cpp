@@ -81,7 +81,7 @@ Diagnostics check_theme(const Files& course, const Files& assets) {
   }
   for (const std::string& folder : of_author(course.folders(kThemeTemplates))) {
     diagnostics.push_back(stray(std::string(kThemeTemplates) + "/" + folder,
-                                "a template is a file `NAME.hbs`, and no folder",
+                                "a template is a file `NAME.hbs`, not a folder",
                                 "put what is in it into `theme/templates/` itself"));
   }
   const auto complain = [&](const std::string& name, const std::string& what) {

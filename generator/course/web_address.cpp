@@ -16,7 +16,7 @@ bool is_one_of(char c, std::string_view some) {
   return some.find(c) != some.npos;
 }
 
-// Where the host begins; 0 where `url` is no address of the web.
+// Where the host begins; 0 where `url` is not a web address.
 std::size_t host_of(std::string_view url) {
   for (const std::string_view scheme : {"https://", "http://"}) {
     if (has_scheme(url, scheme)) return scheme.size();
@@ -60,8 +60,7 @@ bool stands_in_address(std::string_view url, std::size_t at) {
 std::optional<AddressFault> address_fault(std::string_view url) {
   const std::size_t host = host_of(url);
   if (host == 0) {
-    return AddressFault{0, url.size(), "`" + std::string(url) + "` is no address of the web",
-                        kForm};
+    return AddressFault{0, url.size(), "`" + std::string(url) + "` is not a web address", kForm};
   }
   const std::size_t end = std::min(url.find_first_of("/?#", host), url.size());
   if (!is_host(url.substr(host, end - host))) {
@@ -105,7 +104,7 @@ std::optional<AddressFault> edit_address_fault(std::string_view edit) {
   const std::string before(edit.substr(0, at));
   auto fault = address_fault(before + "______" + std::string(edit.substr(at + kPath.size())));
   if (fault && host_of(edit) == 0) {
-    fault->message = "`" + std::string(edit) + "` is no address of the web";
+    fault->message = "`" + std::string(edit) + "` is not a web address";
     fault->cure = "as in `https://github.com/me/course/edit/main/{path}`";
   }
   return fault;

@@ -23,8 +23,8 @@ TaskRecord failure(const Task& task, const std::exception& error) {
   record.looked = true;
   record.finding.diagnostics.push_back(error_at(
       task.place(), "E-internal", "mjcourse itself failed at this: " + std::string(error.what()),
-      "is there memory, and room on the disk? Else report it with this block; everything else was "
-      "checked"));
+      "is there enough memory and disk space? If so, report it with this block; everything else "
+      "was checked"));
   return record;
 }
 

@@ -82,14 +82,14 @@ Diagnostic end_of(const Task& task, const Outcome& outcome, const WorkLimits& li
       return wrong("E-work-time",
                    "this takes more than " + std::to_string(std::lround(limits.seconds)) + " s" +
                        " to work out",
-                   "make less of it: fewer controls or questions, shorter runs, a smaller model");
+                   "make it smaller: fewer controls or questions, shorter runs, a smaller model");
     case End::exhausted:
       return wrong(
           "E-work-memory",
           "this takes more than " + std::to_string(limits.memory >> 20) + " MiB" + " of memory",
           std::string("look for a list that grows in a script, or a large number in a model") +
               (limits.memory < WorkLimits{}.memory
-                   ? "; of this machine's memory a worker has more where fewer work: `--jobs 1`"
+                   ? "; with fewer workers, each has more of this machine's memory: `--jobs 1`"
                    : ""));
     case End::killed_by_signal:
       return wrong(
@@ -99,7 +99,7 @@ Diagnostic end_of(const Task& task, const Outcome& outcome, const WorkLimits& li
     case End::refused:
       return wrong("E-work-refused",
                    "the process that works on this tried to " + outcome.refused +
-                       ", which nothing in a course may",
+                       ", which nothing in a course may do",
                    "what a script or a model does must stay in its simulation");
     default:
       break;

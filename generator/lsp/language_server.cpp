@@ -68,7 +68,9 @@ bool LanguageServer::run(std::istream& in) {
 
 void LanguageServer::take(const std::string& body) {
   const json message = parse_message(body);
-  if (message.is_discarded()) return connection_.refuse(nullptr, Fault::no_json, "this is no JSON");
+  if (message.is_discarded()) {
+    return connection_.refuse(nullptr, Fault::no_json, "this is not JSON");
+  }
   const json id = message.is_object() ? message.value("id", json()) : json();
   const json method = message.is_object() ? message.value("method", json()) : json();
   if (!method.is_string()) {
@@ -92,11 +94,11 @@ void LanguageServer::take(const std::string& body) {
 
 void LanguageServer::ask(const json& id, const std::string& method, const json& params) {
   if (method == "initialize") {
-    if (session_) return connection_.refuse(id, Fault::no_request, "this was said before");
+    if (session_) return connection_.refuse(id, Fault::no_request, "`initialize` was sent before");
     return connection_.answer(id, initialize(params));
   }
   if (!session_) return connection_.refuse(id, Fault::not_initialized, "`initialize` comes first");
-  if (shut_down_) return connection_.refuse(id, Fault::no_request, "`shutdown` was said");
+  if (shut_down_) return connection_.refuse(id, Fault::no_request, "`shutdown` was sent before");
   if (method == "shutdown") {
     shut_down_ = true;
     return connection_.answer(id, nullptr);

@@ -114,7 +114,7 @@ void Simulation::watch() {
     stop("the simulation diverged" + at(std::max(last_time_, data_->time)) + *entry +
          " is infinite, not a number, or huge");
   } else if (data_->time < last_time_) {
-    stop("the simulation started anew" + at(last_time_) + "its time ran backwards");
+    stop("the simulation restarted" + at(last_time_) + "its time ran backwards");
   }
   for (int i = 0; i < mjNWARNING; ++i) {
     const mjWarningStat& warning = data_->warning[i];

@@ -86,8 +86,7 @@ std::optional<ModelError> verdict_of(Attempt attempt, const std::string& file) {
   }
   return ModelError{
       file, 0, 0, "MuJoCo crashes on this model",
-      "look for an index or a count in a mesh, a skin or a texture that the file does "
-      "not bear out"};
+      "look for an index or a count that does not fit the file of a mesh, a skin or a texture"};
 }
 
 // What came of the first attempt with the same `key`, which stands for all that it read.

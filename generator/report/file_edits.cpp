@@ -79,7 +79,7 @@ FileEdits gather_edits(const Wanted& wanted, const Files& files) {
     if (auto after = edited(in_order(cures, text.size()), text)) {
       gathered.files.push_back({file, before, *std::move(after), cures});
     } else {
-      refuse("several fences want something else of " + file + ": make them say the same first");
+      refuse("several fences want different text in " + file + ": make them say the same first");
     }
   }
   return gathered;

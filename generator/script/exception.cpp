@@ -121,7 +121,7 @@ ScriptError explain(const Exception& exception, const std::vector<std::string>& 
     error.cure = suggest(name, names);
   } else if (exception.message.starts_with("Maximum call stack size exceeded")) {
     error.id = "E-script-throw";
-    error.message = "calls or brackets stand in one another too deep";
+    error.message = "calls or brackets are nested too deep";
   } else {
     error.id = "E-script-throw";
     const bool plain = exception.kind.empty() || exception.kind == "Error";

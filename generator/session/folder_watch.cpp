@@ -69,7 +69,7 @@ void FolderWatch::watch(const fs::path& folder) {
                             "too many folders are watched on this machine; raise "
                             "fs.inotify.max_user_watches to watch " +
                                 folder.string());
-  }  // else it is gone already, or is no folder
+  }  // else it is gone already, or is not a folder
 }
 
 void FolderWatch::watch_below(const fs::path& folder) {

@@ -144,7 +144,7 @@ function otherScripts() {
 try {
   writeCourse();
   const names = Object.keys(all);
-  expect("the first time", names, ["was never worked out here"]);
+  expect("the first time", names, ["was never evaluated here"]);
   expect("nothing", []);
   change(lesson, "A formula", "Some prose, a line more.\n\nA formula");
   expect("prose", []);

@@ -73,7 +73,7 @@ try {
   const half = Math.floor(size() / 2);
   const pruned = run(mjcourse, ["store", "prune", "--keep", String(half), "--store", store]);
   expect(
-    /^forgot \d+ results and \d+ prepared headers? \([\d.]+ [kM]B\); kept are \d+ results? and \d+ prepared headers? \([\d.]+ [kM]B\)\n$/.test(
+    /^forgot \d+ results and \d+ prepared headers? \([\d.]+ [kM]B\); kept \d+ results? and \d+ prepared headers? \([\d.]+ [kM]B\)\n$/.test(
       pruned.stdout,
     ),
     `pruning says ${pruned.stdout}${pruned.stderr}`,

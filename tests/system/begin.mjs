@@ -138,7 +138,7 @@ test("init takes a new repository, and no file", () => {
   assert.deepEqual(run("init", "empty/README.md"), [
     1,
     "",
-    "mjcourse: empty/README.md is no folder\n  cure: name a new or an empty one\n",
+    "mjcourse: empty/README.md is not a folder\n  cure: name a new or empty one\n",
   ]);
   assert.deepEqual(run("init"), [
     2,

@@ -401,7 +401,7 @@ function isNamed(user) {
   own(course.folder, user);
   const came = run(["build"], course, user);
   expect(
-    came.stdout.includes("\nin the site stays what no build wrote: CNAME, page.html\nsite: "),
+    came.stdout.includes("\nkept in the site, though no build wrote it: CNAME, page.html\nsite: "),
     `what stays in a site: it said\n${came.stderr}${came.stdout}`,
   );
 }
@@ -415,7 +415,7 @@ function isNotAccepted(user) {
   course.lesson("```cpp file=examples/a.cpp\nint main() {}\n```");
   course.link(file, "examples/a.cpp");
   const came = run(["accept"], course, user);
-  expect(came.stdout === "nothing to accept; 1 error to mend by hand\n", `accept: ${came.stdout}`);
+  expect(came.stdout === "nothing to accept; 1 error to fix by hand\n", `accept: ${came.stdout}`);
   expect(readFileSync(file, "utf8") === "as it was\n", "accept wrote through a link");
 }
 

@@ -69,7 +69,7 @@ for (const [command, option, value] of options) {
   expectRefused(
     [command, option, place],
     `mjcourse: ${place} cannot be written: ${locked}: Permission denied\n` +
-      `  cure: let this user write in there, or name another place: \`${option} ${value}\`\n`,
+      `  cure: allow this user to write there, or name another place: \`${option} ${value}\`\n`,
   );
   const below = join(file, "a");
   expectRefused(
@@ -81,7 +81,7 @@ for (const [command, option, value] of options) {
   for (const words of [[option, ""], [`${option}=`]]) {
     expectRefused(
       [command, ...words],
-      `mjcourse: ${option} needs ${what}, and has ""\n\`mjcourse ${command} --help\` shows what it takes\n`,
+      `mjcourse: ${option} needs ${what}, not ""\n\`mjcourse ${command} --help\` shows what it takes\n`,
     );
   }
 }

@@ -11,7 +11,7 @@ Diagnostic asserted(const Claim& claim) {
   }
   if (claim.kind == Claim::Kind::image) {
     return error_at(claim.place, "E-strict-asserted", "nothing says where this picture is from",
-                    "say it behind the file: `![…](picture.png \"drawn by …\")`");
+                    "say it after the file: `![…](picture.png \"drawn by …\")`");
   }
   return error_at(claim.place, "E-strict-asserted",
                   "the answer of " + claim.what.substr(0, claim.what.find(':')) +

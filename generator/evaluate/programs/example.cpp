@@ -155,7 +155,7 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
   if (!compiled.succeeded) return std::nullopt;
   if (!example.compiles) {
     return report(error_at({}, "E-example-compiles", "the program compiles, and is said not to",
-                           "remove `expect=compile-error`, or mend the lesson's point"));
+                           "remove `expect=compile-error`, or correct what the lesson says"));
   }
   const fs::path records = folder.path() / "records";
   const Stopwatch stopwatch;

@@ -112,7 +112,7 @@ Diagnostic killed(const Outcome& outcome, const ExpectedRun& expected) {
     found.id = "E-example-throws";
     found.message = "the " + expected.what + " threw " + thrown->first_line;
     found.detail = tail(thrown->more);
-    found.cure = "catch it, or mend what it complains about";
+    found.cure = "catch it, or fix what it complains about";
     return found;
   }
   found.id = "E-example-signal";

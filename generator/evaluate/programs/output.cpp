@@ -36,10 +36,11 @@ Diagnostic differs(const Output& output, const std::vector<DiffLine>& changes,
 // The lines may be as stated: what stands behind a `[..]` begins like too much of what is printed.
 Diagnostic undecided(const Output& output, const Lesson& lesson) {
   const std::size_t gap = output.text.text.find("[..]");
-  return error_at(place_of(*lesson.source, output.text.span(gap, gap + 4)), "E-output-gap",
-                  "finding what stands behind `[..]` would take too long: it may begin at too many "
-                  "places of a long line",
-                  "print shorter lines, or state more of them in front of `[..]`, and less behind");
+  return error_at(
+      place_of(*lesson.source, output.text.span(gap, gap + 4)), "E-output-gap",
+      "finding what follows `[..]` would take too long: it may begin at too many places of a long "
+      "line",
+      "print shorter lines, or state more of them in front of `[..]`, and less after it");
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ double number_of(const json& value) {
 }
 
 std::vector<double> numbers_of(const json& value) {
-  if (!value.is_array()) throw Unfit("holds what is no list of numbers");
+  if (!value.is_array()) throw Unfit("holds what is not a list of numbers");
   std::vector<double> numbers;
   for (const json& number : value) numbers.push_back(number_of(number));
   return numbers;
@@ -50,7 +50,7 @@ Table table_of(const json& value) {
   std::set<std::string> names;
   for (const json& column : value) {
     if (!column.is_array() || column.size() != 2 || !column[0].is_string()) {
-      throw Unfit("has a column that is no name with a list of numbers");
+      throw Unfit("has a column that is not a name with a list of numbers");
     }
     columns.push_back({column[0].get<std::string>(), numbers_of(column[1])});
     const auto& [name, values] = columns.back();
@@ -66,7 +66,7 @@ Table table_of(const json& value) {
 }
 
 State snapshot_of(const json& value) {
-  if (!value.is_object()) throw Unfit("is no object of fields");
+  if (!value.is_object()) throw Unfit("is not an object of fields");
   State state;
   for (const auto& [field, numbers] : value.items()) {
     state[field] = numbers.is_array() ? numbers_of(numbers) : std::vector{number_of(numbers)};
@@ -143,8 +143,8 @@ Records read_records(const std::string& lines, std::vector<RecordFault>& faults)
     }
     reader.read(line);
     if (faults.size() < kMostFaults) continue;
-    faults.push_back({"", "a hundred records are wrong; those behind them were not read",
-                      "mend the first ones: others often follow from them"});
+    faults.push_back({"", "a hundred records are wrong; those after them were not read",
+                      "fix the first ones: others often follow from them"});
     break;
   }
   return reader.take();

@@ -51,7 +51,7 @@ void prove_goal(const LabContext& context, const Lab::Goal& goal) {
   message << "the solution does not reach the goal";
   if (goal.solution_seconds > 0) message << " within " << goal.solution_seconds << " s";
   context.error("E-lab-goal", solution_of(goal).span(), message.str(),
-                "mend the solution, give it more \"seconds\", or ask for less in \"done\"");
+                "fix the solution, give it more \"seconds\", or ask for less in \"done\"");
 }
 
 }  // namespace

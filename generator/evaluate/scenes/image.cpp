@@ -72,7 +72,7 @@ std::optional<ImageResult> evaluate_image(const Image& image, const Lesson& less
   const auto bytes = files.read(path);
   if (!bytes) return error("E-image-missing", "cannot read " + bytes.error(), "");
   const tl::expected<ImageSize, std::string> size = image_size(image.file.text, *bytes);
-  if (!size) return error("E-image-broken", path + " " + size.error(), "save it anew");
+  if (!size) return error("E-image-broken", path + " " + size.error(), "save it again");
   const bool is_drawing = image.file.text.ends_with(".svg");
   if (is_drawing && !check_drawing(path, *bytes, image, lesson, diagnostics)) return std::nullopt;
   return ImageResult{root / path, content_hash(*bytes), size->width, size->height};

@@ -93,14 +93,14 @@ tl::expected<ImageSize, std::string> image_size(const std::string& name, const s
                           const char* error) -> tl::expected<ImageSize, std::string> {
     return size ? tl::expected<ImageSize, std::string>(*size) : tl::unexpected(std::string(error));
   };
-  if (name.ends_with(".png")) return or_else(png_size(bytes), "is no PNG");
-  if (name.ends_with(".webp")) return or_else(webp_size(bytes), "is no WebP");
+  if (name.ends_with(".png")) return or_else(png_size(bytes), "is not a PNG");
+  if (name.ends_with(".webp")) return or_else(webp_size(bytes), "is not a WebP");
   if (name.ends_with(".svg")) {
     return or_else(svg_size(bytes),
-                   "is no SVG that says how large it is, by width and height in "
+                   "is not an SVG that states its size by width and height in "
                    "pixels or by its viewBox");
   }
-  return or_else(jpeg_size(bytes), "is no JPEG");
+  return or_else(jpeg_size(bytes), "is not a JPEG");
 }
 
 }  // namespace mjcourse

@@ -57,7 +57,7 @@ std::optional<ModelResult> evaluate_inline_model(const InlineModel& model, const
   if (loaded) {
     diagnostics.push_back(error_at(place_of(*lesson.source, model.span), "E-model-compiles",
                                    "the model compiles, and is said not to",
-                                   "remove `expect=error`, or mend the lesson's point"));
+                                   "remove `expect=error`, or correct what the lesson says"));
     return std::nullopt;
   }
   const ModelError& error = loaded.error();

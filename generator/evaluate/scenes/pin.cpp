@@ -16,7 +16,7 @@ namespace {
 constexpr int kReferenceWidth = 160;  // pixels, of a new reference
 
 std::string accept_cure() {
-  return "look at it (`check --report DIR` shows it); if it is as you mean it, " +
+  return "look at it (`check --report DIR` shows it); if it is as intended, " +
          our_command("accept") + " keeps it as the reference";
 }
 
@@ -67,7 +67,7 @@ class Pin {
       report("E-picture-unreadable",
              "the reference picture " + path_ + " cannot be read: " + reference.error(),
              "bring it back from your version control, or let " + our_command("accept") +
-                 " make it anew");
+                 " make it again");
       return result_;
     }
     result_.reference = Blob(*bytes);
@@ -86,7 +86,7 @@ class Pin {
     if (reference.width > picture_.width ||
         reference.height != height_at(reference.width, picture_)) {
       report("E-picture-differs",
-             "this picture has not the shape of its reference " + path_ + ": that is " +
+             "this picture does not have the shape of its reference " + path_ + ": that is " +
                  size_text(reference) + " pixels, and this would be " + size_text(small_),
              accept_cure());
       return;

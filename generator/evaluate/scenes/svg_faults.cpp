@@ -20,7 +20,7 @@ using tinyxml2::XMLElement;
 using tinyxml2::XMLNode;
 
 constexpr const char* kPlain =
-    "draw with what draws; most programs can save a \"plain\" SVG, which has nothing else";
+    "use only elements that draw; most programs can save a \"plain\" SVG, which has nothing else";
 
 // What of CSS and of presentation attributes does not compute from numbers.
 constexpr std::array kFunctions{
@@ -81,7 +81,7 @@ class SvgReader {
     if (refuse_bytes()) return std::move(faults_);
     tinyxml2::XMLDocument document;
     if (document.Parse(bytes_.data(), bytes_.size()) != tinyxml2::XML_SUCCESS) {
-      refuse({0, 1}, "the drawing is no XML");
+      refuse({0, 1}, "the drawing is not XML");
       return std::move(faults_);
     }
     walk(document);
@@ -102,7 +102,7 @@ class SvgReader {
     }
     const auto at = find_control_character(bytes_);
     if (!at) return false;
-    refuse({*at, *at + 1}, "the drawing has a control character", "save it anew, as text");
+    refuse({*at, *at + 1}, "the drawing has a control character", "save it again, as text");
     return true;
   }
 
@@ -113,7 +113,7 @@ class SvgReader {
                                                    node->Parent() == node->GetDocument());
       } else if (node->ToUnknown() != nullptr) {
         refuse(find("<!"), "a drawing has no `<!DOCTYPE>` and no entities",
-               "remove it: browsers want none");
+               "remove it: browsers need none");
       } else if (const XMLElement* element = node->ToElement()) {
         read_element(*element);
       }

@@ -45,7 +45,7 @@ void LessonReader::read_document() {
 void LessonReader::refuse_excess(Excess excess, Span span) {
   if (excess == Excess::depth) {
     reading_.error("E-markdown-depth", span,
-                   "lists, quotes or emphasis stand in one another here a hundred deep",
+                   "lists, quotes or emphasis are nested a hundred deep here",
                    "give it fewer levels; for such characters as text, write `\\>` or `\\*`");
   } else if (excess == Excess::cells) {
     reading_.error("E-table-size", span,

@@ -23,7 +23,7 @@ void read_expectation(Fence& fence, Example& example, Reading& reading) {
   constexpr std::string_view start = "exit:";
   if (!expect->text.starts_with(start)) {
     reading.error(
-        "E-fence-option", expect->span(), "nothing is known to expect as this",
+        "E-fence-option", expect->span(), "`expect` has no such value",
         suggest(expect->text, {fences::kProgramEnds.begin(), fences::kProgramEnds.end()}));
     return;
   }

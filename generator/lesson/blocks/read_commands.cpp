@@ -44,7 +44,7 @@ Commands read_commands(Fence& fence, Reading& reading) {
   commands.seconds =
       fence.number("timeout", reading, fences::kMostSeconds).value_or(commands.seconds);
   if (commands.code.text.find_first_not_of(" \n") == std::string::npos) {
-    reading.error("E-commands-empty", fence.span(), "these commands are none",
+    reading.error("E-commands-empty", fence.span(), "this fence has no commands",
                   "write at least one, as a reader would type it");
   }
   fence.finish("sh run", fences::kCommands, reading);

@@ -41,7 +41,7 @@ void refuse_footnote_in_link(cmark_node* node, SourceCursor cursor, Reading& rea
   reading.error("E-footnote-place", cursor.find("[^" + name_of_footnote(named) + "]").span(),
                 in_heading ? "a footnote's mark cannot stand in a heading, which is a link itself"
                            : "a footnote's mark cannot stand in the text of a link",
-                in_heading ? "put it into the text below" : "put it behind the link");
+                in_heading ? "put it into the text below" : "put it after the link");
 }
 
 }  // namespace mjcourse

@@ -20,10 +20,10 @@ void read_tags(cmark_node* node, const LocatedText& html, const std::vector<Html
 
 void refuse_hidden_markdown(const LocatedText& html, Reading& reading) {
   for (const HiddenMarkdown& hidden : hidden_markdown(html.text)) {
-    reading.error(
-        "E-html-hidden", html.span(hidden.begin, hidden.end),
-        std::string(hidden.what) + " right beside a tag is no Markdown, and shown as it is written",
-        "leave an empty line between the tag and it");
+    reading.error("E-html-hidden", html.span(hidden.begin, hidden.end),
+                  std::string(hidden.what) +
+                      " right beside a tag is not Markdown, and is shown as it is written",
+                  "leave an empty line between the tag and it");
   }
 }
 

@@ -21,7 +21,7 @@ Refusal refuse(const std::string& file) {
   if (file.empty())
     return {"this picture names no file", "name one: `![what it shows](picture.png)`"};
   if (file.find(':') != file.npos || file.starts_with("//")) {
-    return {"a picture lies beside its lesson, and is no address in the web",
+    return {"a picture lies beside its lesson, and not at an address on the web",
             "put the file there, and say where it comes from in its title: "
             "`![what it shows](picture.png \"where it comes from\")`"};
   }
@@ -41,13 +41,15 @@ std::optional<Image> read_image(cmark_node* node, const LocatedText& file, bool 
     return std::nullopt;
   }
   if (!is_image_file(file.text)) {
-    reading.error("E-image-kind", file.span(), "`" + file.text + "` is no picture that pages show",
+    reading.error("E-image-kind", file.span(),
+                  "`" + file.text + "` is not in a supported picture format",
                   "pictures are .png, .jpg, .jpeg, .webp or .svg");
     return std::nullopt;
   }
   const std::string alt = plain_text(node);
   if (alt.find_first_not_of(' ') == alt.npos) {
-    reading.error("E-image-alt", file.span(), "this picture says nothing to who cannot see it",
+    reading.error("E-image-alt", file.span(),
+                  "this picture says nothing to readers who cannot see it",
                   "say in words what it shows: `![words](" + target_of_file(file.text) + ")`");
     return std::nullopt;
   }
@@ -64,7 +66,7 @@ void refuse_blank_in_name(cmark_node* node, const LocatedText& text, std::size_t
   names.resize(std::min(shown, names.size()));
   for (const LocatedText& name : names) {
     reading.error("E-image-blank", name.span(),
-                  "Markdown takes this for text, since the name has a blank in it",
+                  "Markdown reads this as text, since the name has a space in it",
                   "write `(" + target_of_file(name.text) + ")`");
   }
 }

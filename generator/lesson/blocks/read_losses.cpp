@@ -51,12 +51,12 @@ void tell_loss(const Loss& loss, Span span, Reading& reading) {
           "in a table, write `\\|` for a bar that ends no cell, and `\\$` for a dollar as text");
     case Loss::Kind::no_table:
       return reading.warning("W-table-head", span,
-                             "this is no table: its head has " + counted(loss.cells, "cell") +
+                             "this is not a table: its head has " + counted(loss.cells, "cell") +
                                  ", and the row of dashes below it " + std::to_string(loss.columns),
                              "give both as many; for a bar within a cell, write `\\|`");
     case Loss::Kind::headless:
       return reading.warning(
-          "W-table-head", span, "this is no table: no head stands above the row of dashes",
+          "W-table-head", span, "this is not a table: no head stands above the row of dashes",
           "put a row above it; for a head without words, `" + empty_head(loss.columns) + "`");
     case Loss::Kind::reference:
       return reading.warning(

@@ -30,10 +30,11 @@ void warn_of_doubtful_math(const LocatedText& tex, Reading& reading) {
   if (!is_dollar(span.begin - 1) || !is_dollar(span.end)) return;  // it was not found
   const char before = span.begin > 1 ? text[span.begin - 2] : '\0';
   if (!is_doubtful_math(before, tex.text, text.substr(span.end + 1))) return;
-  reading.warning("W-math-doubtful", {span.begin - 1, span.end + 1},
-                  "between these two dollars stands a formula, though it looks like text",
-                  "for a dollar as text, write `\\$`, or code; for the formula, set it apart from "
-                  "the words around it");
+  reading.warning(
+      "W-math-doubtful", {span.begin - 1, span.end + 1},
+      "what stands between these two dollars is read as a formula, though it looks like text",
+      "for a dollar as text, write `\\$`, or code; for the formula, set it apart from "
+      "the words around it");
 }
 
 }  // namespace
@@ -50,8 +51,7 @@ Math read_math(cmark_node* node, SourceCursor& cursor, MathState& state, Reading
   }
   if (!math.behind.empty()) {
     reading.error("E-math-behind", cursor.find(math.behind).span(),
-                  "text stands behind the `$$` that closes the formula",
-                  "begin it on a line of its own");
+                  "text follows the `$$` that closes the formula", "begin it on a line of its own");
   }
   if (!math.display) warn_of_doubtful_math(tex, reading);
   return {tex, math.display};

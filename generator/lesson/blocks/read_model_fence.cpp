@@ -10,7 +10,7 @@ std::optional<Block> read_inline_model(Fence& fence, Reading& reading) {
   if (const std::optional<LocatedText> expect = fence.option("expect")) {
     model.compiles = expect->text != "error";
     if (model.compiles) {
-      reading.error("E-fence-option", expect->span(), "nothing is known to expect as this",
+      reading.error("E-fence-option", expect->span(), "`expect` has no such value",
                     suggest(expect->text, {fences::kModelEnds.begin(), fences::kModelEnds.end()}));
     }
   }

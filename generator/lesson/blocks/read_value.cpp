@@ -52,13 +52,14 @@ std::optional<InlineValue> read_value(const LocatedText& code, Reading& reading)
   }
   if (text[close + 1] != ' ') {
     reading.error("E-value-form", code.span(close, close + 1),
-                  "a space is missing behind the name in braces", kValueCure);
+                  "a space is missing after the name in braces", kValueCure);
     return std::nullopt;
   }
   const std::size_t format = start_of_format(text);
   const std::size_t begin = text.find_first_not_of(' ', close + 1);
   if (begin >= format) {
-    reading.error("E-value-form", code.span(), "what is its value to be of?", kValueCure);
+    reading.error("E-value-form", code.span(), "no expression follows the name in braces",
+                  kValueCure);
     return std::nullopt;
   }
   InlineValue value{code.part(1, close), code.part(begin, format), {}};
@@ -66,7 +67,7 @@ std::optional<InlineValue> read_value(const LocatedText& code, Reading& reading)
   value.format = code.part(format + 2, text.size());
   if (is_format(value.format.text)) return value;
   reading.error("E-value-format", code.span(format + 1, text.size()),
-                "`:" + value.format.text + "` is no format of a number",
+                "`:" + value.format.text + "` is not a number format",
                 "write `:d`, `:.4f`, `:.3e` or `:.6g`, with up to 17 digits");
   return std::nullopt;
 }

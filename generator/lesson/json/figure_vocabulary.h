@@ -16,7 +16,7 @@ inline constexpr std::array kAnimationKeys{
         {0.1, 60, "is how long an animation takes: from 0.1 to 60 seconds"}},
     Key{"fps",
         KeyKind::whole,
-        "Frames a second; 30 where nothing is said.",
+        "Frames a second; 30 by default.",
         Need::none,
         {1, 60, "is a whole number of frames: from 1 to 60 a second"}}};
 inline constexpr Vocabulary kAnimation{"animation", kAnimationKeys};
@@ -36,7 +36,7 @@ inline constexpr std::array kFigureKeys{
     Key{"from", KeyKind::text, "A state that a program recorded: `EXAMPLE/SNAPSHOT`."},
     Key{"size",
         KeyKind::size,
-        "Width and height in pixels; `[640, 400]` where nothing is said.",
+        "Width and height in pixels; `[640, 400]` by default.",
         Need::none,
         {16, 1024, "is a width and a height in pixels: two whole numbers from 16 to 1024"}},
     Key{"animate", KeyKind::object, "A film of what comes next.", Need::none, {}, &kAnimation},

@@ -145,10 +145,10 @@ class TreeBuilder {
   }
   bool open(JsonValue::Kind kind) {
     if (open_.size() == kDeepestJson) {
-      reading_.error("E-json-depth", text_.span(read_ - 1, read_),
-                     "lists and objects stand in one another here more than " +
-                         std::to_string(kDeepestJson) + " deep",
-                     "is a bracket closed too late?");
+      reading_.error(
+          "E-json-depth", text_.span(read_ - 1, read_),
+          "lists and objects are nested here more than " + std::to_string(kDeepestJson) + " deep",
+          "is a bracket closed too late?");
       return false;
     }
     JsonValue value;

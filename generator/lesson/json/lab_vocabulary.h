@@ -15,7 +15,7 @@ inline constexpr Limits kTolerance{0, std::numeric_limits<double>::max(),
 
 inline constexpr Key kTypeKey{"type", KeyKind::word, "What kind of control it is.", Need::filled};
 inline constexpr Key kLabelKey{"label", KeyKind::text, "What is written on it.", Need::filled};
-inline constexpr Key kUnitKey{"unit", KeyKind::text, "Stands behind the number."};
+inline constexpr Key kUnitKey{"unit", KeyKind::text, "Shown after the number."};
 inline constexpr Key kValueKey{"value", KeyKind::expression,
                                "The expression that gives the number.", Need::filled};
 
@@ -33,14 +33,13 @@ inline constexpr std::array kSliderKeys{
     Key{"max", KeyKind::number, "Its upper end.", Need::there},
     Key{"step",
         KeyKind::number,
-        "How far it goes at a time; a two-hundredth of the way as it is.",
+        "How far it goes at a time; a two-hundredth of the way by default.",
         Need::none,
         {kAboveZero, std::numeric_limits<double>::max(),
          "is how far the slider goes at a time: more than 0"}},
     Key{"value", KeyKind::number,
         "Where it starts, at every reset; without one, what the model has."},
-    Key{"digits", KeyKind::whole, "Digits after the point; 2 where nothing is said.", Need::none,
-        kDigits},
+    Key{"digits", KeyKind::whole, "Digits after the point; 2 by default.", Need::none, kDigits},
     kUnitKey};
 inline constexpr Vocabulary kSlider{"slider", kSliderKeys};
 
@@ -79,8 +78,7 @@ inline constexpr Vocabulary kControl{"control", kControlKeys, kControls};
 inline constexpr Key kExpressionKey{"expr", KeyKind::expression, "What is read.", Need::filled};
 inline constexpr std::array kReadoutKeys{
     kLabelKey, kExpressionKey,
-    Key{"digits", KeyKind::whole, "Digits after the point; 3 where nothing is said.", Need::none,
-        kDigits},
+    Key{"digits", KeyKind::whole, "Digits after the point; 3 by default.", Need::none, kDigits},
     kUnitKey};
 inline constexpr Vocabulary kReadout{"readout", kReadoutKeys};
 
@@ -91,7 +89,7 @@ inline constexpr std::array kLabPlotKeys{
     Key{"ylabel", KeyKind::text, "What is written beside the plot: quantities and units."},
     Key{"window",
         KeyKind::number,
-        "Seconds that it shows; 5 where nothing is said.",
+        "Seconds that it shows; 5 by default.",
         Need::none,
         {0.1, 1000, "is a number of seconds: from 0.1 to 1000"}},
     Key{"ymin", KeyKind::number, "Its lower end; without one, it finds its own."},
@@ -113,10 +111,8 @@ inline constexpr std::array kPredictionKeys{
         "Simulated time until the value is read.",
         Need::there,
         {kAboveZero, 100, "is simulated time: more than 0, at most 100"}},
-    Key{"tol", KeyKind::number, "How near is near enough; 0 where nothing is said.", Need::none,
-        kTolerance},
-    Key{"digits", KeyKind::whole, "Digits after the point; 3 where nothing is said.", Need::none,
-        kDigits},
+    Key{"tol", KeyKind::number, "How near is near enough; 0 by default.", Need::none, kTolerance},
+    Key{"digits", KeyKind::whole, "Digits after the point; 3 by default.", Need::none, kDigits},
     kUnitKey,
     Key{"explain", KeyKind::markdown, "Said afterwards."}};
 inline constexpr Vocabulary kPrediction{"prediction", kPredictionKeys};
@@ -153,8 +149,7 @@ inline constexpr std::array kTaskKeys{
     Key{"q", KeyKind::markdown, "Which number of the edited model the reader is to find.",
         Need::filled},
     kValueKey,
-    Key{"tol", KeyKind::number, "How near is near enough; 0 where nothing is said.", Need::none,
-        kTolerance},
+    Key{"tol", KeyKind::number, "How near is near enough; 0 by default.", Need::none, kTolerance},
     kUnitKey};
 inline constexpr Vocabulary kTask{"task", kTaskKeys};
 
@@ -169,7 +164,7 @@ inline constexpr std::array kLabKeys{
     Key{"dock", KeyKind::boolean, "`true` keeps the lab beside the text on a wide screen."},
     Key{"height",
         KeyKind::number,
-        "Of the picture, in pixels; 300 where nothing is said.",
+        "Of the picture, in pixels; 300 by default.",
         Need::none,
         {1, 1024, "is a number of pixels: from 1 to 1024"}},
     kCameraKey,
@@ -185,7 +180,7 @@ inline constexpr std::array kLabKeys{
     Key{"plots", KeyKind::objects, "Plots over time.", Need::none, {}, &kLabPlot},
     Key{"speed",
         KeyKind::number,
-        "Simulated seconds in a second; 1 where nothing is said.",
+        "Simulated seconds in a second; 1 by default.",
         Need::none,
         {0.1, 4, "is simulated seconds in a second: from 0.1 to 4"}},
     Key{"predict",

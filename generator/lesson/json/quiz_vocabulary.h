@@ -72,7 +72,7 @@ inline constexpr std::array kNumericKeys{
     kHintKey,
     kExplainKey,
     Key{"tol", KeyKind::tolerance, "How far off an answer may be: a number, or as `\"1%\"`."},
-    Key{"unit", KeyKind::text, "Stands behind the field."},
+    Key{"unit", KeyKind::text, "Shown after the field."},
     Key{"answer", KeyKind::number, "The right number.", Need::there},
     kVerifyKey};
 inline constexpr Vocabulary kNumeric{"question", kNumericKeys};

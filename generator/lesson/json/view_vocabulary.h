@@ -8,11 +8,12 @@
 namespace mjcourse::words {
 
 inline constexpr std::array kCameraKeys{
-    Key{"azimuth", KeyKind::number, "From which side, in degrees; 90 where nothing is said."},
+    Key{"azimuth", KeyKind::number, "From which side, in degrees; 90 by default."},
     Key{"elevation", KeyKind::number,
-        "From how high, in degrees; negative looks down; -45 as it is."},
-    Key{"distance", KeyKind::number, "From how far, in metres; 2 where nothing is said."},
-    Key{"target", KeyKind::point, "The point that is looked at, in metres; the origin as it is."}};
+        "From how high, in degrees; negative looks down; -45 by default."},
+    Key{"distance", KeyKind::number, "From how far, in metres; 2 by default."},
+    Key{"target", KeyKind::point,
+        "The point that is looked at, in metres; the origin by default."}};
 inline constexpr Vocabulary kCamera{"camera", kCameraKeys};
 
 inline constexpr Key kCameraKey{"camera",

@@ -44,7 +44,7 @@ std::optional<YAML::Node> parse_yaml(const LocatedText& text, const std::string&
     if (tab != std::string::npos) {
       reading.error(id, text.span(tab, tab + 1),
                     "the " + what + " is indented with a tab here, which YAML does not take",
-                    "indent with blanks");
+                    "indent with spaces");
       return std::nullopt;
     }
     reading.error(id, span_of(error.mark, 1, text), "the " + what + " is not YAML: " + error.msg,
@@ -90,7 +90,7 @@ void YamlMap::error(const YAML::Node& node, const std::string& message, const st
   // A value that is not there stands, to the library, at whatever comes next.
   if (node.IsNull() && map_.IsMap()) {
     for (const auto& entry : map_) {
-      if (entry.second.is(node)) return error(entry.first, message, "write it behind the colon");
+      if (entry.second.is(node)) return error(entry.first, message, "write it after the colon");
     }
   }
   const std::size_t length = node.IsScalar() ? node.Scalar().size() : 1;

@@ -112,7 +112,7 @@ std::optional<StyleFault> value_fault(std::string_view value, std::size_t begin)
   }
   const auto open = std::count(value.begin(), value.end(), '(');
   if (open == std::count(value.begin(), value.end(), ')')) return std::nullopt;
-  return StyleFault{begin, begin + value.size(), "a bracket of this style stands alone",
+  return StyleFault{begin, begin + value.size(), "a bracket of this style has no partner",
                     "close each that is opened"};
 }
 

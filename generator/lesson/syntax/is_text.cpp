@@ -24,10 +24,11 @@ std::string readable_line(const std::string& bytes, std::size_t at) {
 
 bool is_text(const std::string& path, const std::string& bytes, Diagnostics& diagnostics) {
   if (bytes.size() > kMostText) {
-    diagnostics.push_back(error_at(
-        {path, 0, 0, 1, ""}, "E-text-size",
-        "a text may have 1 MiB, and this one has " + std::to_string(bytes.size()) + " bytes",
-        "make several of it; a program, a model or a picture is a file of its own"));
+    diagnostics.push_back(
+        error_at({path, 0, 0, 1, ""}, "E-text-size",
+                 "a text file may be at most 1 MiB, and this one has " +
+                     std::to_string(bytes.size()) + " bytes",
+                 "make several of it; a program, a model or a picture is a file of its own"));
     return false;
   }
   const std::size_t invalid = find_invalid_utf8(bytes).value_or(bytes.size());
@@ -48,7 +49,7 @@ bool is_text(const std::string& path, const std::string& bytes, Diagnostics& dia
     reading.error(
         "E-control-character", {at, at + 2},
         std::string(is_long ? "" : "byte ") + byte + " is a control character, which no text holds",
-        bytes[at] == '\r' ? "end lines with a line feed, also behind a carriage return"
+        bytes[at] == '\r' ? "end lines with a line feed, also after a carriage return"
                           : "remove it");
   }
   return false;

@@ -148,11 +148,12 @@ class Finder {
     if (!is_shown("<!\u2013") && !is_shown("<!--")) return;
     const std::size_t end = source_.substr(0, at + kLongestComment).find("-->", at + 4);
     if (end == source_.npos) {
-      return tell(at, at + 4, "W-html-comment", "this comment is never closed, and shown as text",
+      return tell(at, at + 4, "W-html-comment",
+                  "this comment is never closed, and is shown as text",
                   "write `-->` where it ends; for the characters as text, write `\\<!--`");
     }
     tell(at, end + 3, "W-html-comment",
-         "within a line, this is no comment, and shown as text: `--` stands in it",
+         "within a line, this is not a comment, and is shown as text: `--` stands in it",
          "leave out the `--`, or put the comment on a line of its own");
   }
 
@@ -165,7 +166,7 @@ class Finder {
     if ((has_blank && !has_letter(name.substr(0, 1))) || !is_shown(mark)) return;
     if (has_blank) {
       std::ranges::replace(name, ' ', '-');
-      return tell(at, end + 1, "W-footnote-unknown", "the name of a footnote has no blanks",
+      return tell(at, end + 1, "W-footnote-unknown", "the name of a footnote has no spaces",
                   "write `[^" + name + "]`; for brackets as text, `\\" + mark + "`");
     }
     tell(at, end + 1, "W-footnote-unknown", "there is no footnote `" + name + "`",
@@ -236,7 +237,7 @@ class Finder {
     const std::string address = text_.substr(at + 2, end - at - 2);
     if (!names_with_blanks({"](" + address + ")", {}}, 0).empty()) return;  // E-image-blank
     if (address.find(' ') == address.npos || !is_shown("](" + address)) return;
-    tell(begin, end + 1, "W-link-blank", "this is no link, since its address has a blank",
+    tell(begin, end + 1, "W-link-blank", "this is not a link, since its address has a space",
          "put the address in `<…>`: `" + std::string(text_[begin] == '!' ? "!" : "") + "[…](<" +
              address + ">)`");
   }
@@ -257,7 +258,7 @@ class Finder {
     if (!is_shown(signs.substr(0, signs.find_first_of("-=\xE2")))) return;
     const auto begin = static_cast<std::size_t>(row.data() - text_.data());
     tell(begin, begin + row.size(), "W-table-head",
-         "this is no table: its row of dashes has other signs",
+         "this is not a table: its row of dashes has other signs",
          "write the rows as `| a | b |`, and `|---|---|` below the first");
   }
 
@@ -271,7 +272,7 @@ class Finder {
       const std::size_t begin = at + before.size();
       if (!is_shown(marks.as_string() + letter.as_string())) continue;
       tell(begin, begin + marks.size(), "W-heading-blank",
-           "this is no heading, since no blank follows its `" + marks.as_string() + "`",
+           "this is not a heading, since no space follows its `" + marks.as_string() + "`",
            "write `" + marks.as_string() + " " + letter.as_string() +
                "…`; for the signs as text, `\\" + marks.as_string() + "`");
     }

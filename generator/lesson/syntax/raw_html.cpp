@@ -116,7 +116,7 @@ constexpr Words kDeclaration{"a lesson cannot have a declaration of HTML or XML"
 constexpr Words kUnclosed{"this comment is never closed",
                           "write `-->` where it ends; for the characters as text, `&lt;!--`"};
 constexpr Words kEndsEarly{"to a browser, this comment ends before its `-->`",
-                           "begin it with a blank, and write no `--!>` in it"};
+                           "begin it with a space, and write no `--!>` in it"};
 
 bool is_name_character(char c) {
   return is_word_character(c) || c == '-' || c == ':';
@@ -177,7 +177,7 @@ class HtmlReader {
     const std::size_t begin = at_;
     at_ = html_.size() - rest.size();
     refuse(begin, at_, "E-html-hidden",
-           "a link right beside a tag is no Markdown, and a browser would not show it",
+           "a link right beside a tag is not Markdown, and a browser would not show it",
            "leave an empty line between the tag and it; for `<` as text, write `&lt;`");
     return true;
   }

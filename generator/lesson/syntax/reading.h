@@ -37,8 +37,8 @@ class Reading {
     if (mistakes_ == kMostMistakes) {
       severity = Severity::error;
       id = "E-mistakes";
-      message = "this file has a thousand mistakes and more; those from here on are not told";
-      cure = "mend the first ones: others often follow from them";
+      message = "this file has a thousand mistakes or more; those from here on are not reported";
+      cure = "fix the first ones: others often follow from them";
     }
     diagnostics_.push_back(
         error_at(place_of(source_, span), std::move(id), std::move(message), std::move(cure)));

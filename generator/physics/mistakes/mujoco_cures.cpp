@@ -14,7 +14,7 @@ struct Cure {
 
 // Of the numbers of one element.
 constexpr auto kOfNumbers = std::to_array<Cure>({
-    {R"(problem reading attribute '(\w+)')", R"(write numbers in `\1`, with blanks between them)"},
+    {R"(problem reading attribute '(\w+)')", R"(write numbers in `\1`, with spaces between them)"},
     {R"(attribute '(\w+)' has too much data)", R"(write fewer numbers in `\1`)"},
     {R"(attribute '(\w+)' does not have enough data)", R"(write more numbers in `\1`)"},
     {R"(required attribute missing: '(\w+)')", R"(write `\1="…"` there)"},
@@ -48,7 +48,7 @@ constexpr auto kOfStructure = std::to_array<Cure>({
     {"mass and inertia of moving bodies must be larger than mjMINVAL",
      "give the body a geom that has a mass, or an `<inertial>`"},
     {"inertia must satisfy A \\+ B >= C",
-     "write inertia of a real body, or `<compiler balanceinertia=\"true\"/>`"},
+     "write the inertia of a real body, or `<compiler balanceinertia=\"true\"/>`"},
     {"multiple orientation specifiers",
      "keep one of `quat`, `axisangle`, `euler`, `xyaxes`, `zaxis` and `fullinertia`"},
     {"refname '.*' given but reftype is missing",
@@ -63,7 +63,7 @@ constexpr auto kOfStructure = std::to_array<Cure>({
      "nothing in the model has that name: look for a wrong letter, or define it"},
     {"reference frame object must be", "write one of these as `reftype`"},
     {"stateless actuators must come before stateful actuators",
-     "write those with an activation, as `<intvelocity>`, behind all others"},
+     "write those with an activation, as `<intvelocity>`, after all others"},
     {"missing name of sensorized object", "name it by `objname`"},
     {"unrecognized name of sensorized object",
      "look at what the sensor names: nothing in the model has that name"},
@@ -90,7 +90,7 @@ constexpr auto kOfStructure = std::to_array<Cure>({
 // Of meshes, whose numbers stand in other files.
 constexpr auto kOfMeshes = std::to_array<Cure>({
     {"faces have inconsistent orientation",
-     "let all faces go round the same way: a program for meshes can make their normals anew"},
+     "let all faces go round the same way: a program for meshes can make their normals again"},
     {"mesh surface area is too small", "look at the mesh's vertices and at its `scale`"},
     {"mesh volume is too small",
      "a flat mesh has a surface alone: write `shellinertia=\"true\"` in its geom; else look at its "

@@ -94,7 +94,7 @@ TEST_F(DiskStoreTest, RefusesAFolderThatHoldsSomethingElse) {
     }
   };
   const std::string why =
-      folder().string() + " is no store, as it holds thesis.txt: Directory not empty";
+      folder().string() + " is not a store, as it holds thesis.txt: Directory not empty";
   EXPECT_EQ(refuses([&] { DiskStore store(folder()); }), why);
   EXPECT_EQ(refuses([&] { prune_store(folder(), 0, true); }), why);
 }

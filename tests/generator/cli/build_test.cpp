@@ -75,7 +75,7 @@ content/1-a/1.1-x.md:6:8: error: there is no lesson `1.2` in this course [E-link
   EXPECT_EQ(result.out,
             "FAIL  1.1  First: nothing verified; 2 errors\n"
             "1 lesson: nothing verified; 2 errors\n"
-            "no site was written: mend the errors first\n");
+            "no site was written: fix the errors first\n");
   EXPECT_FALSE(fs::exists(folder_.path() / "build"));
 }
 

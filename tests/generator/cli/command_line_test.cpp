@@ -45,7 +45,7 @@ TEST(CommandLine, ReadsOptionsAndWordsInAnyOrder) {
 
 TEST(CommandLine, TakesTheLastOfSeveralValues) {
   EXPECT_EQ(read_line({"--format", "a", "--format", "b"}).format, "b");
-  EXPECT_EQ(wrong_in({"--format", "c", "--format", "b"}), "--format takes a or b, and not c");
+  EXPECT_EQ(wrong_in({"--format", "c", "--format", "b"}), "--format takes a or b, not c");
 }
 
 TEST(CommandLine, TakesAllBehindTwoDashesForWords) {
@@ -58,8 +58,8 @@ TEST(CommandLine, TakesAllBehindTwoDashesForWords) {
 TEST(CommandLine, NeedsAValueWhereOneIsMissing) {
   EXPECT_EQ(wrong_in({"--out"}), "--out needs a folder");
   EXPECT_EQ(wrong_in({"--out", "--strict"}), "--out needs a folder");
-  EXPECT_EQ(wrong_in({"--out", ""}), "--out needs a folder, and has \"\"");
-  EXPECT_EQ(wrong_in({"--out=", "--strict"}), "--out needs a folder, and has \"\"");
+  EXPECT_EQ(wrong_in({"--out", ""}), "--out needs a folder, not \"\"");
+  EXPECT_EQ(wrong_in({"--out=", "--strict"}), "--out needs a folder, not \"\"");
   EXPECT_EQ(read_line({"--out=--strict"}).out, "--strict");
   EXPECT_EQ(read_line({"--out=a=b"}).out, "a=b");
 }

@@ -41,12 +41,12 @@ TEST(Explain, KnowsWhichMessagesThereAre) {
     return result.err;
   };
   EXPECT_EQ(refused({"explain", "E-output-difers"}),
-            "mjcourse: no message is called E-output-difers; did you mean `E-output-differs`?\n");
+            "mjcourse: there is no message E-output-difers; did you mean `E-output-differs`?\n");
   EXPECT_EQ(refused({"explain", "E-frobnicate"}),
-            "mjcourse: no message is called E-frobnicate; lesson A.9 of the author guide has them "
+            "mjcourse: there is no message E-frobnicate; lesson A.9 of the author guide has them "
             "all\n");
   EXPECT_EQ(refused({"explain", "E-output-differs", "1.2"}),
-            "mjcourse: explain takes messages' names or places of the course, and not both\n");
+            "mjcourse: explain takes the names of messages or places in the course, not both\n");
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(NewPart, NeedsAKind) {
   EXPECT_EQ(one({}),
             "2 new what? | a level, a lesson, a model or an example, as in `mjcourse new lesson "
             "2-dynamics \"Forces\"`");
-  EXPECT_EQ(one({"lesso"}), "2 there is no new lesso | did you mean `lesson`?");
+  EXPECT_EQ(one({"lesso"}), "2 new cannot make `lesso` | did you mean `lesson`?");
 }
 
 TEST(NewLevel, IsAFolderAndAnEntry) {
@@ -55,16 +55,18 @@ TEST(NewLevel, NeedsANameThatIsFree) {
   EXPECT_EQ(one({"level"}),
             "2 new level needs a name | as in `mjcourse new level 2-dynamics \"Dynamics\"`");
   EXPECT_EQ(one({"level", "2_Dynamics", "Dynamics"}),
-            "2 `2_Dynamics` is no name for a level | a number, then small letters, digits and "
+            "2 `2_Dynamics` is not a name for a level | a number, then small letters, digits and "
             "hyphens, as in `mjcourse new level 2-dynamics \"Dynamics\"`; did you mean "
             "`2-dynamics`?");
-  EXPECT_EQ(one({"level", "../x"}),
-            "2 `../x` is no name for a level | a number, then small letters, digits and hyphens, "
-            "as in `mjcourse new level 2-dynamics \"Dynamics\"`; did you mean `x`?");
+  EXPECT_EQ(
+      one({"level", "../x"}),
+      "2 `../x` is not a name for a level | a number, then small letters, digits and hyphens, "
+      "as in `mjcourse new level 2-dynamics \"Dynamics\"`; did you mean `x`?");
   EXPECT_EQ(one({"level", "2-rigid", "Rigid", "bodies"}),
-            "2 new level takes a name and a title, and not `bodies` | put a title of several words "
+            "2 new level takes a name and a title, not `bodies` | put a title of several words "
             "into quotes: `mjcourse new level 2-dynamics \"Dynamics\"`");
-  EXPECT_EQ(one({"level", "2-x", "a\nb"}), "2 `a\\nb` is no title | a title is one line of text");
+  EXPECT_EQ(one({"level", "2-x", "a\nb"}),
+            "2 `a\\nb` is not a title | a title is one line of text");
   EXPECT_EQ(one({"level", "1-state"}),
             "1 the course has a level 1-state already | choose another name");
   EXPECT_EQ(one({"level", "1-other"}),
@@ -115,16 +117,17 @@ TEST(NewLesson, NeedsALevelANameAndAFreeNumber) {
             "2 no level in content/course.yaml has lessons with numbers as 3.1 | name the level "
             "too: `mjcourse new lesson LEVEL/3.1-forces`; known: 1-state, guide");
   EXPECT_EQ(one({"lesson", "A.7-forces"}), "content/guide/A.7-forces.md");
-  EXPECT_EQ(one({"lesson", "1-state/Free_Fall"}),
-            "2 `1-state/Free_Fall` is no name for a lesson | a number, then small letters, digits "
-            "and hyphens, as `2.1-forces`; did you mean `free-fall`?");
+  EXPECT_EQ(
+      one({"lesson", "1-state/Free_Fall"}),
+      "2 `1-state/Free_Fall` is not a name for a lesson | a number, then small letters, digits "
+      "and hyphens, as `2.1-forces`; did you mean `free-fall`?");
   EXPECT_EQ(one({"lesson", "1-state/2.1-forces"}),
             "2 a lesson of 1-state has a number as 1.1 | did you mean `1-state/1.8-forces`?");
   EXPECT_EQ(one({"lesson", "1-state", "Kräfte"}),
             "2 no file's name is made of `Kräfte`: it has letters that are not English, or none | "
             "name the file too, as in `mjcourse new lesson 1-state/1.8-NAME \"TITLE\"`");
   EXPECT_EQ(one({"lesson", "1-state", "Free", "fall"}),
-            "2 new lesson takes a name and a title, and not `fall` | put a title of several words "
+            "2 new lesson takes a name and a title, not `fall` | put a title of several words "
             "into quotes");
   EXPECT_EQ(one({"lesson", "1-state/1.7-other"}),
             "1 the number 1.7 is taken by 1-state/1.7-draft | the next one is 1.8");
@@ -134,13 +137,13 @@ TEST(NewModel, IsOneFile) {
   EXPECT_EQ(made({"model", "two_rods"}), Words{"models/two_rods.xml"});
   EXPECT_EQ(made({"model", "models/two_rods.xml"}), Words{"models/two_rods.xml"});
   EXPECT_EQ(made({"model", "arm-2/scene"}), Words{"models/arm-2/scene.xml"});
-  EXPECT_EQ(one({"model", "../scene"}).substr(0, 35), "2 `../scene` is no name for a model");
+  EXPECT_EQ(one({"model", "../scene"}).substr(0, 38), "2 `../scene` is not a name for a model");
   EXPECT_EQ(one({"model"}), "2 new model needs a name | as in `mjcourse new model pendulum`");
   EXPECT_EQ(one({"model", "Two-Rods"}),
-            "2 `Two-Rods` is no name for a model | small letters, digits and underscores, as in "
+            "2 `Two-Rods` is not a name for a model | small letters, digits and underscores, as in "
             "`mjcourse new model pendulum`; did you mean `two_rods`?");
   EXPECT_EQ(one({"model", "a", "b"}),
-            "2 new model takes a name, and not `b` | as in `mjcourse new model pendulum`");
+            "2 new model takes a name, not `b` | as in `mjcourse new model pendulum`");
 }
 
 TEST(NewExample, LoadsAModelOfTheCourse) {
@@ -148,17 +151,18 @@ TEST(NewExample, LoadsAModelOfTheCourse) {
   EXPECT_EQ(made({"example", "examples/l1_3_fall.cpp", "box"}), Words{"examples/l1_3_fall.cpp"});
   EXPECT_EQ(one({"example", "l1_3_fall", "bx"}),
             "1 there is no model bx in models/ | did you mean `box`?");
-  EXPECT_EQ(one({"example", "1_fall"}),
-            "2 `1_fall` is no name for an example | small letters, digits and underscores, as in "
-            "`mjcourse new example l2_1_forces` or `mjcourse new example l2_1_forces MODEL`");
+  EXPECT_EQ(
+      one({"example", "1_fall"}),
+      "2 `1_fall` is not a name for an example | small letters, digits and underscores, as in "
+      "`mjcourse new example l2_1_forces` or `mjcourse new example l2_1_forces MODEL`");
   EXPECT_EQ(one({"example", "a", "box", "c"}),
-            "2 new example takes a name and a model, and not `c` | as in `mjcourse new example "
+            "2 new example takes a name and a model, not `c` | as in `mjcourse new example "
             "l2_1_forces` or `mjcourse new example l2_1_forces MODEL`");
 }
 
 TEST(NewPart, TellsOfACourseThatIsInTheWay) {
   EXPECT_EQ(one({"level", "2-x"}, {{"content/course.yaml", "levels: [\n"}}),
-            "1 content/course.yaml has mistakes, so nothing was written | mend them first: "
+            "1 content/course.yaml has mistakes, so nothing was written | fix them first: "
             "`mjcourse check` shows them");
   EXPECT_EQ(one({"lesson", "1-a", "X"}, {{"content/course.yaml", "levels: [{folder: 1-a}]\n"}}),
             "1 content/course.yaml is laid out in a way that a lesson cannot be put into safely, "

@@ -38,7 +38,7 @@ TEST(Run, HelpsWithOneCommand) {
   const std::string help =
       "usage: mjcourse store [OPTIONS] prune\n"
       "\n"
-      "forget the results that were not used for longest\n"
+      "forget the results that have gone unused longest\n"
       "\n"
       "  prune          until no more than SIZE is left\n"
       "  --store DIR    where results are kept (default: the user's cache)\n"
@@ -101,8 +101,8 @@ TEST(Run, NeedsOptionsThatThereAre) {
             "mjcourse: check has no option --out; it belongs to build");
   EXPECT_EQ(error_of({"accept", "--timings"}),
             "mjcourse: accept has no option --timings; it belongs to build, check");
-  EXPECT_EQ(error_of({"check", "1.2"}), "mjcourse: check takes only options, and not 1.2");
-  EXPECT_EQ(error_of({"check", ""}), "mjcourse: check takes only options, and not \"\"");
+  EXPECT_EQ(error_of({"check", "1.2"}), "mjcourse: check takes only options, not 1.2");
+  EXPECT_EQ(error_of({"check", ""}), "mjcourse: check takes only options, not \"\"");
   EXPECT_EQ(error_of({"store"}),
             "mjcourse: store what? `mjcourse store prune` forgets old results");
 }
@@ -113,23 +113,23 @@ TEST(Run, NeedsValuesOfTheirKind) {
   EXPECT_EQ(error_of({"check", "--strict=yes"}), "mjcourse: --strict takes no value");
   for (const std::string number : {"0", "-1", "2x", "1025", "99999999999999999999"}) {
     EXPECT_EQ(error_of({"check", "--jobs", number}),
-              "mjcourse: --jobs takes a number of threads, and not " + number);
+              "mjcourse: --jobs takes a number of threads, not " + number);
   }
   EXPECT_EQ(error_of({"preview", "--port=65536"}),
-            "mjcourse: --port takes a port from 1 to 65535, and not 65536");
+            "mjcourse: --port takes a port from 1 to 65535, not 65536");
   EXPECT_EQ(error_of({"preview", "--link", "vscode://"}),
-            "mjcourse: --link takes an address with {file} in it, and not vscode://");
+            "mjcourse: --link takes an address with {file} in it, not vscode://");
   EXPECT_EQ(error_of({"build", "--base-url", "example.org"}),
-            "mjcourse: --base-url takes the address of a site, as https://example.org/course/, and "
+            "mjcourse: --base-url takes the address of a site, as https://example.org/course/, "
             "not example.org");
   EXPECT_EQ(error_of({"check", "--format=xml"}),
-            "mjcourse: --format takes text, json, github, sarif or junit, and not xml");
+            "mjcourse: --format takes text, json, github, sarif or junit, not xml");
   EXPECT_EQ(error_of({"check", "--format", "sarf"}),
-            "mjcourse: --format takes text, json, github, sarif or junit, and not sarf; did you "
+            "mjcourse: --format takes text, json, github, sarif or junit, not sarf; did you "
             "mean `sarif`?");
   EXPECT_EQ(error_of({"store", "prune", "--keep", "much"}),
-            "mjcourse: --keep takes a size, as 2GB, and not much");
-  EXPECT_EQ(error_of({"accept", ""}), "mjcourse: accept takes [WHERE...], and not \"\"");
+            "mjcourse: --keep takes a size, as 2GB, not much");
+  EXPECT_EQ(error_of({"accept", ""}), "mjcourse: accept takes [WHERE...], not \"\"");
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST(FormerPages, AreWhereNoPageIs) {
   EXPECT_EQ(mistakes_of(course_of("", "", "formerly: [1.2-y, 1-a/1.1-x.html, 'a b']\n")),
             "E-formerly-taken lesson 1.2 is at 1-a/1.2-y.html\n"
             "E-formerly-taken 1-a/1.1-x.html is where this lesson is now\n"
-            "E-formerly-path `a b` is no address that a page here can have\n");
+            "E-formerly-path `a b` is not an address that a page here can have\n");
   const CourseOf with_model({{"content/course.yaml", kTwo},
                              {"content/1-a/1.1-x.md", lesson("", "formerly: [models/arm]\n")},
                              {"content/1-a/1.2-y.md", lesson("")},
@@ -55,7 +55,7 @@ TEST(FormerPages, AreOneLessonsEach) {
                        {"content/1-a/1.1-x.md", lesson("", "formerly: [old, 1-a/old.html]\n")},
                        {"content/1-a/1.2-y.md", lesson("", "formerly: [1-a/old]\n")}});
   EXPECT_EQ(mistakes_of(read),
-            "E-formerly-twice 1-a/old.html stands here twice\n"
+            "E-formerly-twice 1-a/old.html is listed here twice\n"
             "E-formerly-twice lesson 1.1 was at 1-a/old.html as well\n");
 }
 

@@ -28,7 +28,7 @@ TEST(Links, MustLeadToALessonThatIsThere) {
             R"(content/1-a/1.1-x.md:4:10: error: `other.md` leads nowhere [E-link-dead]
   4 | See [it](other.md).
     |          ^~~~~~~~
-  cure: a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of its own page (`#heading`), to a model (`model:NAME`), to a name of MuJoCo's (`api:mj_step`) or to the web (`https://…`)
+  cure: a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of its own page (`#heading`), to a model (`model:NAME`), to a MuJoCo name (`api:mj_step`) or to the web (`https://…`)
 )");
 }
 
@@ -45,7 +45,7 @@ content/1-a/1.1-x.md:4:30: error: `std::string` leads nowhere [E-link-dead]
 content/1-a/1.1-x.md:4:47: error: this link has no address [E-link-dead]
   4 | A vector<std::string>, a map<std::string>, [no]().
     |                                               ^
-  cure: a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of its own page (`#heading`), to a model (`model:NAME`), to a name of MuJoCo's (`api:mj_step`) or to the web (`https://…`)
+  cure: a link leads to a lesson (`1.3`, `1.3#heading`), to a heading of its own page (`#heading`), to a model (`model:NAME`), to a MuJoCo name (`api:mj_step`) or to the web (`https://…`)
 )");
   EXPECT_EQ(course_of("<me@a.example> <https://a.example/>, https://a.example/\n", "").mistakes(),
             "");
@@ -68,7 +68,8 @@ TEST(Links, DoNotAct) {
   EXPECT_NE(without.find("this link has no address [E-link-dead]"), without.npos) << without;
   for (const std::string picture : {"![a](javascript:x)", "![a](data:image/svg+xml,x)"}) {
     const std::string mistakes = course_of(picture + "\n", "").mistakes();
-    EXPECT_NE(mistakes.find("is no address in the web [E-image-place]"), mistakes.npos) << mistakes;
+    EXPECT_NE(mistakes.find("and not at an address on the web [E-image-place]"), mistakes.npos)
+        << mistakes;
   }
 }
 

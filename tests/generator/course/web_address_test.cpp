@@ -31,10 +31,9 @@ TEST(WebAddress, TakesThoseOfSites) {
 
 TEST(WebAddress, UnderlinesWhatIsWrong) {
   EXPECT_EQ(site("example.org/course"),
-            "<example.org/course> `example.org/course` is no address of the web");
+            "<example.org/course> `example.org/course` is not a web address");
   EXPECT_EQ(site("ftp://example.org"),
-            "<ftp://example.org> `ftp://example.org` is no address of "
-            "the web");
+            "<ftp://example.org> `ftp://example.org` is not a web address");
   for (const char* host : {"me@example.org", "exa mple.org", "-x.org", ".org", "a..b", "a:", "a:0",
                            "a:65536", "b\xC3\xBC.org"}) {
     EXPECT_EQ(site(std::string("https://") + host + "/x"),
@@ -62,7 +61,7 @@ TEST(WebAddress, EditsEachFileAtItsOwn) {
   EXPECT_EQ(edit("https://a.org/"), "<https://a.org/> " + once);
   EXPECT_EQ(edit("https://a.org/{path}{path}"), "<https://a.org/{path}{path}> " + once);
   EXPECT_EQ(edit("https://a.org/{path}/{branch}"), "<{> an address cannot have this character");
-  EXPECT_EQ(edit("a.org/{path}"), "<a.org/{path}> `a.org/{path}` is no address of the web");
+  EXPECT_EQ(edit("a.org/{path}"), "<a.org/{path}> `a.org/{path}` is not a web address");
 }
 
 TEST(WebAddress, EndsASitesRootWithASlash) {

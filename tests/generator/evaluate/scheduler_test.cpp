@@ -55,7 +55,8 @@ TEST(Scheduler, GoesOnBehindAFault) {
     Scheduler scheduler(run_context, nullptr, progress, 2);
     const TaskRecords records = scheduler.run(tasks, {}, [](const TaskRecords&) {});
     const std::string cure =
-        "  cure: is there memory, and room on the disk? Else report it with this block; everything "
+        "  cure: is there enough memory and disk space? If so, report it with this block; "
+        "everything "
         "else was checked\n";
     EXPECT_EQ(shown(records[0].finding.diagnostics),
               "content/1-a/1.1-x.md:4:4: error: mjcourse itself failed at this: not foreseen\\nat "

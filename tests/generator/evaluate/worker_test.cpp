@@ -114,12 +114,11 @@ TEST_F(WorkerTest, HasItsLimits) {
   EXPECT_EQ(
       found("hang", {1, 1 << 30}),
       at_block("this takes more than 1 s to work out [E-work-time]",
-               "make less of it: fewer controls or questions, shorter runs, a smaller model"));
-  EXPECT_EQ(
-      found("grow", {30, 512 << 20}),
-      at_block("this takes more than 512 MiB of memory [E-work-memory]",
-               "look for a list that grows in a script, or a large number in a model; of this "
-               "machine's memory a worker has more where fewer work: `--jobs 1`"));
+               "make it smaller: fewer controls or questions, shorter runs, a smaller model"));
+  EXPECT_EQ(found("grow", {30, 512 << 20}),
+            at_block("this takes more than 512 MiB of memory [E-work-memory]",
+                     "look for a list that grows in a script, or a large number in a model; with "
+                     "fewer workers, each has more of this machine's memory: `--jobs 1`"));
   EXPECT_EQ(found("promise", {30, 512 << 20}),
             at_block("the process that works on this ended without an answer [E-work-crash]"));
 }

@@ -22,7 +22,7 @@ TEST(Bounds, OfATextAreOneMebibyte) {
   EXPECT_EQ(mistakes_in(most), "");
   EXPECT_EQ(
       mistakes_in(most + "a"),
-      R"(content/1-a/1.1-x.md: error: a text may have 1 MiB, and this one has 1048577 bytes [E-text-size]
+      R"(content/1-a/1.1-x.md: error: a text file may be at most 1 MiB, and this one has 1048577 bytes [E-text-size]
   cure: make several of it; a program, a model or a picture is a file of its own
 )");
 }
@@ -91,10 +91,10 @@ TEST(Bounds, OfWhatIsToldOfAFile) {
   EXPECT_EQ(reading.diagnostics[998].id, "E-term-unclosed");
   EXPECT_EQ(
       shown({reading.diagnostics[999]}),
-      R"(content/1-a/1.1-x.md:1003:1: error: this file has a thousand mistakes and more; those from here on are not told [E-mistakes]
+      R"(content/1-a/1.1-x.md:1003:1: error: this file has a thousand mistakes or more; those from here on are not reported [E-mistakes]
   1003 | [[a|
        | ^~
-  cure: mend the first ones: others often follow from them
+  cure: fix the first ones: others often follow from them
 )");
 }
 

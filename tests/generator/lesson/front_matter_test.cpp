@@ -128,14 +128,14 @@ TEST(FrontMatter, RefusesValuesOfTheWrongType) {
 // To a reader of YAML, what is not there stands at whatever comes next.
 TEST(FrontMatter, ShowsTheKeyThatHasNoValue) {
   EXPECT_EQ(mistakes("summary:\nminutes: 3\n"),
-            "3:1 `summary` must be a text | write it behind the colon\n");
+            "3:1 `summary` must be a text | write it after the colon\n");
   EXPECT_EQ(mistakes("tags:\n\n# end\n"),
-            "3:1 `tags` must be a list: [a, b] | write it behind the colon\n");
+            "3:1 `tags` must be a list: [a, b] | write it after the colon\n");
   EXPECT_EQ(front("title:\nminutes: 3\n").mistakes(),
             R"(content/1-a/1.1-x.md:2:1: error: `title` must be a text [E-front-matter]
   2 | title:
     | ^~~~~
-  cure: write it behind the colon
+  cure: write it after the colon
 )");
 }
 

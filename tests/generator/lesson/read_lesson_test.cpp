@@ -61,7 +61,7 @@ TEST(Lesson, HasNoControlCharacters) {
       "[E-control-character]\n"
       "  4 | One\\rTwo\n"
       "    |    ^~\n"
-      "  cure: end lines with a line feed, also behind a carriage return\n");
+      "  cure: end lines with a line feed, also after a carriage return\n");
 }
 
 TEST(Lesson, KnowsItsLinesInAFileFromWindows) {

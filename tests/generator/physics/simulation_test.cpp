@@ -146,7 +146,7 @@ TEST(Simulation, SeesTimeRunBackwards) {
   simulation.step(10);
   mj_resetData(simulation.model().get(), simulation.data().get());
   simulation.watch();
-  EXPECT_TRUE(says(simulation, "started anew at t = 0.1 s"));
+  EXPECT_TRUE(says(simulation, "restarted at t = 0.1 s"));
 }
 
 TEST(Simulation, ReportsAWarningAndGoesOn) {

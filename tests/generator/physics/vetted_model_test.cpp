@@ -119,7 +119,7 @@ TEST_F(VettedModelTest, SaysWhereActuatorsAreInTheWrongOrder) {
   EXPECT_EQ(refused(main),
             "models/main.xml:3: stateless actuators must come before stateful actuators");
   EXPECT_EQ(load(main).error().cure,
-            "write those with an activation, as `<intvelocity>`, behind all others");
+            "write those with an activation, as `<intvelocity>`, after all others");
 }
 
 TEST_F(VettedModelTest, SaysWhereTooSmallAStackIsAskedFor) {

@@ -58,7 +58,7 @@ std::string refusal(Edit one, Edit other) {
 }
 
 TEST(FileEdits, RefuseTwoOfTheSameBytes) {
-  const std::string cure = "several fences want something else of a: make them say the same first";
+  const std::string cure = "several fences want different text in a: make them say the same first";
   EXPECT_EQ(refusal({"a", Span{2, 5}, "x", ""}, {"a", Span{4, 6}, "y", ""}), cure);
   EXPECT_EQ(refusal({"a", Span{4, 4}, "x", ""}, {"a", Span{4, 4}, "y", ""}), cure);
   EXPECT_EQ(refusal({"a", std::nullopt, "x", ""}, {"a", Span{4, 4}, "y", ""}), cure);

@@ -148,7 +148,7 @@ TEST_F(TypesetterTest, NamesCharactersBeyondU10000) {
 
 TEST_F(TypesetterTest, RefusesWhatIsTooDeep) {
   const std::string open(20'000, '{'), close(20'000, '}');
-  EXPECT_EQ(error(open + "a" + close), "0+0 calls or brackets stand in one another too deep | ");
+  EXPECT_EQ(error(open + "a" + close), "0+0 calls or brackets are nested too deep | ");
 }
 
 }  // namespace mjcourse

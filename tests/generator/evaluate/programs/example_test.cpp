@@ -142,7 +142,7 @@ TEST(Example, MustNotThrow) {
   EXPECT_EQ(
       run_mistake("#include <stdexcept>\nint main() { throw std::runtime_error(\"lost\"); }\n"),
       "the program threw std::runtime_error: lost [E-example-throws]\n"
-      "  cure: catch it, or mend what it complains about\n");
+      "  cure: catch it, or fix what it complains about\n");
 }
 
 TEST(Example, MustNotCrash) {
@@ -199,7 +199,7 @@ TEST(Example, MayBeOneThatDoesNotCompile) {
                 "                    ^\n1 error generated.\n");
   EXPECT_EQ(run_mistake("int main() {}\n", " expect=compile-error"),
             "the program compiles, and is said not to [E-example-compiles]\n"
-            "  cure: remove `expect=compile-error`, or mend the lesson's point\n");
+            "  cure: remove `expect=compile-error`, or correct what the lesson says\n");
 }
 
 // That is the compiler's word, and not the linker's.
@@ -253,10 +253,10 @@ TEST(Output, MayBeTooMuchToLookThrough) {
   EXPECT_EQ(gap.place.column, 1);
   EXPECT_EQ(gap.place.width, 4);
   EXPECT_EQ(gap.message,
-            "finding what stands behind `[..]` would take too long: it may begin at too many "
+            "finding what follows `[..]` would take too long: it may begin at too many "
             "places of a long line");
   EXPECT_EQ(gap.cure,
-            "print shorter lines, or state more of them in front of `[..]`, and less behind");
+            "print shorter lines, or state more of them in front of `[..]`, and less after it");
 }
 
 TEST(Output, ThatIsEmptyIsNotWhatAProgramPrints) {

@@ -90,11 +90,11 @@ TEST(Records, OfTheWrongKindAreRefused) {
   }
   const std::string cure = " | look for how it came about, and report what is sound\n";
   EXPECT_EQ(faults_of(R"({"table": "t", "value": [1]})"),
-            "<t> the table \"t\" has a column that is no name with a list of numbers" + cure);
+            "<t> the table \"t\" has a column that is not a name with a list of numbers" + cure);
   EXPECT_EQ(faults_of(R"({"table": "t", "value": [["a", 1]]})"),
-            "<t> the table \"t\" holds what is no list of numbers" + cure);
+            "<t> the table \"t\" holds what is not a list of numbers" + cure);
   EXPECT_EQ(faults_of(R"({"snapshot": "s", "value": 1})"),
-            "<s> the snapshot \"s\" is no object of fields" + cure);
+            "<s> the snapshot \"s\" is not an object of fields" + cure);
   EXPECT_EQ(faults_of(R"({"result": "r", "value": {"a": 1}})"),
             "<r> the result \"r\" holds what is not a finite number" + cure);
   const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
@@ -173,8 +173,8 @@ TEST(Records, AreTenThousandAndAHundredWrongOnes) {
   std::vector<RecordFault> faults;
   EXPECT_TRUE(read_records(std::string(1 << 24, '\n'), faults).results.empty());
   ASSERT_EQ(faults.size(), 101U);
-  EXPECT_EQ(faults[100].message, "a hundred records are wrong; those behind them were not read");
-  EXPECT_EQ(faults[100].cure, "mend the first ones: others often follow from them");
+  EXPECT_EQ(faults[100].message, "a hundred records are wrong; those after them were not read");
+  EXPECT_EQ(faults[100].cure, "fix the first ones: others often follow from them");
   faults.clear();
   std::string lines;
   for (int i = 0; i < 10'002; ++i) {

@@ -88,7 +88,7 @@ TEST(Snippets, AreStoppedEachByItself) {
       R"(content/1-a/1.1-x.md:4:1: error: the snippet threw std::runtime_error: lost [E-example-throws]
   4 | ```cpp snippet model=ball
     | ^~~~~~~~~~~~~~~~~~~~~~~~~
-  cure: catch it, or mend what it complains about
+  cure: catch it, or fix what it complains about
 content/1-a/1.1-x.md:7:1: error: MuJoCo stopped the snippet: bad quaternion [E-example-mujoco]
   7 | ```cpp snippet model=ball
     | ^~~~~~~~~~~~~~~~~~~~~~~~~

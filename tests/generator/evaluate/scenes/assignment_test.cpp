@@ -38,9 +38,9 @@ TEST(Goal, IsReachedByItsSolution) {
   EXPECT_EQ(goal_mistakes("data.qvel[0] > 1", R"("run": "data.qvel[0] = 2")"), "");
   EXPECT_EQ(goal_mistakes("data.qpos[0] > 1", R"("run": "data.qvel[0] = 2", "seconds": 0.4)"),
             "E-lab-goal <data.qvel[0] = 2> the solution does not reach the goal within 0.4 s | "
-            "mend the solution, give it more \"seconds\", or ask for less in \"done\"\n");
+            "fix the solution, give it more \"seconds\", or ask for less in \"done\"\n");
   EXPECT_EQ(goal_mistakes("data.qpos[0] > 1", R"("run": "data.qvel[0] = 2")"),
-            "E-lab-goal <data.qvel[0] = 2> the solution does not reach the goal | mend the "
+            "E-lab-goal <data.qvel[0] = 2> the solution does not reach the goal | fix the "
             "solution, give it more \"seconds\", or ask for less in \"done\"\n");
 }
 
@@ -77,7 +77,7 @@ std::string editable_mistakes(const std::string& task, const std::string& done,
 TEST(Editable, IsSolvedByAModel) {
   EXPECT_EQ(editable_mistakes("model.nq", "model.body_mass[1] === 5", "heavy"), "");
   EXPECT_EQ(editable_mistakes("model.nq", "model.body_mass[1] === 6", "heavy"),
-            "E-lab-goal <heavy> the solution does not reach the goal | mend the solution, give it "
+            "E-lab-goal <heavy> the solution does not reach the goal | fix the solution, give it "
             "more \"seconds\", or ask for less in \"done\"\n");
   EXPECT_EQ(editable_mistakes("model.nq", "model.body_mass[1] === 5", "heavi"),
             "E-model-unknown <heavi> there is no model `heavi` in models/ | did you mean "

@@ -36,7 +36,7 @@ TEST(ImageSize, OfAnSvgIsWhatItSays) {
   EXPECT_EQ(size_of("a.svg", "<?xml version='1.0'?><svg width='100%' viewBox='0,0 40 20'/>"),
             "40 x 20");
   const std::string unknown =
-      "is no SVG that says how large it is, by width and height in pixels or by its viewBox";
+      "is not an SVG that states its size by width and height in pixels or by its viewBox";
   EXPECT_EQ(size_of("a.svg", "<svg/>"), unknown);
   EXPECT_EQ(size_of("a.svg", "<svg viewBox='0 0 -1 nan'/>"), unknown);
   EXPECT_EQ(size_of("a.svg", "<html/>"), unknown);
@@ -44,14 +44,14 @@ TEST(ImageSize, OfAnSvgIsWhatItSays) {
 }
 
 TEST(ImageSize, OfWhatIsNoPictureIsAnError) {
-  EXPECT_EQ(size_of("a.png", ""), "is no PNG");
-  EXPECT_EQ(size_of("a.png", "\x89PNG\r\n\x1a\n"), "is no PNG");
-  EXPECT_EQ(size_of("a.png", encode_png(picture(3, 3)).substr(0, 16)), "is no PNG");
-  EXPECT_EQ(size_of("a.png", encode_webp(picture(3, 3))), "is no PNG");
-  EXPECT_EQ(size_of("a.webp", "RIFF"), "is no WebP");
-  EXPECT_EQ(size_of("a.jpg", "\xff\xd8\xff\xff\xff\xff"), "is no JPEG");
-  EXPECT_EQ(size_of("a.jpg", jpeg(std::string("\xff\xda\x00\x02", 4))), "is no JPEG");
-  EXPECT_EQ(size_of("a.jpg", "\xff\xd8\xff\xe0" + std::string(20, '\0')), "is no JPEG");
+  EXPECT_EQ(size_of("a.png", ""), "is not a PNG");
+  EXPECT_EQ(size_of("a.png", "\x89PNG\r\n\x1a\n"), "is not a PNG");
+  EXPECT_EQ(size_of("a.png", encode_png(picture(3, 3)).substr(0, 16)), "is not a PNG");
+  EXPECT_EQ(size_of("a.png", encode_webp(picture(3, 3))), "is not a PNG");
+  EXPECT_EQ(size_of("a.webp", "RIFF"), "is not a WebP");
+  EXPECT_EQ(size_of("a.jpg", "\xff\xd8\xff\xff\xff\xff"), "is not a JPEG");
+  EXPECT_EQ(size_of("a.jpg", jpeg(std::string("\xff\xda\x00\x02", 4))), "is not a JPEG");
+  EXPECT_EQ(size_of("a.jpg", "\xff\xd8\xff\xe0" + std::string(20, '\0')), "is not a JPEG");
 }
 
 }  // namespace

@@ -30,10 +30,10 @@ TEST(Image, MustBeThere) {
 
 TEST(Image, MustBeWhatItsNameSays) {
   EXPECT_EQ(evaluated_mistakes("![a](a.png)\n", {{"content/1-a/a.png", kSvg}}),
-            R"(content/1-a/1.1-x.md:4:6: error: content/1-a/a.png is no PNG [E-image-broken]
+            R"(content/1-a/1.1-x.md:4:6: error: content/1-a/a.png is not a PNG [E-image-broken]
   4 | ![a](a.png)
     |      ^~~~~
-  cure: save it anew
+  cure: save it again
 )");
 }
 
@@ -48,7 +48,7 @@ TEST(Image, BringsNoScript) {
   note: content/1-a/1.1-x.md:4:6: lesson content/1-a/1.1-x.md shows this drawing
   4 | ![a](a.svg)
     |      ^~~~~
-  cure: draw with what draws; most programs can save a "plain" SVG, which has nothing else
+  cure: use only elements that draw; most programs can save a "plain" SVG, which has nothing else
 )--");
 }
 

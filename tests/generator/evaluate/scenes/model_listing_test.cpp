@@ -69,7 +69,7 @@ TEST(InlineModel, MayBeOneThatDoesNotCompile) {
       R"(content/1-a/1.1-x.md:4:1: error: the model compiles, and is said not to [E-model-compiles]
   4 | ```xml mjcf expect=error
     | ^~~~~~~~~~~~~~~~~~~~~~~~
-  cure: remove `expect=error`, or mend the lesson's point
+  cure: remove `expect=error`, or correct what the lesson says
 )");
 }
 

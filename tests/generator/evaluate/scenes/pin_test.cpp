@@ -75,7 +75,7 @@ TEST(Pin, TellsAReferenceOfAnotherShape) {
   const EvaluationOf found = pinned("", reference(), "[200, 120]");
   ASSERT_EQ(found.diagnostics().size(), 1U);
   EXPECT_EQ(found.diagnostics()[0].message,
-            "this picture has not the shape of its reference " + std::string(kPath) +
+            "this picture does not have the shape of its reference " + std::string(kPath) +
                 ": that is 160 × 80 pixels, and this would be 160 × 96");
 }
 

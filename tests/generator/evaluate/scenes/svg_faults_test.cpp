@@ -115,7 +115,7 @@ TEST(SvgFaults, AreWhatBrowsersReadOtherwise) {
   EXPECT_EQ(faults(kOpen + std::string("</svg>\0<script/>", 16)),
             std::string("<") + '\0' + "> the drawing has a control character");
   EXPECT_EQ(faults("\xff\xfe<\0s"), "<\xff> the drawing is not in UTF-8");
-  EXPECT_EQ(faults("<svg"), "<<> the drawing is no XML");
+  EXPECT_EQ(faults("<svg"), "<<> the drawing is not XML");
   EXPECT_EQ(inside("</svg><script/><svg>"), element("script"));
 }
 

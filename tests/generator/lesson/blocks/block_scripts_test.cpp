@@ -9,7 +9,7 @@
 namespace mjcourse {
 namespace {
 
-// All scripts of a lesson's blocks, with blanks between them; values have `=` behind them, and
+// All scripts of a lesson's blocks, with spaces between them; values have `=` behind them, and
 // those that can be set `:=`.
 std::string scripts_in(const std::string& markdown) {
   const ReadingOf reading = reading_of(markdown);

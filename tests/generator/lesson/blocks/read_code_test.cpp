@@ -78,9 +78,9 @@ std::string code_mistake(const std::string& words) {
 
 TEST(ReadCode, RefusesAnExpectationThatItDoesNotKnow) {
   EXPECT_EQ(code_mistake("file=examples/a.cpp expect=compile-eror"),
-            "compile-eror: nothing is known to expect as this; did you mean `compile-error`?\n");
+            "compile-eror: `expect` has no such value; did you mean `compile-error`?\n");
   EXPECT_EQ(code_mistake("file=examples/a.cpp expect=success"),
-            "success: nothing is known to expect as this; known: exit:1, compile-error\n");
+            "success: `expect` has no such value; known: exit:1, compile-error\n");
   for (const std::string code : {"exit:", "exit:256", "exit:-1", "exit:one"}) {
     EXPECT_EQ(code_mistake("file=examples/a.cpp expect=" + code),
               code +

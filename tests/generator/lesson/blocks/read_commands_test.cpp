@@ -46,7 +46,7 @@ content/1-a/1.1-x.md:4:28: error: commands see files of the course alone [E-comm
 TEST(ReadCommands, AreThere) {
   EXPECT_EQ(
       underlined_mistakes(reading_of("```sh run\n\n```\n")),
-      "E-commands-empty <```sh run> these commands are none | write at least one, as a reader "
+      "E-commands-empty <```sh run> this fence has no commands | write at least one, as a reader "
       "would type it\n");
 }
 

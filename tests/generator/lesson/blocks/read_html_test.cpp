@@ -83,7 +83,7 @@ TEST(RawHtml, SaysWhereAndWhatToDo) {
       R"(content/1-a/1.1-x.md:4:1: error: to a browser, this comment ends before its `-->` [E-html-broken]
   4 | <!--> b -->
     | ^~~~~~~~~~~
-  cure: begin it with a blank, and write no `--!>` in it
+  cure: begin it with a space, and write no `--!>` in it
 )");
   EXPECT_EQ(
       mistakes_in("<?xml version=\"1.0\"?>\n"),
@@ -101,7 +101,7 @@ TEST(RawHtml, SaysWhereAndWhatToDo) {
 )");
   EXPECT_EQ(
       mistakes_in("<div>See <https://a.example/b>.</div>\n"),
-      R"(content/1-a/1.1-x.md:4:10: error: a link right beside a tag is no Markdown, and a browser would not show it [E-html-hidden]
+      R"(content/1-a/1.1-x.md:4:10: error: a link right beside a tag is not Markdown, and a browser would not show it [E-html-hidden]
   4 | <div>See <https://a.example/b>.</div>
     |          ^~~~~~~~~~~~~~~~~~~~~
   cure: leave an empty line between the tag and it; for `<` as text, write `&lt;`
@@ -278,7 +278,7 @@ content/1-a/1.1-x.md:4:33: error: in a lesson, the element `b` cannot have `c` [
   4 | A std::vector<int>, and a<b and c>d.
     |                                 ^
   cure: leave it out; for `<` as text, write code, `` `a<b` ``, or `\<`
-content/1-a/1.1-x.md:7:1: error: a formula right beside a tag is no Markdown, and shown as it is written [E-html-hidden]
+content/1-a/1.1-x.md:7:1: error: a formula right beside a tag is not Markdown, and is shown as it is written [E-html-hidden]
   7 | $x$
     | ^~~
   cure: leave an empty line between the tag and it

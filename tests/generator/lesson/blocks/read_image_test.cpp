@@ -40,7 +40,7 @@ TEST(Image, MayBeNamedWithEscapes) {
 TEST(Image, HasNoBlankInItsNameThatMarkdownTakesForTheEnd) {
   const auto refused = [](const std::string& name) {
     return "E-image-blank <" + name +
-           "> Markdown takes this for text, since the name has a blank in it | write `(<" + name +
+           "> Markdown reads this as text, since the name has a space in it | write `(<" + name +
            ">)`\n";
   };
   EXPECT_EQ(images("![a](my arm.png)\n"), refused("my arm.png"));
@@ -59,10 +59,10 @@ TEST(Image, IsAloneOnlyAsAParagraphOfTheText) {
 }
 
 TEST(Image, MustSayWhatItShows) {
-  EXPECT_EQ(
-      images("![](a.png)\n"),
-      "E-image-alt <a.png> this picture says nothing to who cannot see it | say in words what "
-      "it shows: `![words](a.png)`\n");
+  EXPECT_EQ(images("![](a.png)\n"),
+            "E-image-alt <a.png> this picture says nothing to readers who cannot see it | say in "
+            "words what "
+            "it shows: `![words](a.png)`\n");
 }
 
 TEST(Image, LiesBesideItsLesson) {

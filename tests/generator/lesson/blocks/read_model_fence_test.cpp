@@ -37,7 +37,7 @@ TEST(ReadModelFence, MustSayWhichOfTheTwoItIs) {
 
 TEST(ReadModelFence, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(mistakes_in("```xml mjcf expect=eror\n```\n"),
-            R"(content/1-a/1.1-x.md:4:20: error: nothing is known to expect as this [E-fence-option]
+            R"(content/1-a/1.1-x.md:4:20: error: `expect` has no such value [E-fence-option]
   4 | ```xml mjcf expect=eror
     |                    ^~~~
   cure: did you mean `error`?

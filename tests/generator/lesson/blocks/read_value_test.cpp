@@ -66,16 +66,17 @@ TEST(Value, ThatIsNearlyOneIsAMistake) {
   const std::string cure =
       " | a value is written `{joint_zoo} model.nq`; for code that looks like one write "
       "`<code>…</code>`\n";
-  EXPECT_EQ(wrong("{a}x"), "E-value-form <}> a space is missing behind the name in braces" + cure);
+  EXPECT_EQ(wrong("{a}x"), "E-value-form <}> a space is missing after the name in braces" + cure);
   EXPECT_EQ(wrong("{a x"), "E-value-form <{> this `{` is never closed" + cure);
-  EXPECT_EQ(wrong("{a} :d"), "E-value-form <{a} :d> what is its value to be of?" + cure);
+  EXPECT_EQ(wrong("{a} :d"),
+            "E-value-form <{a} :d> no expression follows the name in braces" + cure);
 }
 
 TEST(Value, RefusesAFormatThatPrintfHasNot) {
   const std::string cure = " | write `:d`, `:.4f`, `:.3e` or `:.6g`, with up to 17 digits\n";
   for (const std::string format : {":", ":.4", ":4f", ":x", ":.2d", ":.18f", ":s"}) {
     EXPECT_EQ(wrong("{a} x " + format),
-              "E-value-format <" + format + "> `" + format + "` is no format of a number" + cure);
+              "E-value-format <" + format + "> `" + format + "` is not a number format" + cure);
   }
 }
 

@@ -168,7 +168,7 @@ TEST(Json, HasADepth) {
   EXPECT_TRUE(nested(200).value);
   EXPECT_EQ(nested(300'000).value, std::nullopt);
   EXPECT_EQ(nested(201).diagnostics.at(0).message,
-            "lists and objects stand in one another here more than 200 deep");
+            "lists and objects are nested here more than 200 deep");
   EXPECT_EQ(nested(201).diagnostics.at(0).place.column, 201);
 }
 

@@ -142,7 +142,7 @@ TEST(Math, SaysWhichLineIsMissingAboveAFormula) {
 
 TEST(MathBlock, HasNothingBehindIt) {
   EXPECT_EQ(mistakes_in("$$\na\n$$ and more\n"),
-            "content/1-a/1.1-x.md:6:3: error: text stands behind the `$$` that closes the formula "
+            "content/1-a/1.1-x.md:6:3: error: text follows the `$$` that closes the formula "
             "[E-math-behind]\n"
             "  6 | $$ and more\n"
             "    |   ^~~~~~~~~\n"

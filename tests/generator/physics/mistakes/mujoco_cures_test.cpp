@@ -17,13 +17,13 @@ TEST(MujocoCures, SayWhatIsRight) {
             "write `ctrlrange=\"0 1\"`, with the lower number first");
   EXPECT_EQ(
       cure_of_model("object 'cube': faces have inconsistent orientation: cube"),
-      "let all faces go round the same way: a program for meshes can make their normals anew");
+      "let all faces go round the same way: a program for meshes can make their normals again");
   EXPECT_EQ(cure_of_model("inertia must satisfy A + B >= C; use 'balanceinertia' to fix"),
-            "write inertia of a real body, or `<compiler balanceinertia=\"true\"/>`");
+            "write the inertia of a real body, or `<compiler balanceinertia=\"true\"/>`");
   EXPECT_EQ(cure_of_model("repeated name in geom array, position 1"),
             "give each a name of its own");
   EXPECT_EQ(cure_of_model("element 'geom': problem reading attribute 'size'"),
-            "write numbers in `size`, with blanks between them");
+            "write numbers in `size`, with spaces between them");
   EXPECT_EQ(cure_of_model("element 'geom': attribute 'quat' has too much data"),
             "write fewer numbers in `quat`");
   EXPECT_EQ(cure_of_model("element 'geom': attribute 'quat' does not have enough data"),
