@@ -29,7 +29,7 @@ tl::expected<void, ScriptError> check(const Engine& engine, const AuthorText& te
   Exception exception = read_exception(engine.context(), thrown, kScriptUrl);
   int line = exception.line - lines_before;
   if (exception.message == "Parser error") {
-    exception.message = "a closing bracket has no opening one";
+    exception.message = kStrayBracket;
     line = std::min(line, text.last_line());
   }
   ScriptError error = explain(exception, names);

@@ -106,6 +106,12 @@ bool is_fault(const std::string& id) {
 
 }  // namespace
 
+std::string cure_of_syntax(const std::string& message) {
+  return message == kStrayBracket
+             ? "remove it, or open it"
+             : "look for a missing bracket, quote or operator just before this";
+}
+
 ScriptError explain(const Exception& exception, const std::vector<std::string>& names) {
   ScriptError error;
   error.message = exception.message;
@@ -114,6 +120,7 @@ ScriptError explain(const Exception& exception, const std::vector<std::string>& 
     error.cure = exception.cure;
   } else if (exception.kind == "SyntaxError") {
     error.id = "E-script-syntax";
+    error.cure = cure_of_syntax(exception.message);
   } else if (exception.message.starts_with(unknown_variable)) {
     const std::string name = exception.message.substr(unknown_variable.size());
     error.id = "E-script-name";

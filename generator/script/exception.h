@@ -34,4 +34,10 @@ Exception read_exception(JSContextRef context, JSValueRef exception, const std::
 // What went wrong, without a place; `names` are those that a script may use.
 ScriptError explain(const Exception& exception, const std::vector<std::string>& names);
 
+// The message on a text with a closing bracket too many. The engine's own words differ.
+inline constexpr const char* kStrayBracket = "a closing bracket has no opening one";
+
+// What to do about a text that does not parse, where `message` says why.
+std::string cure_of_syntax(const std::string& message);
+
 }  // namespace mjcourse

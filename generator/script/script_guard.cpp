@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "script/exception.h"
 #include "script/js_value.h"
 
 namespace mjcourse {
@@ -30,7 +31,8 @@ tl::expected<std::string, ScriptError> ScriptGuard::guard(const std::string& tex
   ScriptError error;
   error.id = found["id"];
   error.message = found["message"];
-  error.cure = found["cure"];
+  error.cure = error.id == "E-script-syntax" ? cure_of_syntax(error.message)
+                                             : found["cure"].get<std::string>();
   error.line = found["line"];
   error.column = found["column"];
   error.width = found["width"];

@@ -1,6 +1,6 @@
 /** The arguments of a MuJoCo function, checked as C would not. */
 import { constants } from "./constants.js";
-import { Fault, show } from "./fault.js";
+import { cureOfNumber, Fault, show } from "./fault.js";
 import type { Native } from "./native.js";
 import { viewOf } from "./strict-array.js";
 
@@ -72,7 +72,7 @@ export class ArgumentCheck {
     }
     for (let i = 0; i < length; i++) {
       if (Number.isFinite(view[i])) continue;
-      throw this.wrong(`${parameter}[${i}] is ${show(view[i])}, not a finite number`);
+      throw this.wrong(`${parameter}[${i}] is ${show(view[i])}, not a finite number`, view[i]);
     }
     return view instanceof Float64Array ? view : Float64Array.from(view as ArrayLike<number>);
   }
@@ -81,7 +81,7 @@ export class ArgumentCheck {
     if (kind === "flag" && typeof arg === "boolean") return Number(arg);
     const value = viewOf(arg)?.length === 1 ? Number(arg) : arg;
     if (typeof value !== "number" || !Number.isFinite(value)) {
-      throw this.wrong(`${parameter} must be a finite number, not ${show(value)}`);
+      throw this.wrong(`${parameter} must be a finite number, not ${show(value)}`, value);
     }
     if (kind !== "number" && !Number.isInteger(value)) {
       throw this.wrong(`${parameter} must be a whole number, not ${value}`);
@@ -101,8 +101,8 @@ export class ArgumentCheck {
     throw this.outside(`${parameter} is ${id}: ${range}`);
   }
 
-  private wrong(what: string): Fault {
-    return new Fault("E-script-value", `${this.name}: ${what}`, [this.name]);
+  private wrong(what: string, value?: unknown): Fault {
+    return new Fault("E-script-value", `${this.name}: ${what}`, [this.name], cureOfNumber(value));
   }
 
   private outside(what: string): Fault {

@@ -17,6 +17,12 @@ export class Fault extends Error {
   }
 }
 
+/** What to do about a number that is not finite; "" for any other value. */
+export function cureOfNumber(value: unknown): string {
+  if (typeof value !== "number" || Number.isFinite(value)) return "";
+  return "look for a division by 0, or a root or a logarithm of a negative number";
+}
+
 /** A value in a message. */
 export function show(value: unknown): string {
   if (typeof value === "string") return JSON.stringify(value);

@@ -1,5 +1,5 @@
 /** What an expression gave, as the type that its place in a lesson needs. */
-import { Fault, show } from "./fault.js";
+import { cureOfNumber, Fault, show } from "./fault.js";
 import { viewOf } from "./strict-array.js";
 
 /** A finite number; an array of one number counts as that number. */
@@ -30,5 +30,6 @@ function plain(value: unknown): unknown {
 }
 
 function wrong(value: unknown, wanted: string): Fault {
-  return new Fault("E-script-value", `the value is ${show(value)}, not ${wanted}`, []);
+  const message = `the value is ${show(value)}, not ${wanted}`;
+  return new Fault("E-script-value", message, [], cureOfNumber(value));
 }

@@ -2,7 +2,7 @@
  * Typed arrays that refuse what JavaScript lets pass: an index past the end (undefined), a write of
  * NaN, a whole array used as one number. Everything else a typed array can do, they can.
  */
-import { Fault, show } from "./fault.js";
+import { cureOfNumber, Fault, show } from "./fault.js";
 import type { Numbers } from "./native.js";
 import { suggest } from "./suggest.js";
 import type { Bounds } from "./writable.js";
@@ -79,7 +79,8 @@ export function checkWrite(
     wanted = `whole number in ${bounds[0]}..${bounds[1]}`;
   }
   if (wanted === "") return;
-  throw new Fault("E-script-value", `${place} = ${show(value)}: not a ${wanted}`, [place, label]);
+  const message = `${place} = ${show(value)}: not a ${wanted}`;
+  throw new Fault("E-script-value", message, [place, label], cureOfNumber(value));
 }
 
 /** What typed arrays have besides numbers. */

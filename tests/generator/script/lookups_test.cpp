@@ -59,7 +59,8 @@ TEST_F(LookupsTest, UnknownNamesAreErrors) {
   EXPECT_EQ(value_error("qpos('hinge')[1]"),
             "E-script-range 1:1+16 qpos('hinge')[1] is out of range 0..0 | ");
   EXPECT_EQ(run_error("body('box').mass = NaN"),
-            "E-script-value 1:1+16 body('box').mass = NaN: not a finite number | ");
+            "E-script-value 1:1+16 body('box').mass = NaN: not a finite number | "
+            "look for a division by 0, or a root or a logarithm of a negative number");
   EXPECT_EQ(run_error("body('box').xpos = [1, 2, 3]"),
             "E-script-value 1:1+16 body('box').xpos cannot be assigned | it is an array: "
             "body('box').xpos[0] = …, or body('box').xpos.set([…])");

@@ -79,7 +79,8 @@ TEST_F(MujocoFunctionsTest, ArgumentsAreChecked) {
   EXPECT_EQ(run_error("mju_negQuat([0, 0, 0, 0])"),
             "E-script-value 1:1+11 mju_negQuat: wants 2 (res, quat) arguments, not 1 | ");
   EXPECT_EQ(run_error("mju_negQuat([0, 0, 0, 0], [1, 0, NaN, 0])"),
-            "E-script-value 1:1+11 mju_negQuat: quat[2] is NaN, not a finite number | ");
+            "E-script-value 1:1+11 mju_negQuat: quat[2] is NaN, not a finite number | "
+            "look for a division by 0, or a root or a logarithm of a negative number");
   EXPECT_EQ(run_error("mju_negQuat(5, [1, 0, 0, 0])"),
             "E-script-value 1:1+11 mju_negQuat: res must be an array, not 5 | ");
   EXPECT_EQ(run_error("mju_quatIntegrate([1, 0, 0, 0], [0, 0, 1], '1')"),

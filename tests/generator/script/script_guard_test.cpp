@@ -53,7 +53,7 @@ TEST(ScriptGuardTest, RefusesAtItsPlace) {
             "E-script-value 1:1+5 `Array` cannot be assigned | it belongs to JavaScript");
   EXPECT_EQ(guarded("key$((1))"), "E-script-foreign 1:1+5 a script cannot hold `key$(`");
   EXPECT_EQ(guarded("a) = 1, (b", ScriptKind::assignment),
-            "E-script-syntax 0:0+1 a closing bracket has no opening one");
+            "E-script-syntax 0:0+1 a closing bracket has no opening one | remove it, or open it");
 }
 
 // "world callee(values)", as far as it is so.

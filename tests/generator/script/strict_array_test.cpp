@@ -43,9 +43,11 @@ TEST_F(StrictArrayTest, RefusesWhatJavaScriptLetsPass) {
   EXPECT_EQ(value_error("data.qpos.lenght"),
             "E-script-name 1:11+6 data.qpos has no `lenght` | did you mean `data.qpos.length`?");
   EXPECT_EQ(run_error("data.qvel.fill(NaN)"),
-            "E-script-value 1:1+9 every number of data.qvel = NaN: not a finite number | ");
+            "E-script-value 1:1+9 every number of data.qvel = NaN: not a finite number | "
+            "look for a division by 0, or a root or a logarithm of a negative number");
   EXPECT_EQ(run_error("data.qvel.set([1, 0 / 0], 3)"),
-            "E-script-value 1:1+9 data.qvel[4] = NaN: not a finite number | ");
+            "E-script-value 1:1+9 data.qvel[4] = NaN: not a finite number | "
+            "look for a division by 0, or a root or a logarithm of a negative number");
   EXPECT_EQ(run_error("data.qvel.set([1, 2], 10)"),
             "E-script-range 1:1+13 data.qvel.set: 2 numbers from 10 on pass its end, 11 | ");
   EXPECT_EQ(run_error("data.qpos[undefined] = 1"),

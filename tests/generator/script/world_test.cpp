@@ -75,7 +75,7 @@ TEST_F(WorldTest, AssignsToNothingElse) {
   }
   EXPECT_EQ(assign_error("data.time; data.time"),
             "E-script-syntax 1:10+1 Unexpected token ';'. Expected ')' to end a compound "
-            "expression. | ");
+            "expression. | look for a missing bracket, quote or operator just before this");
   EXPECT_EQ(assign_error("data.crtl[0]"),
             "E-script-name 1:6+4 data.crtl does not exist | did you mean `data.ctrl`?");
   EXPECT_EQ(assign_error("data.qpos[99]"),
@@ -151,13 +151,15 @@ TEST_F(WorldTest, HasMujocosConstants) {
 TEST_F(WorldTest, SyntaxIsPlacedInTheAuthorsText) {
   EXPECT_EQ(
       run_error("let a = 1;\nlet b = (2;"),
-      "E-script-syntax 2:11+1 Unexpected token ';'. Expected ')' to end a compound expression. | ");
+      "E-script-syntax 2:11+1 Unexpected token ';'. Expected ')' to end a compound expression. | "
+      "look for a missing bracket, quote or operator just before this");
   EXPECT_EQ(value_error("1 +"),
-            "E-script-syntax 1:4+1 the script ends too early: Unexpected token ')' | ");
+            "E-script-syntax 1:4+1 the script ends too early: Unexpected token ')' | look for a "
+            "missing bracket, quote or operator just before this");
   EXPECT_EQ(run_error("a = 1; }\n"),
-            "E-script-syntax 1:1+8 a closing bracket has no opening one | ");
+            "E-script-syntax 1:1+8 a closing bracket has no opening one | remove it, or open it");
   EXPECT_EQ(run_error("}); (function () {"),
-            "E-script-syntax 1:1+18 a closing bracket has no opening one | ");
+            "E-script-syntax 1:1+18 a closing bracket has no opening one | remove it, or open it");
 }
 
 TEST_F(WorldTest, UnknownNamesAreNamed) {
@@ -188,12 +190,15 @@ TEST_F(WorldTest, IndicesStayInRange) {
 }
 
 TEST_F(WorldTest, WritesAreFiniteNumbers) {
-  EXPECT_EQ(run_error("data.qvel[3] = NaN"),
-            "E-script-value 1:1+12 data.qvel[3] = NaN: not a finite number | ");
+  EXPECT_EQ(
+      run_error("data.qvel[3] = NaN"),
+      "E-script-value 1:1+12 data.qvel[3] = NaN: not a finite number | look for a division by "
+      "0, or a root or a logarithm of a negative number");
   EXPECT_EQ(run_error("data.qvel[3] = 'fast'"),
             "E-script-value 1:1+12 data.qvel[3] = \"fast\": not a number | ");
   EXPECT_EQ(run_error("model.opt.timestep = 1 / 0"),
-            "E-script-value 1:1+18 model.opt.timestep = Infinity: not a finite number | ");
+            "E-script-value 1:1+18 model.opt.timestep = Infinity: not a finite number | look for a "
+            "division by 0, or a root or a logarithm of a negative number");
   EXPECT_EQ(run_error("model.nq = 3"),
             "E-script-value 1:1+8 model.nq cannot be assigned | MuJoCo computes it from the model");
   EXPECT_EQ(
@@ -210,7 +215,10 @@ TEST_F(WorldTest, WritesAreFiniteNumbers) {
 }
 
 TEST_F(WorldTest, ResultsHaveTheTypeAskedFor) {
-  EXPECT_EQ(value_error("0 / 0"), "E-script-value 1:1+5 the value is NaN, not a finite number | ");
+  EXPECT_EQ(
+      value_error("0 / 0"),
+      "E-script-value 1:1+5 the value is NaN, not a finite number | look for a division by 0, or a "
+      "root or a logarithm of a negative number");
   EXPECT_EQ(value_error("  'abc'"), "E-script-value 1:3+5 the value is \"abc\", not a number | ");
   EXPECT_EQ(value_error("qpos('free')"),
             "E-script-value 1:1+12 the value is an array of length 7, not a number | ");

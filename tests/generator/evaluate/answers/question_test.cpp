@@ -278,6 +278,7 @@ TEST(Proof, FindsAFiniteNumber) {
       R"(content/1-a/1.1-x.md:6:29: error: the value is NaN, not a finite number [E-script-value]
   6 | {"model": "ball", "value": "0/0"}]}]}
     |                             ^~~
+  cure: look for a division by 0, or a root or a logarithm of a negative number
 )");
 }
 

@@ -21,7 +21,8 @@ TEST(Predict, FailsWhereItsScriptOrValueDoes) {
   EXPECT_EQ(predict(R"("value": "data.qpso[0]")"),
             "E-script-name <qpso> data.qpso does not exist | did you mean `data.qpos`?\n");
   EXPECT_EQ(predict(R"("value": "1 / data.qvel[0]")"),
-            "E-script-value <1 / data.qvel[0]> the value is Infinity, not a finite number\n");
+            "E-script-value <1 / data.qvel[0]> the value is Infinity, not a finite number | "
+            "look for a division by 0, or a root or a logarithm of a negative number\n");
   EXPECT_EQ(predict(R"("value": "data.time", "run": "data.qvel[0] = 1e12")"),
             "E-lab-simulation <data.qvel[0] = 1e12> after the prediction's script: the simulation "
             "diverged at t = 0 s: qvel[0] of joint `free` is infinite, not a number, or huge | a "

@@ -75,6 +75,7 @@ TEST(Lab, ShowsAllThatFailsAtRest) {
 content/1-a/1.1-x.md:8:27: error: the value is NaN, not a finite number [E-script-value]
   8 |   {"label": "y", "expr": "0/0"}],
     |                           ^~~
+  cure: look for a division by 0, or a root or a logarithm of a negative number
 content/1-a/1.1-x.md:9:49: error: data.qpos[99] is out of range 0..7 [E-script-range]
   9 |   "plots": [{"traces": [{"label": "t", "expr": "data.qpos[99]"}]}],
     |                                                 ^~~~~~~~~~~~~
@@ -115,6 +116,7 @@ TEST(Lab, IsReadOnTheWayToo) {
       R"j(content/1-a/1.1-x.md:6:38: error: the value is NaN, not a finite number [E-script-value]
   6 | "readouts": [{"label": "r", "expr": "Math.sqrt(1 - data.time)"}]}
     |                                      ^~~~~~~~~~~~~~~~~~~~~~~~
+  cure: look for a division by 0, or a root or a logarithm of a negative number
 )j");
 }
 
@@ -129,6 +131,7 @@ TEST(Lab, IsReadAfterEachButton) {
       R"j(content/1-a/1.1-x.md:6:38: error: the value is NaN, not a finite number [E-script-value]
   6 | "readouts": [{"label": "r", "expr": "Math.sqrt(0.5 - data.qpos[0])"}],
     |                                      ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~
+  cure: look for a division by 0, or a root or a logarithm of a negative number
 )j");
 }
 

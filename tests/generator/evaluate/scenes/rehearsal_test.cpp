@@ -185,7 +185,7 @@ TEST(Ghost, IsWatchedToo) {
                 R"j("ghost": {"label": "g", "run": "data.qvel[0] = 1"},
        "plots": [{"traces": [{"label": "t", "expr": "Math.sqrt(0.5 - data.qpos[0])"}]}])j"),
             "E-script-value <Math.sqrt(0.5 - data.qpos[0])> the value is NaN, not a finite "
-            "number\n");
+            "number | look for a division by 0, or a root or a logarithm of a negative number\n");
 }
 
 }  // namespace
