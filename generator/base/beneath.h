@@ -1,5 +1,5 @@
-// Opening what lies beneath a folder, and nothing that only seems to: a course is often somebody
-// else's, and a link in it may lead to what only its reader may read, or a pipe lie in it that
+// Opening what lies beneath a folder, and nothing that only seems to. A course is often somebody
+// else's. A link in it may lead to what only its reader may read, and a pipe may lie in it that
 // nobody ever writes into.
 //
 // A link is followed as long as each step of its way stays beneath the folder; nothing in `.git` is

@@ -1,9 +1,9 @@
 // Cancellation: work that is no longer wanted, ended early.
 //
-// Who works for somebody that may change their mind opens a Cancellable on each of its threads;
-// whatever takes long looks there now and then, and whatever waits for a program looks while it
-// waits. Cancelled then goes through all of the work like any exception: programs are killed,
-// folders removed, nothing half done is kept.
+// Work for somebody that may change their mind opens a Cancellable on each of its threads; whatever
+// takes long looks there now and then, and whatever waits for a program looks while it waits.
+// Cancelled then goes through all of the work like any exception: programs are killed, folders
+// removed, nothing half done is kept.
 #pragma once
 
 #include <stop_token>

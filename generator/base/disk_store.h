@@ -4,7 +4,7 @@
 //     cas/77/b0c4…  the bytes
 //     tmp/XXXXXX    what is being written, and what a killed process left of that
 //     prepared/…    folders of what programs share (cache/prepared_folders.h)
-//     lock          held shared by each run, and alone by who prunes
+//     lock          held shared by each run, and alone by the one that prunes
 //
 // The first hash is of the entry's name and its bytes, so no entry can take another's place.
 //

@@ -1,5 +1,4 @@
-// Replace a file at once: whoever reads it meanwhile, or after a crash, has the old bytes or the
-// new.
+// Replace a file at once: a reader of it meanwhile, or after a crash, has the old bytes or the new.
 #pragma once
 
 #include <filesystem>

@@ -53,7 +53,8 @@ TemporaryFolder::TemporaryFolder() {
       throw_errno(name);
     }
     path_ = name;
-    // Its files can be used by whoever was told of them, such as a program that is no longer root.
+    // Its files can be used by any program that was told of them, such as a program that is no
+    // longer root.
     chmod(name.c_str(), 0711);
     lock_ = try_lock(path_);
   }

@@ -1,7 +1,7 @@
 // A folder for one piece of work, gone with everything in it when the work is done.
 //
-// Who is killed cannot clear up. So each folder is locked for as long as its owner lives, and the
-// next process to make one first removes those that nobody holds a lock on.
+// A process that is killed cannot clear up. So each folder is locked for as long as its owner
+// lives, and the next process to make one first removes those that nobody holds a lock on.
 #pragma once
 
 #include <filesystem>

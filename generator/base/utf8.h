@@ -49,9 +49,9 @@ constexpr bool is_word_character(char c) {
   return is_letter_or_digit(c) || c == '_';
 }
 
-// `text` as one line that any terminal shows, and in the order it has: control characters as C has
-// them (`\n`, `\x1b`), so also what has a line turned round or broken (`\u202e`), and U+FFFD for
-// each byte that is not UTF-8.
+// `text` as one line that any terminal shows, in the order it has. Control characters stand as C
+// writes them (`\n`, `\x1b`), and so does what has a line turned round or broken (`\u202e`). U+FFFD
+// stands for each byte that is not UTF-8.
 std::string readable(std::string_view text);
 
 // A line of a program's or a tool's words, the same; but tabs stay where all else is readable.

@@ -1,9 +1,9 @@
 // Dependency: one thing that a result depends on, and what it was when the result was made.
 //
-// Names mean the same on every machine, for a store may be shared: `models/box.xml` is a file of
-// the course, `/usr/include/…` one of the system, `program l1_2_example` what a program reported,
-// and `text`, `MuJoCo`, `compiler` are what they say. No name or value holds where the course lies,
-// a host, a user or a time.
+// Names mean the same on every machine, for a store may be shared. `models/box.xml` is a file of
+// the course, `/usr/include/…` one of the system, and `program l1_2_example` what a program
+// reported; `text`, `MuJoCo` and `compiler` are what they say. No name or value holds where the
+// course lies, a host, a user or a time.
 // Tested by tests/generator/cache/fingerprints_test.cpp.
 #pragma once
 

@@ -3,7 +3,7 @@
 // Behind each program stand the same hundreds of headers. As a dependency they have one name,
 // `files HASH`, and one value. Both are addresses in the store: of the list of their names, and of
 // that list with what is behind each. So to look whether a result may be used again takes one
-// comparison, and who wants to know which of the files has changed finds it out.
+// comparison, and only a caller that wants to know which of the files has changed finds it out.
 // Tested by tests/generator/cache/result_store_test.cpp.
 #pragma once
 

@@ -147,8 +147,8 @@ PreparedFolders::Found PreparedFolders::look(const fs::path& folder) const {
 std::shared_ptr<const Entry> PreparedFolders::make_anew(const fs::path& folder, const Make& make) {
   const fs::path staging = folder / kStaging;
   for (const fs::directory_entry& old : fs::directory_iterator(folder)) {
-    // The last entry, and what a maker left who was killed. A compiler that reads the last entry
-    // just now says so, and its program is compiled without.
+    // The last entry, and what a process left that was killed while it made one. A compiler that
+    // reads the last entry just now says so, and its program is compiled without.
     if (old.is_directory()) fs::remove_all(old.path());
   }
   fs::create_directory(staging);
@@ -211,7 +211,8 @@ std::shared_ptr<const Entry> PreparedFolders::get(const std::string& request, co
   } catch (const std::system_error&) {
     // A cache that cannot be read or written is one that is not there.
   } catch (...) {
-    promise.set_exception(std::current_exception());  // for who waits: the work was cancelled
+    promise.set_exception(
+        std::current_exception());  // for the waiting thread: the work was cancelled
     throw;
   }
   promise.set_value(entry);

@@ -1,10 +1,10 @@
 // PreparedFolders: folders of files, each made once for a request and kept for later programs and
 // runs.
 //
-// Enter with find() or get(). An entry is a folder of files, made once for a request (a text that
-// says all that went in but the contents of files) and made again when one of the files that were
-// read for it has another content. It is written aside, brought to the disk and renamed, so who
-// reads sees all of it or nothing; of several processes that want it, one makes it and the others
+// Enter with find() or get(). An entry is a folder of files, made once for a request: a text that
+// says all that went in but the contents of files. It is made again when one of the files that were
+// read for it has another content. It is written aside, brought to the disk and renamed, so a
+// reader sees all of it or nothing; of several processes that want it, one makes it and the others
 // wait. What was not used for longest goes when all together is too large.
 //
 //   FOLDER/REQUEST/current   which entry is the current one, or that there was something to refuse;
@@ -53,10 +53,10 @@ class PreparedFolders {
   bool keeps() const { return folder_.has_value(); }
 
   // The entry, where it was made before, by whomever; null where it was not, or cannot be had. From
-  // any thread; waits for nobody who makes it.
+  // any thread; waits for no thread that makes it.
   std::shared_ptr<const Entry> find(const std::string& request);
-  // The entry, made where it is not there; null where it cannot be had. Who asks again has the same
-  // answer. From any thread; those that ask for the same wait for the first of them.
+  // The entry, made where it is not there; null where it cannot be had. A caller that asks again
+  // has the same answer. From any thread; those that ask for the same wait for the first of them.
   std::shared_ptr<const Entry> get(const std::string& request, const Make& make);
 
   // The entry is of no use: the next process makes it anew.

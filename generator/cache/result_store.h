@@ -2,10 +2,10 @@
 //
 // What a piece of work depends on is known in two steps. Its recipe is known before: its text,
 // versions, flags. What it looks at besides, models and headers, is known once it was done. So
-// under the hash of the recipe lie the lists of names that such work has looked at, newest first;
-// and under the hash of the recipe, one of these lists, and what is now behind its names, lies the
-// result, behind a line that says all of these. Both by the two verbs of base/store.h, so a store
-// may lie anywhere.
+// under the hash of the recipe lie the lists of names that such work has looked at, newest first.
+// The result lies under the hash of three things: the recipe, one of these lists, and what is now
+// behind its names. A line in front of the result says all three. Both by the two verbs of
+// base/store.h, so a store may lie anywhere.
 #pragma once
 
 #include <chrono>

@@ -1,6 +1,6 @@
-// Steps: find the lessons that are meant; evaluate the course; gather the edits that the
-// diagnostics of those lessons carry, which they do only where what was computed came out well;
-// show each as a diff, and write it; tell what is left.
+// Steps: find the lessons that are meant; evaluate the course; gather the edits of those lessons'
+// diagnostics; show each as a diff, and write it; tell what is left. A diagnostic carries an edit
+// only where what was computed came out well.
 // Tested by tests/accept.
 #include <unistd.h>
 

@@ -13,7 +13,7 @@
 namespace mjcourse {
 namespace {
 
-// The course's folder as those see it who check it from outside: relative to where they are.
+// The course's folder as a caller outside of it sees it: relative to where they are.
 std::string folder_of(const CheckOptions& options) {
   return options.course.lexically_relative(std::filesystem::current_path()).string();
 }

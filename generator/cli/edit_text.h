@@ -1,4 +1,4 @@
-// What `accept` does to a file, for the one who is to agree.
+// What `accept` does to a file, for the author, who is to agree.
 // Tested by tests/accept.
 #pragma once
 

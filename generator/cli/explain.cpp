@@ -1,8 +1,8 @@
 // A diagnostic's id is explained by what it means, without looking at the course.
 //
 // Steps for the rest: find the lessons that are meant; look up what would be kept; tell of each
-// task whether it is, what has changed if not, and, where a lesson or a line was named, all that it
-// depends on.
+// task whether it is, and what has changed if not. Where a lesson or a line was named, tell all
+// that it depends on too.
 // Tested by tests/store/dependencies.mjs.
 #include "evaluate/explain.h"
 

@@ -1,5 +1,5 @@
-// A lesson, with the program and the model that it shows: what is true of them stands in it from
-// the start, and it is a draft until its author has put other things in their place.
+// A lesson, with the program and the model that it shows. What is true of them stands in it from
+// the start. It is a draft until its author has put other things in their place.
 // Tested by tests/generator/cli/new_part_test.cpp.
 #include <algorithm>
 #include <cctype>

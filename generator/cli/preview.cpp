@@ -29,7 +29,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Ctrl-C and its like, for who waits for them.
+// Ctrl-C and its like, for the thread that waits for them.
 class Interrupt {
  public:
   Interrupt() {

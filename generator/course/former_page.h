@@ -17,7 +17,7 @@ namespace mjcourse {
 // nothing where that is no page's address.
 std::optional<std::string> former_page(const Lesson& lesson, const std::string& written);
 
-// Who was where: finds former addresses that lead nowhere, or to two places.
+// Which page was where: finds former addresses that lead nowhere, or to two places.
 class FormerPages {
  public:
   explicit FormerPages(const Course& course);

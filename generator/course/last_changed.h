@@ -1,7 +1,7 @@
 // When files of a course were changed last, as git knows it.
 //
-// Of all files at once, since a course may have ten thousand. A day is that of who made the commit,
-// wherever it is read; a date that git cannot know is left out: one that a shallow clone cuts off,
+// Of all files at once, since a course may have ten thousand. A day is that of the commit's author,
+// wherever it is read. A date that git cannot know is left out: one that a shallow clone cuts off,
 // and that of a file with changes which are in no commit yet.
 #pragma once
 

@@ -1,4 +1,5 @@
-// Who speaks of what: the sections of the course that use a term or a model, or link to something.
+// Which sections speak of what: the sections of the course that use a term or a model, or link to
+// something.
 #pragma once
 
 #include <string>

@@ -2,7 +2,7 @@
 // layout stay.
 //
 // Enter at insert_item. YAML can be written in more ways than are understood here; a text that is
-// not, or not surely, is left alone. Who calls parses what came out and looks whether it is what
+// not, or not surely, is left alone. The caller parses what came out and looks whether it is what
 // was meant (course_listing.h).
 //
 // npm's `yaml` keeps comments too, but writes the whole file anew: the blanks before comments, the

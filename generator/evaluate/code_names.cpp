@@ -125,7 +125,7 @@ class Finder {
     }
   }
 
-  // The chain that goes on at `at_`, behind an object that is a `structure`, or who knows what.
+  // The chain that goes on at `at_`, behind an object that is a `structure`, or something unknown.
   void follow(std::string structure) {
     for (;;) {
       if (text(at_) == "[") {

@@ -2,11 +2,11 @@
 // a script uses, and in which lines.
 //
 // Functions, types and constants are told by their names, which all begin with `mj`. A field is one
-// of the structure that its object is: by how the program declares it (`const mjContact& contact`,
-// `Data now`), by the names that everybody gives them (`model`, `data`), along a chain
-// (`model->opt.timestep`), and behind an arrow where of the two large structures one alone has it.
-// What stays in doubt is left out; comments and strings are passed over. C++ and JavaScript have
-// all of this in common.
+// of the structure that its object is. What that is, the program's declaration says (`const
+// mjContact& contact`, `Data now`), or a name that everybody gives it (`model`, `data`). A chain is
+// followed (`model->opt.timestep`). Behind an arrow, the field itself says it where only one of the
+// two large structures has it. What stays in doubt is left out; comments and strings are passed
+// over. C++ and JavaScript have all of this in common.
 #pragma once
 
 #include <map>

@@ -1,10 +1,10 @@
 // Enter evaluating here: from a course that was read to what is true of it.
 //
-// Steps: the course is planned as tasks (plan.h); a scheduler runs them on all cores, and
-// takes from the store what was found out before (scheduler.h); what the tasks found is gathered
-// under the blocks; outputs are held against what the programs printed; and all of it becomes
-// claims (claims.h). What always holds: the results and the diagnostics depend neither on the
-// number of threads nor on the store.
+// Steps: the course is planned as tasks (plan.h). A scheduler runs them on all cores, and takes
+// from the store what was found out before (scheduler.h). What the tasks found is gathered under
+// the blocks. Outputs are held against what the programs printed. All of it becomes claims
+// (claims.h). What always holds: the results and the diagnostics depend neither on the number of
+// threads nor on the store.
 #pragma once
 
 #include <filesystem>
@@ -38,7 +38,7 @@ struct Workplace {
   std::filesystem::path helper = {};  // has the helper header for a course without one
   // Where what programs share is kept (warm_objects.h); without it nothing is.
   std::optional<std::filesystem::path> prepared = {};
-  // Of files and scripts that were looked at before, by who evaluates again and again.
+  // Of files and scripts that were looked at before, for a caller that evaluates again and again.
   std::shared_ptr<FingerprintCache> fingerprint_cache = std::make_shared<FingerprintCache>();
   std::shared_ptr<ScriptBundles> script_bundles = std::make_shared<ScriptBundles>();
   // Given, nothing is worked out: what the store does not have stays open, with a stand-in.

@@ -8,7 +8,8 @@ namespace mjcourse {
 
 class ModelPageTask : public Task {
  public:
-  // Of a model that is wrong, whoever simulates it tells; not so of one that is only linked to.
+  // Of a model that is wrong, the task that simulates it tells; not so of one that is only linked
+  // to.
   enum class Trouble { reported, known };
 
   // `lesson` is the first to link to it or to show it, there as `name`.

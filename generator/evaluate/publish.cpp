@@ -17,7 +17,7 @@ void publish(const Tasks& tasks, const TaskRecords& records, Reports& reports,
     const auto* result = found == results.end() ? nullptr : &std::get<ExampleResult>(found->second);
     const std::string name = task->program().name();
     reports.add(name, result);
-    // Who quotes a program may say where it is.
+    // A lesson that quotes a program may say where it is.
     fingerprints.set(
         program_dependency(name),
         records[i].open ? "not known yet"

@@ -1,4 +1,4 @@
-// Publishing: what programs reported, for those who quote it.
+// Publishing: what programs reported, for the lessons that quote it.
 // Tested by tests/store/dependencies.mjs.
 #pragma once
 

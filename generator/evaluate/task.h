@@ -56,9 +56,10 @@ class Task {
   // Does MuJoCo, or the script engine, work on what an author wrote? That is work_apart().
   virtual bool is_apart() const { return false; }
 
-  // In this order: what is looked at each time, which gives false where nothing more can be done;
-  // the work, unless its finding was kept, which gives false where something is missing, and whose
-  // first part is done in a process of its own (worker.h); and what takes all of the finding.
+  // Called in this order. First what is looked at each time, which gives false where nothing more
+  // can be done. Then the work, unless its finding was kept: it gives false where something is
+  // missing, and its first part is done in a process of its own (worker.h). Last what takes all of
+  // the finding.
   virtual bool prepare(WorkerContext&, Finding&) { return true; }
   virtual bool work_apart(WorkerContext&, Finding&) { return true; }
   virtual bool work(WorkerContext&, Finding&) { return true; }

@@ -38,7 +38,7 @@ std::vector<std::size_t>& TaskQueue::list_of(Ready& tasks, std::size_t task) con
 
 void TaskQueue::release() {
   publish_();
-  // What was held back is behind what is ready, and quick: those who wait are few.
+  // What was held back is behind what is ready, and quick: the threads that wait are few.
   ready_.drawn.insert(ready_.drawn.begin(), held_.drawn.begin(), held_.drawn.end());
   ready_.compiled.insert(ready_.compiled.begin(), held_.compiled.begin(), held_.compiled.end());
   ready_.others.insert(ready_.others.begin(), held_.others.begin(), held_.others.end());

@@ -75,7 +75,7 @@ bool may_propose(const Diagnostic& diagnostic) {
                    is_of_course(edit->file) && !edit->span);
 }
 
-// Can it be drawn below its line? Who draws it takes its numbers as they are.
+// Can it be drawn below its line? The printer takes its numbers as they are.
 bool can_be_drawn(const Place& place) {
   constexpr int most = 1 << 28;    // no file that is read has longer lines
   constexpr int behind = 1 << 20;  // columns; a line of kilobytes is cut

@@ -1,9 +1,9 @@
 // What a generator and its worker say to each other (worker.h, work_loop.h): a question names a
 // task, and the answer has all that came of it.
 //
-// A worker has had to do with what strangers wrote, so an answer is looked at like a stranger's: it
-// is of the task that was asked for, names files of the course alone, and changes nothing but what
-// such a task may.
+// A worker has had to do with what strangers wrote, so an answer is looked at like a stranger's. It
+// must be of the task that was asked for, name files of the course alone, and change nothing but
+// what such a task may.
 // Tested by tests/generator/evaluate/worker_test.cpp.
 #pragma once
 

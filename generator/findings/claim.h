@@ -51,13 +51,14 @@ struct Claim {
   std::string limits;  // what was not looked at, or how far; may be empty
   std::string reason;  // why it is not proved: an author's words or a source; may be empty
 
-  // A hash, the same for two reports that found the same: of the claim as it is written, with its
-  // options; of what is known to have gone into it (a program's text, the helper header, the bytes
-  // of the models that it names, TeX macros); of the versions of mjcourse, MuJoCo and whatever else
-  // worked on it; of what was found (what it printed, computed, drew, was refused for). Not of
-  // where the course lies, of hosts, users or times, nor of where in the lesson it stands. What it
-  // cannot see: system headers and libraries, files that a program opens under names it puts
-  // together, and changes of the generator between two versions.
+  // A hash, the same for two reports that found the same. It is taken of four things. First, the
+  // claim as it is written, with its options. Second, what is known to have gone into it: a
+  // program's text, the helper header, the bytes of the models that it names, TeX macros. Third,
+  // the versions of mjcourse, MuJoCo and whatever else worked on it. Fourth, what was found: what
+  // it printed, computed, drew, or was refused for. Not of where the course lies, of hosts, users
+  // or times, nor of where in the lesson it stands. What it cannot see: system headers and
+  // libraries, files that a program opens under names it puts together, and changes of the
+  // generator between two versions.
   std::string key;
 
   // Measured, and in no site: the whole of it, and of a program or snippet the run alone.

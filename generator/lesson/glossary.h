@@ -1,7 +1,7 @@
 // Glossary: the terms of a course and what they mean, from content/glossary.md.
 //
 // The file is read like a lesson, so its formulas, values, links and terms are checked and written
-// by the same code; but it has no number, belongs to no level, and each heading of it is a term.
+// by the same code. But it has no number and belongs to no level, and each heading of it is a term.
 #pragma once
 
 #include <string>

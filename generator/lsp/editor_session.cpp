@@ -17,9 +17,9 @@ namespace {
 
 using nlohmann::json;
 
-// Between two keys of who writes without a pause.
+// Between two keys of an author who writes without a pause.
 constexpr std::chrono::milliseconds kQuiet{250};
-// Reading a course takes no longer, and only who asks at once has to wait for it.
+// Reading a course takes no longer, and only an editor that asks at once has to wait for it.
 constexpr std::chrono::seconds kFirstLook{10};
 
 // An editor may ask for actions of another kind alone, as for those to be done on saving.

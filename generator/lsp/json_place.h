@@ -1,5 +1,5 @@
-// JsonPlace: where in a JSON text one is who has written so much of it: in which objects, behind
-// which key, in a string or between two. The text need not go on, and need not be right.
+// JsonPlace: where in a JSON text an author is after so much of it: in which objects, behind which
+// key, in a string or between two. The text need not go on, and need not be right.
 #pragma once
 
 #include <map>

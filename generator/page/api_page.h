@@ -1,4 +1,4 @@
-// The page of MuJoCo's names: what each is that the course links to, and who speaks of it.
+// The page of MuJoCo's names: what each is that the course links to, and which lessons speak of it.
 // Tested by tests/site/references.mjs.
 #pragma once
 

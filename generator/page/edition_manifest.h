@@ -1,9 +1,9 @@
 // What lets a browser keep a site and read it without a network: two files at its root.
 //
 //   edition-HASH.json   the site as this build made it: of each file a hash and its size, and which
-//                       of them every reader needs first (its shape:
-//                       site/browser/worker/edition.ts)
-//   sw.js               the service worker, with the former's name in front; so it is another one
+//                       of them every reader needs first. Its shape is
+//                       site/browser/worker/edition.ts.
+//   sw.js               the service worker, with the former's name in front. So it is another one
 //                       whenever anything in the site is, and the browser sees a newer version
 #pragma once
 

@@ -2,7 +2,7 @@
 //
 // They are made of the vocabularies that the generator reads by (lesson/json/vocabulary.h), and
 // that of plots of Vega-Lite's, too (lesson/json/plot_grammar.h). A schema knows what one value may
-// be, and not what several say together, such as a slider's `min` below its `max`: so what a schema
+// be, and not what several say together, such as a slider's `min` below its `max`. So what a schema
 // refuses the generator refuses too, and the generator looks at more.
 #pragma once
 

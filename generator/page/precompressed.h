@@ -1,7 +1,7 @@
-// The files of a site as a server would send them: beside each whose format is not compressed
-// already, NAME.br and NAME.gz where these are smaller. nginx (`brotli_static`, `gzip_static`),
-// Caddy (`precompressed`) and others give those to browsers that take them, packed better than they
-// have time for themselves.
+// The files of a site as a server would send them. Beside each whose format is not compressed
+// already lie NAME.br and NAME.gz, where these are smaller. nginx (`brotli_static`, `gzip_static`),
+// Caddy (`precompressed`) and others give those to browsers that take them. They are packed better
+// than a server has time for.
 //
 // The same bytes give the same bytes: the heads of .gz say no time.
 #pragma once

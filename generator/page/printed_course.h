@@ -1,7 +1,7 @@
 // print.html: the whole course as one document, to be printed or kept as a PDF.
 //
 // Each lesson gives two pieces, made with its own page: its text, and what it asks the answers to.
-// They wait in the Spool, so the document takes no memory, however long; but a browser has to set
+// They wait in the Spool, so the document takes no memory, however long. But a browser has to set
 // it as a whole, so a course of which it would have more than `kMostPrinted` bytes has none.
 #pragma once
 

@@ -1,5 +1,5 @@
-// The report of one run, for the one who mends a course: a page that opens by itself, and the same
-// for tools.
+// The report of one run, for the author who mends a course: a page that opens by itself, and the
+// same for tools.
 //
 // Steps: verification.json has everything; index.html shows it, with the mistakes first; pictures/
 // has what is pinned, as it was and as it was drawn now. It is made of a failed run as well.

@@ -1,10 +1,10 @@
 // Enter writing here: a course and its results become a site.
 //
-// Steps: each lesson's page and its pictures; the home page; what was verified; the pages that
-// explain: the glossary, MuJoCo's names, models; the examples, to download; what other sites read,
-// and what leads on from former addresses; the assets that the site's build made (styles, fonts,
-// scripts); what a browser needs to keep all this. All of it goes into a SiteDirectory, which
-// replaces the old site at once.
+// Steps: each lesson's page and its pictures; the home page; what was verified. Then the pages that
+// explain: the glossary, MuJoCo's names, models. Then the examples, to download; what other sites
+// read; what leads on from former addresses; and the assets that the site's build made (styles,
+// fonts, scripts). Last, what a browser needs to keep all this. All of it goes into a
+// SiteDirectory, which replaces the old site at once.
 // Tested by tests/generator/cli/build_test.cpp.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A page's place in the web: what its head says to search engines and to those who show a link.
+// A page's place in the web: what its head says to search engines and to sites that show a link.
 //
 // Whole addresses come only from the course's `url`; without one, a page says what it is and not
 // where.

@@ -38,9 +38,9 @@ struct NamedFiles {
 };
 
 // Of the model in the file `name` beneath `course`, which need not compile. Foreign is what lies
-// outside of `models`, the first folder of its name, or of `course`, by its name or by a link, is
-// no file but a device or a pipe, is MJCF of many megabytes, is included twice, cannot be included,
-// or is what a browser would run.
+// outside of `models`, the first folder of its name, or of `course`, by its name or by a link.
+// Foreign too is what is no file but a device or a pipe, is MJCF of many megabytes, is included
+// twice, cannot be included, or is what a browser would run.
 NamedFiles look_at_model_files(const std::filesystem::path& course, const std::string& name);
 
 // The same of MJCF without a file of its own, which may name none.

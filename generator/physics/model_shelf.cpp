@@ -24,8 +24,8 @@ Model copy_of(const Model& model) {
   return Model(mj_copyModel(nullptr, model.get()), model.warnings());
 }
 
-// All that changes with the files; nothing where one was changed just now, for the kernel's clock
-// for files goes in ticks of up to 10 ms, and a change within the same tick would not show.
+// All that changes with the files; nothing where one was changed just now. The kernel's clock for
+// files goes in ticks of up to 10 ms, and a change within the same tick would not show.
 std::optional<std::string> status_of(const std::vector<std::string>& files) {
   constexpr auto tick = std::chrono::milliseconds(20);
   std::ostringstream text;

@@ -1,4 +1,4 @@
-// ModelShelf: each model is compiled once, and who asks again gets a copy.
+// ModelShelf: each model is compiled once, and a caller that asks again gets a copy.
 //
 // Compiling draws textures and fits inertias, some 40 ms for a model with a sky; a copy takes two.
 // A lab's rehearsal needs the same model a dozen times, fresh each time, as scripts may change one.

@@ -10,8 +10,8 @@
 namespace mjcourse {
 namespace {
 
-// Of 100. Pictures have two pixels for each of the page's, which hides what 75 costs, and that
-// colours are kept at half the resolution (use_sharp_yuv takes as long as all else); at 88 files
+// Of 100. Pictures have two pixels for each of the page's. That hides what 75 costs, and that
+// colours are kept at half the resolution (use_sharp_yuv takes as long as all else). At 88 files
 // are half as large again.
 constexpr float webp_quality = 75;
 constexpr unsigned kLongestSideRead = 4096;  // pixels, of a picture that is read

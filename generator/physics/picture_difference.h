@@ -1,8 +1,8 @@
 // How much two pictures differ to the eye.
 //
 // The same scene drawn on another kind of CPU is not the same to the bit. Measured with Mesa's own
-// switches on pictures of the course's models, drawn at 1280 x 800 and shrunken to 160 x 100, as
-// the greatest distance of a pixel in OKLab (in which black and white are 1 apart):
+// switches on pictures of the course's models, drawn at 1280 x 800 and shrunken to 160 x 100. The
+// number is the greatest distance of a pixel in OKLab, in which black and white are 1 apart:
 //
 //   legitimate   LP_NATIVE_VECTOR_WIDTH=128, GALLIUM_OVERRIDE_CPU_CAPS=avx      0.0000
 //                GALLIUM_OVERRIDE_CPU_CAPS=sse4.1, DRAW_USE_LLVM=0              0.0036
@@ -14,7 +14,7 @@
 //                a geom's red changed by 0.2                         8 to 3500 pixels
 //
 // So a pixel differs from twice the legitimate distance on, and pictures differ where more than
-// five pixels do: one that flips at an edge of the picture as drawn is a sixty-fourth of a pixel
+// five pixels do. One that flips at an edge of the picture as drawn is a sixty-fourth of a pixel
 // here. What stays unseen is what a reader would not see either: a gripper far away that turns by
 // one degree. Another rasterizer (GALLIUM_DRIVER=softpipe) smooths edges otherwise, with up to 140
 // pixels over 0.01, and counts as a difference.

@@ -1,10 +1,11 @@
 // Pictures of simulations, drawn by MuJoCo's own renderer without a screen.
 //
 // Renderer::create() makes an OpenGL context in memory (OSMesa, on the CPU) and render() draws with
-// it. A picture at 640 x 400 takes some 50 ms; what is uploaded for a model that is not large is
-// kept for the next picture of the same simulation, and for no other: another that looks alike,
-// drawn with what is kept, differs in some pixels by what was drawn before. Repeated on the same
-// kind of CPU, a picture is the same to the bit; across kinds of CPU compare with a tolerance.
+// it. A picture at 640 x 400 takes some 50 ms. What is uploaded for a model that is not large is
+// kept for the next picture of the same simulation, and for no other. Another simulation may look
+// alike, but drawn with what is kept it differs in some pixels by what was drawn before. Repeated
+// on the same kind of CPU, a picture is the same to the bit; across kinds of CPU compare with a
+// tolerance.
 #pragma once
 
 #include <array>

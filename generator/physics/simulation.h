@@ -38,7 +38,7 @@ class Simulation {
   // As many steps as come nearest to `seconds` of simulated time.
   void advance(double seconds);
 
-  // What went wrong, and what MuJoCo would have done about it: "" where who runs it knows better.
+  // What went wrong, and what MuJoCo would have done about it: "" where the caller knows better.
   struct Trouble {
     std::string what, cure;
   };

@@ -5,7 +5,7 @@
 
 namespace mjcourse {
 
-// `picture` at `width` x `height`, which are not larger than its own: each pixel is the mean of the
+// `picture` at `width` x `height`, which are not larger than its own. Each pixel is the mean of the
 // area that it stands for, so one that flips at an edge weighs no more than that part of the area.
 Picture shrink(const Picture& picture, int width, int height);
 

@@ -1,4 +1,4 @@
-// Reading files for whoever asks over the network: only what lies inside of a folder.
+// Reading files for clients that ask over the network: only what lies inside of a folder.
 // Tested by tests/generator/base/beneath_test.cpp.
 #pragma once
 

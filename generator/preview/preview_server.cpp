@@ -89,7 +89,8 @@ class ConnectionThreads : public httplib::TaskQueue {
   std::size_t running_ = 0;
 };
 
-// Ends all connections of this process at its port `port`: whoever waits for them waits no more.
+// Ends all connections of this process at its port `port`: a thread that waits for them waits no
+// more.
 void end_connections(int port) {
   std::error_code ignored;
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd", ignored)) {

@@ -1,6 +1,6 @@
 // PreviewServer: a Preview over HTTP, for browsers on this machine alone.
 //
-// It listens on 127.0.0.1 and answers nobody who asks for another host or comes from another
+// It listens on 127.0.0.1 and answers no request that asks for another host or comes from another
 // origin, so no page of the web can read a course, whatever name it gives to this machine.
 // Tested by tests/preview/slow-clients.mjs.
 #pragma once

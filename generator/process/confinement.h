@@ -20,8 +20,8 @@ namespace mjcourse {
 
 class Confinement {
  public:
-  // `sandbox` may be null, for a program that is trusted, and that nobody watches. Who
-  // may start others has a watcher too, who decides what Landlock leaves open. `seconds` is what
+  // `sandbox` may be null, for a program that is trusted, and that nobody watches. A program that
+  // may start others has a watcher too, which decides what Landlock leaves open. `seconds` is what
   // its wall clock allows.
   Confinement(const Sandbox* sandbox, bool watch, double seconds);
 

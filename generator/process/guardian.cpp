@@ -40,8 +40,8 @@ class Groups {
   std::size_t count_ = 0;
 };
 
-// In a group of its own, deaf to what ends the others, and with nothing of ours open: who waits for
-// the end of our output must not wait for the guardian's.
+// In a group of its own, deaf to what ends the others, and with nothing of ours open: a process
+// that waits for the end of our output must not wait for the guardian's.
 void stand_apart(int socket) {
   setsid();
   sigset_t all;

@@ -13,7 +13,7 @@ namespace mjcourse {
 
 class Guardian {
  public:
-  // Of this process; begun by the first who asks. A copy of us as we are then, so a program asks
+  // Of this process; begun by the first caller. A copy of us as we are then, so a program asks
   // before it has taken much memory and begun threads.
   static const Guardian& instance();
 

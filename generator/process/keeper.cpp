@@ -21,7 +21,7 @@ using std::chrono::milliseconds;
 using End = Outcome::End;
 
 // How often the files are counted that a program writes: as often as it may write them all, for
-// who may write much is mostly somebody who writes little.
+// a program that may write much mostly writes little.
 constexpr milliseconds kCountFiles{20};
 constexpr std::uint64_t kWritten = 8 << 20;  // bytes, in a millisecond
 // And what its processes hold together, which takes longer to find out.

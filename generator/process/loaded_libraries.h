@@ -1,4 +1,4 @@
-// The shared libraries that this process runs on: who is given another build of one may compute
+// The shared libraries that this process runs on: a process with another build of one may compute
 // something else.
 #pragma once
 

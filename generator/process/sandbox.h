@@ -19,8 +19,8 @@ struct Sandbox {
   std::vector<std::string> read;   // files and folders it may read and execute
   std::vector<std::string> write;  // files and folders it may change; must exist, and be ours
   // May it, as the unprivileged user that it becomes where we are root, read what its mode keeps
-  // from that user? It then does so in the system's folders too, so only who cannot do without is
-  // given it.
+  // from that user? It then does so in the system's folders too, so only a run that cannot do
+  // without is given it.
   bool reads_all = false;
   bool processes = false;  // may it start others, as a compiler does? Threads it always may
   // Of address space, of one process; and of memory, of all that it starts together.

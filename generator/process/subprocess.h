@@ -1,7 +1,7 @@
 // Run a program that may do anything: fail, hang, flood its output, leave children behind.
 //
-// The program reads an empty stdin (but see process/keeper.h), has a process group of its own, and
-// is killed with the whole group when its wall clock or its output runs over the limit; when it
+// The program reads an empty stdin (but see process/keeper.h), and has a process group of its own.
+// It is killed with the whole group when its wall clock or its output runs over the limit. When it
 // ends, what it left behind goes with it. It is killed as well when the work of this thread is
 // cancelled (base/cancellation.h). A sandbox says what else it may, and `record_opened` has the
 // files noted that it asks for (process/watcher.h tells how).

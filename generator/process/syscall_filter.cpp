@@ -25,7 +25,7 @@
 namespace mjcourse {
 namespace {
 
-// Denied to whoever is confined, without a word: they fail as for want of a privilege.
+// Denied to every confined program, without a word: they fail as for want of a privilege.
 const int kDenied[] = {
     // other processes
     SCMP_SYS(ptrace), SCMP_SYS(process_vm_readv), SCMP_SYS(process_vm_writev), SCMP_SYS(kcmp),
@@ -159,7 +159,7 @@ class Builder {
     add(no, SCMP_SYS(socket), argument(0, SCMP_CMP_EQ, AF_UNIX));
     add(told(), SCMP_SYS(socket), argument(0, SCMP_CMP_NE, AF_UNIX));
     if (kind_.processes) {
-      // Where Landlock does not see to it, a signal may reach whoever is of the same user.
+      // Where Landlock does not see to it, a signal may reach any process of the same user.
       deny(SCMP_SYS(kill));
       if (!kind_.scoped) decide_on_signals();
       // Without a watcher, the linker must be able to.
@@ -230,7 +230,7 @@ class Builder {
   }
 
   SyscallFilter program() const {
-    // A pipe takes more than the kernel's longest filter. Not all who ask may have a file in
+    // A pipe takes more than the kernel's longest filter. Not every caller may have a file in
     // memory.
     int ends[2];
     if (pipe2(ends, O_CLOEXEC) != 0) throw_errno("pipe");

@@ -1,9 +1,9 @@
 // The system calls that a program of somebody else's may make, as a seccomp filter.
 //
-// What it denies is what no program of a lesson needs and what reaches beyond it: other processes,
-// the network, mounts, namespaces, keys, kernel interfaces with a long record of holes, memory and
-// queues that outlive a process; and every call that is newer than the list, of which nobody knows
-// what it may reach. Calls that name a file are put to a watcher, where there is one.
+// It denies what no program of a lesson needs and what reaches beyond it: other processes, the
+// network, mounts, namespaces, keys, kernel interfaces with a long record of holes, memory and
+// queues that outlive a process. It also denies every call that is newer than the list, of which
+// nobody knows what it may reach. Calls that name a file are put to a watcher, where there is one.
 // Tested by tests/generator/process/confined_calls_test.cpp.
 #pragma once
 

@@ -138,7 +138,7 @@ Watcher::Reply Watcher::decide_on_clone(const seccomp_notif& question) {
   return {};
 }
 
-// A signal, or the scheduler's rule, for whoever has the number of the first argument.
+// A signal, or the scheduler's rule, for the process whose number is the first argument.
 Watcher::Reply Watcher::decide_on_thread(const seccomp_notif& question) {
   const auto target = static_cast<pid_t>(question.data.args[0]);
   if (target > 0 && shares_process(target, static_cast<pid_t>(question.pid))) return {};
@@ -175,8 +175,8 @@ Watcher::Reply Watcher::decide_on_path(const seccomp_notif& question, const Path
   const auto asker = static_cast<pid_t>(question.pid);
   const auto text = read_text(asker, question.data.args[call.path]);
   if (!text) {
-    // Who gives no text has the kernel's own answer to that; whose memory we may not read, may
-    // have named anything.
+    // A program that gives no text has the kernel's own answer to that; whose memory we may not
+    // read, may have named anything.
     if (text.error() != EFAULT) all_known_ = false;
     return {};
   }

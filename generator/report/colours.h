@@ -11,7 +11,7 @@ inline constexpr std::string_view kYellow = "\033[1;33m";
 inline constexpr std::string_view kGreen = "\033[1;32m";
 inline constexpr std::string_view kPlain = "\033[0m";
 
-// Does whoever reads `descriptor` want them? On a terminal, unless NO_COLOR says otherwise
+// Does the reader of `descriptor` want them? On a terminal, unless NO_COLOR says otherwise
 // (no-color.org), or TERM that it knows none.
 bool wants_colours(int descriptor);
 

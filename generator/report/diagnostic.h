@@ -37,7 +37,7 @@ struct Edit {
   std::optional<Span>
       span;          // the bytes to replace; nothing: the whole file, which may not be there
   std::string text;  // what comes there
-  std::string what;  // "the output of l1_2_second_box", for the one who is to agree
+  std::string what;  // "the output of l1_2_second_box", for the author, who is to agree
   std::optional<std::string> before = {};  // the file's bytes as they were read, where they were
 };
 

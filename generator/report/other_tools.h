@@ -8,7 +8,7 @@
 
 namespace mjcourse {
 
-// A file of a course as those find it who know where the course lies: "docs/" + "content/…".
+// A file of a course as a tool finds it that knows where the course lies: "docs/" + "content/…".
 std::string course_path(const std::string& folder, const std::string& file);
 
 // The message, then its details and what to do about it on lines of their own.

@@ -16,7 +16,7 @@ namespace mjcourse {
 // The diagnostic's text, ending in a newline.
 std::string format_for_terminal(const Diagnostic& diagnostic, const TerminalStyle& style = {});
 
-// All of them, each with an empty line behind it; and for eyes, who tells more.
+// All of them, each with an empty line behind it; and for eyes, which command tells more.
 std::string format_for_terminal(const Diagnostics& diagnostics, const TerminalStyle& style);
 
 }  // namespace mjcourse

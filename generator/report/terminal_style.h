@@ -1,4 +1,4 @@
-// How text is set for the one who reads it: what that terminal can show, and how wide it is.
+// How text is set for its reader: what that terminal can show, and how wide it is.
 #pragma once
 
 namespace mjcourse {
@@ -9,7 +9,7 @@ struct TerminalStyle {
   bool wraps = false;    // do longer sentences go on in a line of their own
 };
 
-// For whoever reads `descriptor`. A terminal says how wide it is, unless COLUMNS says otherwise; a
+// For the reader of `descriptor`. A terminal says how wide it is, unless COLUMNS says otherwise; a
 // pipe or a file gets long lines, for others than eyes.
 TerminalStyle style_for(int descriptor);
 

@@ -1,9 +1,9 @@
 // A script of the author's as a function that JavaScriptCore can call, and its errors in that text.
 //
-// Four kinds share one shape, a text inside a strict function whose wrapper takes whole lines, so
-// that columns stay as they are: a script; an expression; a script with an expression that sees its
-// variables; and an expression that is assigned to. The third is a generator function, which stops
-// between the two: time can pass there, and each half has a time limit of its own.
+// Four kinds share one shape: a script; an expression; a script with an expression that sees its
+// variables; and an expression that is assigned to. Each is a text inside a strict function whose
+// wrapper takes whole lines, so that columns stay as they are. The third is a generator function,
+// which stops between the two: time can pass there, and each half has a time limit of its own.
 // Tested by tests/generator/script/world_test.cpp.
 #pragma once
 

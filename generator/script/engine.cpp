@@ -122,7 +122,7 @@ tl::expected<JSValueRef, Engine::Thrown> Engine::call(JSObjectRef function,
   return outcome(result, exception);
 }
 
-// The limit holds for one call: whoever enters again sets it again.
+// The limit holds for one call: each further call sets it again.
 void Engine::arm() {
   expired_ = false;
   const auto expire = [](JSContextRef, void* data) {

@@ -1,9 +1,9 @@
 // ScriptGuard: a lab's script, made fit for the reader's page; and what a proof's script asks.
 //
-// In the page a script of the author's is code of the site's own, so what it may name is decided
-// here, by its text (site/press/script/guard/), and what the text cannot tell is asked by two
-// functions that are put around it (site/press/script/guards.ts). The generator runs that text as
-// well, so what the page would refuse, a build has refused before.
+// In the page a script of the author's is code of the site's own. So what it may name is decided
+// here, by its text (site/press/script/guard/). What the text cannot tell is asked by two functions
+// that are put around it (site/press/script/guards.ts). The generator runs that text as well, so
+// what the page would refuse, a build has refused before.
 #pragma once
 
 #include <optional>

@@ -23,7 +23,7 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kQuiet = 1;      // ms without an event end a change
 constexpr int kComeBack = 40;  // ms, where a file is gone
-constexpr int kAtMost = 300;   // ms: who writes all the time is not waited for
+constexpr int kAtMost = 300;   // ms: a program that writes all the time is not waited for
 constexpr int kLookForStop = 100;
 
 constexpr unsigned kEvents = IN_CLOSE_WRITE | IN_CREATE | IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO |

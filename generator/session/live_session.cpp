@@ -21,7 +21,7 @@ namespace {
 // What is worked out of a file sooner after it was saved is not kept (cache/fingerprints.h).
 constexpr std::chrono::milliseconds kFresh{15};
 
-// Who shows a guess has the processor for itself so long.
+// A session that shows a guess has the processor for itself so long.
 constexpr std::chrono::milliseconds kShowing{40};
 
 // What is found out last is soon followed by all there is to know.
@@ -165,7 +165,7 @@ SnapshotPtr LiveSession::guess(const SnapshotPtr& former) const {
     if (!made->evaluation) return nullptr;
     made->course = *std::move(course);
   } catch (const std::exception&) {
-    return nullptr;  // who looks tells why
+    return nullptr;  // the look tells why
   }
   made->readable = made->guessed = true;
   made->of_work = former->of_work;

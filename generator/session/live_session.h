@@ -6,8 +6,8 @@
 // save ends the work of the older one.
 //
 // To look which results were kept takes a moment, and more of it the larger the course is. Where
-// nothing but text was edited, who wants guesses gets one before that, with all former results;
-// where programs were edited, too, it takes the place of that look.
+// nothing but text was edited, a caller that wants guesses gets one before that, with all former
+// results; where programs were edited, too, it takes the place of that look.
 #pragma once
 
 #include <chrono>

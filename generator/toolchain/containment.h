@@ -2,8 +2,8 @@
 //
 // A program sees the course's models and a folder of its own, and writes into that folder and, for
 // its lesson, into the file of its records. The compiler sees the course's examples and its own
-// folder: whatever else a program includes is not there. Only where one of these lies in a folder
-// that is closed to others does who we run as root keep root's right to read.
+// folder: whatever else a program includes is not there. Where one of these lies in a folder that
+// is closed to others, and only there, a program that we run as root keeps root's right to read.
 #pragma once
 
 #include <filesystem>

@@ -12,10 +12,10 @@
 
 namespace mjcourse {
 
-// A command that does what `command`, clang's, does in `folder`, for who wants no message of a step
-// that fails: the driver has its own. `names` are the paths in it that the next such command may
-// have otherwise. `reads` is as for run_tool (toolchain.h). `command` itself where the driver does
-// not tell. Safe to call from several threads.
+// A command that does what `command`, clang's, does in `folder`, for a caller that wants no message
+// of a step that fails: the driver has its own. `names` are the paths in it that the next such
+// command may have otherwise. `reads` is as for run_tool (toolchain.h). `command` itself where the
+// driver does not tell. Safe to call from several threads.
 std::vector<std::string> without_driver(const std::vector<std::string>& command,
                                         const std::vector<std::string>& names,
                                         const std::filesystem::path& folder,

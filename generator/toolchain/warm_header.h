@@ -2,7 +2,7 @@
 //
 // A program that forgets an include must fail here as it does at its reader's. So a program gets a
 // compiled header only of headers that it includes itself, and only where nothing but comments and
-// the standard library's includes stand before them: then every name that the compiled header
+// the standard library's includes stand before them. Then every name that the compiled header
 // brings is one that the program may use, and none came earlier than a reader's compiler sees it.
 // Nobody need check afterwards what was used.
 //
@@ -11,7 +11,7 @@
 //
 // The roots of such a header are the course's own headers (include_folders.h) that the program
 // includes, which bring Eigen and MuJoCo with them; where it includes none, Eigen's. Of a header
-// that begins with another one of the course, the root is that one: a compiled header takes seconds
+// that begins with another one of the course, the root is that one. A compiled header takes seconds
 // to make and 100 MB to keep, and so one serves nearly all programs of a course.
 #pragma once
 

@@ -1,9 +1,9 @@
 // WarmObjects: what programs share, compiled once: the warm header (warm_header.h), and the
 // handlers that keep MuJoCo's errors from waiting on stdin.
 //
-// Making a header is an investment, so it is for a caller to decide (shared_headers.h): nobody who
-// compiles a program waits for one. They are of two kinds. A quick one takes little longer than to
-// compile one program, and a program that has it a fifth of what it took. A thorough one holds what
+// Making a header is an investment, so it is for a caller to decide (shared_headers.h): compiling a
+// program waits for none. They are of two kinds. A quick one takes little longer than to compile
+// one program, and a program that has it a fifth of what it took. A thorough one holds what
 // programs mostly do with Eigen (warm_eigen.hpp) as well, and comes with an object of all that is
 // inline in it, optimised. It takes ten times as long, and so is for many programs; these are then
 // compiled and run in half of the time that the quick one leaves.
@@ -50,7 +50,7 @@ class WarmObjects {
   // handlers.o of the helper header's handlers.cpp.
   Entry handlers();
 
-  // The entry was of no use: it is made anew by who asks next, in another process.
+  // The entry was of no use: it is made anew by the next caller, in another process.
   static void drop(const Entry& entry) { PreparedFolders::drop(*entry); }
 
  private:

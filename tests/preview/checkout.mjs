@@ -1,5 +1,5 @@
-// A checkout with sources of the site's to edit, for who edits them while a preview runs: the
-// repository's own stay as they are, also when a test is killed.
+// A checkout with sources of the site's, to be edited while a preview runs: the repository's
+// own stay as they are, also when a test is killed.
 
 import { cpSync, mkdirSync, mkdtempSync, rmSync, symlinkSync } from "node:fs";
 import { tmpdir } from "node:os";

@@ -53,7 +53,7 @@ function git(previewed, ...command) {
   execFileSync("git", [...identity, ...command], { cwd: previewed.course, stdio: "pipe" });
 }
 
-// Each leaves the course as it likes; what it does comes back as a text, for who reads a failure.
+// Each leaves the course as it likes; what it does comes back as a text, for the reader of a failure.
 const deeds = {
   write(previewed, file) {
     const text = previewed.read(file);

@@ -1,5 +1,5 @@
-// Whoever opens connections to a preview and leaves them, sends a byte a second, or reads no answer,
-// holds up nobody else; and Ctrl-C ends the preview all the same.
+// A client that opens connections to a preview and leaves them, sends a byte a second, or reads no
+// answer, holds up nobody else; and Ctrl-C ends the preview all the same.
 //
 //   node tests/preview/slow-clients.mjs MJCOURSE
 

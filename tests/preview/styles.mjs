@@ -1,4 +1,4 @@
-// Who works on the site itself sees its styles and templates as they are saved, without a reload.
+// A developer of the site itself sees its styles and templates as they are saved, without a reload.
 //
 //   node tests/preview/styles.mjs MJCOURSE COURSE SITE ASSETS
 

@@ -66,7 +66,7 @@ class Review {
     await this.open("1 due today");
   }
 
-  // The first card: who says that it is from where, and that its answer is proved; and a right answer
+  // The first card: it says where it is from, and that its answer is proved; and a right answer
   // leaves the lesson's own form as it was.
   async oneCard() {
     const id = await this.question.getAttribute("id");

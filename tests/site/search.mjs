@@ -62,7 +62,7 @@ async function opensAtSection(visitor, page, where) {
   visitor.expect(there === href.includes("#"), where, `${href} is not where its link leads`);
 }
 
-// Whoever knows the key does not wait for what it opens.
+// A reader who knows the key does not wait for what it opens.
 async function takesWhatIsTyped(visitor, page, where) {
   await page.route("**/search-*.js", async (route) => {
     await new Promise((resolve) => setTimeout(resolve, 300));

@@ -1,5 +1,5 @@
 // A course that moves keeps its results, and its site does not change: what is kept names no place on
-// this disk. Its old folder is gone then, so that whoever still asks for it finds nothing.
+// this disk. Its old folder is gone then, so that a program that still asks for it finds nothing.
 //
 //   node tests/store/moved.mjs MJCOURSE
 

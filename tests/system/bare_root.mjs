@@ -3,8 +3,8 @@
 //
 //   node tests/system/bare_root.mjs BUILD
 //
-// Packages come from where this machine has its own. Only who may mount and make devices can make such
-// a root; for others there is no such test.
+// Packages come from where this machine has its own. Only a user who may mount and make devices can
+// make such a root; for others there is no such test.
 
 import assert from "node:assert/strict";
 import { cpSync, mkdtempSync, readFileSync, rmSync } from "node:fs";

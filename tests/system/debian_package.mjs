@@ -17,7 +17,7 @@ export function run(command, ...words) {
   return said;
 }
 
-// Only who may mount and make devices can make a root.
+// Only a user who may mount and make devices can make a root.
 export function mayMakeRoot(folder) {
   const place = join(folder, "trial");
   mkdirSync(join(place, "proc"), { recursive: true });

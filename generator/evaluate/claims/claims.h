@@ -23,8 +23,8 @@ void make_claims(const Course& course, ClaimSources& sources,
 // The claims of a lesson that rested as a card and was woken.
 Claims claims_of_prose(const Lesson& lesson, const Evaluation& evaluation);
 
-// Fills in what make_claims left out, and keeps those lessons' blocks, for whoever looks at all
-// lessons at once.
+// Fills in what make_claims left out, and keeps those lessons' blocks, for a caller that looks at
+// all lessons at once.
 void claim_prose(Course& course, const Files& files, Evaluation& evaluation);
 
 }  // namespace mjcourse

@@ -32,7 +32,7 @@ std::string first_line(const std::string& code) {
   return as_title(code.substr(begin, code.find('\n', begin) - begin));
 }
 
-// Who printed an output.
+// What printed an output.
 std::string printer(const Block& block) {
   if (const auto* example = std::get_if<Example>(&block)) return example->name() + ".cpp";
   return std::holds_alternative<Commands>(block) ? "the commands above it" : "the snippet above it";

@@ -1,5 +1,5 @@
-// Reports: what the examples of the whole course told, for those who quote it by the example's
-// name.
+// Reports: what the examples of the whole course told, for the lessons that quote it by the
+// example's name.
 #pragma once
 
 #include <map>

@@ -1,8 +1,8 @@
 // Shown programs: what the fences of a course say of each file of examples/.
 //
-// What a fence shows is what its readers see, so that is what is compiled and run: the text of the
-// fence that shows the whole file, or else the file with the lines of its regions' fences in it.
-// Where the fences contradict each other, nobody can say what the file should hold.
+// What a fence shows is what its readers see, so that is what is compiled and run. It is the text
+// of the fence that shows the whole file; without one, the file with the lines of its regions'
+// fences in it. Where the fences contradict each other, nobody can say what the file should hold.
 #pragma once
 
 #include <map>

@@ -1,8 +1,8 @@
 // Examples: a lesson's programs, compiled and run as its reader would.
 //
-// Steps: the text is compiled with `#line`, so that the compiler's complaints name the lesson; the
-// program runs in an empty folder of its own, with no input, against the clock; its stdout is the
-// result, and what it reported to its lesson.
+// Steps: the text is compiled with `#line`, so that the compiler's complaints name the lesson. The
+// program runs in an empty folder of its own, with no input, against the clock. Its stdout is the
+// result, and so is what it reported to its lesson.
 #pragma once
 
 #include <optional>

@@ -74,7 +74,7 @@ Gathering models_of(const Outcome& outcome, const RunContext& run_context) {
   if (!DiskFiles(run_context.root()).is_folder("models")) return models;
   if (!outcome.opened) models.add_entries<fs::recursive_directory_iterator>(folder);
   for (const std::string& opened : outcome.opened.value_or(std::vector<std::string>())) {
-    // Who lists a folder wants what is in it.
+    // A program that lists a folder wants what is in it.
     if (models.add(opened) && fs::is_directory(opened)) {
       models.add_entries<fs::directory_iterator>(opened);
     }

@@ -23,8 +23,8 @@ Diagnostic difference(const Example& example, const std::vector<ProgramLine>& ou
                               "the fence and the region `" + example.region->text + "` of " +
                                   file.path() + " differ, first in line " + std::to_string(line),
                               "make them the same text, or leave the fence empty");
-  const auto note = [&](const char* who, const SourceText& source, Span span) {
-    found.notes.push_back({who, place_of(source, span)});
+  const auto note = [&](const char* what, const SourceText& source, Span span) {
+    found.notes.push_back({what, place_of(source, span)});
   };
   note("the lesson has", *lesson.source, example.code.span_at(line, 1, 1000));
   const int number = theirs != region.lines.end() ? theirs->number : region.lines.back().number + 1;

@@ -1,8 +1,8 @@
 // Snippets: the bodies of functions, all of a lesson's in one program.
 //
 // Steps: the program is made of one function for each, compiled with `#line` so that the compiler's
-// complaints name the lesson; then it is run once for each, from a fresh model and fresh data, so
-// none sees what another did and each has its output and its mistakes for itself.
+// complaints name the lesson. Then it is run once for each, from a fresh model and fresh data. So
+// none sees what another did, and each has its output and its mistakes for itself.
 #pragma once
 
 #include <map>

@@ -1,8 +1,7 @@
 // Pinned pictures: what is drawn, held against a small reference picture beside the lesson.
 //
-// The one who reviews a change of the course sees such a picture change with it, and a change that
-// nobody meant is an error. References are PNG, about 160 pixels wide; `mjcourse accept` writes
-// them.
+// A reviewer of a change of the course sees such a picture change with it, and a change that nobody
+// meant is an error. References are PNG, about 160 pixels wide; `mjcourse accept` writes them.
 #pragma once
 
 #include <optional>

@@ -1,9 +1,9 @@
 // Lesson: a Markdown file, understood.
 //
 // Enter at read_lesson (lesson/read_lesson.h). What always holds: every block stands in document
-// order, every block and link knows its place in the source, and a lesson that was read with
-// errors is still a lesson (what could not be understood is left out), so that later stages find
-// their mistakes in the same run.
+// order, and every block and link knows its place in the source. A lesson that was read with errors
+// is still a lesson: what could not be understood is left out. So later stages find their mistakes
+// in the same run.
 // Tested by tests/generator/lesson/read_lesson_test.cpp.
 #pragma once
 
@@ -70,9 +70,9 @@ struct Lesson {
   bool sound = true;                      // reading it found no mistake
   std::optional<std::size_t> index = {};  // in Course::lessons; nothing of a page beside them
 
-  // How much of it is there (lesson/resting_lesson.h): all; all but its trees, which are
-  // `document`, `block_of`, the nodes, and those of the front matter; or a card: where it is, its
-  // title, its headings, and these three.
+  // How much of it is there (lesson/resting_lesson.h): all of it; all but its trees, which are
+  // `document`, `block_of`, the nodes, and those of the front matter; or a card. A card is where
+  // the lesson is, its title, its headings, and these three.
   enum class Kept { all, blocks, card } kept = Kept::all;
   std::string hash;        // of a card: its bytes'
   std::size_t length = 0;  // of a card: how many these are

@@ -1,5 +1,5 @@
 // Reading a ```plot fence: whose table it shows and what is said of it. Its spec is Vega-Lite's
-// language; whether it is well said is found out by those who draw it.
+// language; whether it is well said is found out when it is drawn.
 #pragma once
 
 #include <optional>

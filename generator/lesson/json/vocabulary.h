@@ -1,11 +1,11 @@
 // The words of a fence's JSON: which keys an object has, what may stand behind each, and what it
 // means.
 //
-// Of each object there is one table. JsonObject reads by it: what must be there, what a number may
-// be and which keys there are, it has from nowhere else, and it minds, as a fault of ours, a key
-// that the table has not and one that nobody asked for. The schemas that a site brings along are
-// made of it (page/json_schema.h), and whatever an editor is told. So no two of these can say
-// different things.
+// Of each object there is one table. JsonObject reads by it. It takes from nowhere else what must
+// be there, what a number may be and which keys there are. A key that the table lacks, and one that
+// no reader asked for, are faults of ours. The schemas that a site brings along are made of it
+// (page/json_schema.h), and whatever an editor is told. So no two of these can say different
+// things.
 //
 // Enter at vocabulary_of("lab") (json_fences.h); the tables are in lab_vocabulary.h and its like.
 #pragma once

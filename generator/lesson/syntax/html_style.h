@@ -1,6 +1,6 @@
 // What the style attribute of raw HTML may say.
 //
-// The site moves styles into a sheet of its own (page/html/inline_styles.h), so one that closes a
+// The site moves styles into a sheet of its own (page/html/inline_styles.h). So one that closes a
 // brace would become a rule for all of the page, and one that is placed on the screen could cover
 // it.
 // Tested by tests/generator/lesson/blocks/read_html_test.cpp.

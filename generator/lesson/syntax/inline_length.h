@@ -1,6 +1,6 @@
 // How far what begins in a line reaches, by the rules of Markdown: a formula, a piece of code.
 //
-// For those who look at the source beside cmark's tree.
+// For code that looks at the source beside cmark's tree.
 // Tested by tests/generator/lesson/syntax/math_syntax_test.cpp.
 #pragma once
 

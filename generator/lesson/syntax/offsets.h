@@ -1,7 +1,7 @@
 // Offsets: where each byte of a text stood in the file that it was taken from.
 //
-// Bytes that stood side by side are one run, and so are those that all stand for one byte, as the
-// bytes of a folded value do; so a text takes a few words of memory however long it is.
+// Bytes that stood side by side are one run. So are those that all stand for one byte, as the bytes
+// of a folded value do. Thus a text takes a few words of memory however long it is.
 #pragma once
 
 #include <cstddef>

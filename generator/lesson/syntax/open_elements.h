@@ -1,6 +1,6 @@
 // The elements of raw HTML that are open at a place of a lesson, as its tree is walked.
 //
-// An element may hold Markdown, so its two tags are in different nodes of the tree; but it must end
+// An element may hold Markdown, so its two tags are in different nodes of the tree. But it must end
 // in the paragraph, the item or the quote that it began in, or browsers differ in what they show. A
 // browser itself ends the elements that need no end tag in HTML, such as `<li>`.
 // Tested by tests/generator/lesson/blocks/read_html_test.cpp.

@@ -37,8 +37,8 @@ json asked_data(const Lab& lab, const LessonContext& context) {
   return asked;
 }
 
-// A lab that takes more than this of the 2 GiB that all labs of a page share is loaded when its
-// reader presses Play, and not before: none is to be in the way of another unasked.
+// A lab that takes more than this of the 2 GiB that all labs of a page share is loaded only when
+// its reader presses Play. None is to be in the way of another unasked.
 constexpr std::uint64_t kMostUnasked = 64 << 20;
 
 // Where the page's script finds what makes a lab live; null where the site has no engine for it.

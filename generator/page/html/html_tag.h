@@ -1,7 +1,7 @@
 // HtmlTag: one tag that opens an element, attribute by attribute.
 //
-// Enter with with_tags(), for whoever changes attributes of HTML that is finished: it is read as
-// browsers read it, and what is not changed stays to the byte.
+// Enter with with_tags(), to change attributes of HTML that is finished: it is read as browsers
+// read it, and what is not changed stays to the byte.
 #pragma once
 
 #include <functional>

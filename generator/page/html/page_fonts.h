@@ -1,8 +1,8 @@
 // What fonts a page is set in, found in its HTML.
 //
 // A browser finds a font once it lays out the first text that is set in it. Then it asks for the
-// font, and when that has come, it lays out the whole page anew. Who knows ahead what a page needs
-// can ask at once, and the page is laid out once. Enter with page_fonts().
+// font, and when that has come, it lays out the whole page anew. A site that knows ahead what a
+// page needs can ask at once, and the page is laid out once. Enter with page_fonts().
 #pragma once
 
 #include <string_view>

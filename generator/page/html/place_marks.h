@@ -1,6 +1,6 @@
 // PlaceMarks: comments in a lesson's page that say of which lines it is made.
 //
-// For who shows a page while it is being written: `<!--lines 12-15-->` before each part of the
+// For the preview of a page while it is being written: `<!--lines 12-15-->` before each part of the
 // text, `<!--lines 12-15 running-->` where a result in it is a stand-in, and kEndOfPlaces behind
 // the last. A site has none of them.
 #pragma once

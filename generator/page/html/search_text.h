@@ -1,7 +1,7 @@
 // What the search finds of a lesson: its sections, as text with all markup gone.
 //
-// Enter at search_sections. Inline values are the numbers that the build computed; formulas set in
-// a line are as a reader sees them (formula_text.h), those that stand alone, the answers of
+// Enter at search_sections. Inline values are the numbers that the build computed. Formulas set in
+// a line are as a reader sees them (formula_text.h). Formulas that stand alone, the answers of
 // questions and what a demo becomes are left out. Code, with what it prints, is kept apart, since
 // it counts less than words.
 #pragma once

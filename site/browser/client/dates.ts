@@ -1,5 +1,5 @@
 // When a lesson was changed, as the reader writes dates. The day is the same for everybody: it is
-// that of who made the change.
+// that of the change's author.
 
 import { whenNear } from "./near.js";
 

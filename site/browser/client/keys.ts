@@ -1,5 +1,5 @@
 // The keys of every page. A single character acts only where nothing takes what is typed, where no
-// dialog is open, and where the reader has not switched single keys off; what a lab does with a key
+// dialog is open, and where the reader has not switched single keys off. What a lab does with a key
 // while it has the focus goes first, as its listener is nearer.
 
 import { openKeys, openSearch } from "./search/opener.js";

@@ -1,7 +1,7 @@
-// Makes a lab's picture live. Until then it is a picture with a Play button: the engine is large, so
-// it is loaded when the reader presses Play, or when the page is idle, the lab is near, and the reader
-// has moved at all: a page that was opened and left needs no running simulator. A large model waits
-// for Play, since all labs of a page share the engine's memory.
+// Makes a lab's picture live. Until then it is a picture with a Play button. The engine is large, so
+// it is loaded when the reader presses Play, or when the page is idle, the lab is near, and the
+// reader has moved at all. A page that was opened and left needs no running simulator. A large model
+// waits for Play, since all labs of a page share the engine's memory.
 //
 // Where it cannot be loaded the picture stays, and one line says why and what to do. What happens
 // once it is loaded is in lab/lab.ts, which this script knows only by its address.

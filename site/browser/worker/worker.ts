@@ -6,10 +6,10 @@
 // it has changed. All else is kept when it is first asked for. It takes over from an earlier worker
 // when the reader says so, or once no page of the site is open; the earlier edition is forgotten then.
 //
-// Editions never mix. Only files with the manifest's hash are kept. A page that comes otherwise is of a
-// newer deployment: it is handed on and not kept, and its files come from the network too, since
-// only what a kept page asks for is answered from the cache. A file of a kept page that comes
-// otherwise is refused. In both cases the browser is asked to look for the newer worker.
+// Editions never mix. Only files with the manifest's hash are kept. A page that comes otherwise is of
+// a newer deployment: it is handed on and not kept. Its files come from the network too, since only
+// what a kept page asks for is answered from the cache. A file of a kept page that comes otherwise is
+// refused. In both cases the browser is asked to look for the newer worker.
 
 import type { Answers, Keeping, Message } from "../client/offline/messages.js";
 import { cachesOf, Edition } from "./edition.js";

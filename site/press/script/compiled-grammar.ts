@@ -1,10 +1,10 @@
 /**
  * Grammars of highlight.js whose regular expressions JavaScriptCore compiles.
  *
- * Its compiler takes no group that is repeated a fixed number of times, or at least once; one such
- * group in a grammar, and all that is looked for at the same time is interpreted, which takes
- * several times as long. Comments have one in every language. So these are written out: what they
- * match is the same.
+ * Its compiler takes no group that is repeated a fixed number of times, or at least once. One such
+ * group in a grammar, and all that is looked for at the same time is interpreted, which takes several
+ * times as long. Comments have one in every language. So these are written out: what they match is
+ * the same.
  */
 import type { HLJSApi, Language, LanguageFn } from "highlight.js";
 

@@ -58,7 +58,7 @@ TEST_F(LastChanged, IsTheNewestCommitOfAFile) {
   commit("2026-04-05T01:00:00+0900");
   const LastChanges found = changes();
   ASSERT_EQ(found.size(), 2U);
-  // The day of who made it, and the moment for all.
+  // The day of its author, and the moment for all.
   EXPECT_EQ(found.at("content/1/a.md").day, "2026-04-05");
   EXPECT_EQ(found.at("content/1/a.md").time, "2026-04-04T16:00:00Z");
   EXPECT_EQ(found.at("content/1/\xC3\xBC.md").day, "2026-03-03");
@@ -142,7 +142,7 @@ TEST_F(LastChanged, SaysWhyItIsUnknown) {
             "fatal: not a git repository: '" + (folder_.path() / ".git").string() + "'");
 }
 
-// Where an archive, or who made the repository, put something else.
+// Where an archive, or the repository's maker, put something else.
 TEST_F(LastChanged, IsNotWaitedFor) {
   write("course/content/1/a.md", "a");
   commit("2026-03-03T12:00:00Z");

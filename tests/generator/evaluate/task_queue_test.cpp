@@ -69,7 +69,7 @@ TEST_F(TaskQueueTest, LetsOneThreadDrawAsLongAsThereIsAnythingElse) {
   queue.finish(1);
   EXPECT_EQ(queue.next(0), 3);  // the other one draws
   EXPECT_EQ(queue.next(1), 2);
-  EXPECT_EQ(queue.next(0), 0);  // who has nothing else to do draws as well
+  EXPECT_EQ(queue.next(0), 0);  // a thread with nothing else to do draws as well
   EXPECT_EQ(queue.next(0), std::nullopt);
 }
 

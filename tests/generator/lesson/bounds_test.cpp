@@ -1,4 +1,4 @@
-// What a lesson may have no more of: who reads it says so, and ends soon whatever it is given.
+// What a lesson may have no more of: reading says so, and ends soon whatever it is given.
 #include <gtest/gtest.h>
 
 #include "reading_of.h"

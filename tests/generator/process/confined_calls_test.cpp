@@ -100,8 +100,8 @@ TEST_F(ConfinedCallsTest, LetsAProgramScheduleItsThreads) {
             0);
 }
 
-// The kernel sends whom a descriptor belongs to a signal, and which, is said by whoever has it. Of
-// the number of such a request, it takes half of what is given.
+// The process that has a descriptor says to which process the kernel sends a signal of it, and
+// which. Of the number of such a request, it takes half of what is given.
 TEST_F(ConfinedCallsTest, LetsNobodyGiveDescriptorsToOthers) {
   for (const Who who : kAll) {
     for (const int request : {F_SETOWN, F_SETSIG, F_SETOWN_EX}) {
@@ -169,7 +169,7 @@ TEST_F(ConfinedCallsTest, KeepsModesAndTimesOfForeignFiles) {
   EXPECT_EQ(fs::last_write_time(foreign_), before);
 }
 
-// As a linker does, `touch`, and whoever unpacks an archive.
+// As a linker does, `touch`, and a program that unpacks an archive.
 TEST_F(ConfinedCallsTest, LetsProgramsChangeModesAndTimesOfTheirOwnFiles) {
   if (!sandbox_level().watch) GTEST_SKIP() << "nobody can be asked whose file it is";
   for (const Who who : {Who::program, Who::commands}) {

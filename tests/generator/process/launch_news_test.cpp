@@ -54,7 +54,7 @@ TEST_F(LaunchNewsTest, BringADescriptorOfTheSameFile) {
   EXPECT_EQ(fcntl(news.listener.get(), F_GETFD), FD_CLOEXEC);
 }
 
-// A signal for a listener that has gone would end who tells.
+// A signal for a listener that has gone would end the process that tells.
 TEST_F(LaunchNewsTest, ThatNobodyReadsAreLost) {
   ours_ = Descriptor();
   tell_id(child_.get(), 42);

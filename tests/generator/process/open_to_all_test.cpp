@@ -44,7 +44,7 @@ TEST_F(OpenToAll, IsNothingBelowAClosedFolder) {
   EXPECT_FALSE(read("course"));
 }
 
-// Who may go through a folder need not be able to list it.
+// A user who may go through a folder need not be able to list it.
 TEST_F(OpenToAll, IsReachedThroughAFolderThatCannotBeListed) {
   mode("course", 0711);
   EXPECT_TRUE(read("course/models/a.xml"));

@@ -27,7 +27,7 @@ TEST(Terminal, ShowsTheLineTheCaretAndTheCure) {
             "  cure: did you mean `data.qpos`?\n");
 }
 
-// A file may be called anything, and whoever fills in a message may forget that.
+// A file may be called anything, and the code that fills in a message may forget that.
 TEST(Terminal, SaysNothingThatATerminalObeys) {
   const std::string red = "\033[31m";
   const Diagnostic hostile{"E-x",

@@ -233,7 +233,7 @@ TEST_F(CompilerTest, SeesThatAHeaderChanged) {
   write_kit("inline int twice(int x) { return 2 * x; }\n");
   EXPECT_TRUE(compile(kTwice).header);
   EXPECT_EQ(exit_code_, 14);
-  EXPECT_EQ(headers().size(), 2U);  // who undoes an edit has the first one again
+  EXPECT_EQ(headers().size(), 2U);  // undoing an edit brings the first one again
   write_file(include() / "mjcourse/handlers.cpp", "extern int handled;\nint handled = 8;\n");
   compile(kTwice);
   EXPECT_EQ(exit_code_, 16);

@@ -2,8 +2,8 @@
 // lesson is done.
 //
 // It is done once its end was reached and all its questions were answered rightly, or when the
-// reader says so. Who says that it is not is believed, until something of it is answered or reached
-// anew.
+// reader says so. A reader who says that it is not is believed, until something of it is answered or
+// reached anew.
 
 import { keys, remember } from "../storage.js";
 import { recallReading, rememberReading, type Reading } from "./readings.js";

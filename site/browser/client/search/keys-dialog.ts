@@ -1,4 +1,5 @@
-// The list of keys, and whether single ones act: who speaks to their computer may not want them.
+// The list of keys, and whether single ones act: readers who speak to their computer may not want
+// them.
 
 import { make } from "../element.js";
 import { setSingleKeys, singleKeys } from "../single-keys.js";

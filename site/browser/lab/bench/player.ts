@@ -1,7 +1,7 @@
 /**
- * Plays a run in the page. It works in frames that are asked for only when something changed, so a lab
- * at rest costs nothing; and it stands still while nobody can see it, to go on when it is seen again
- * if the reader had it playing.
+ * Plays a run in the page. It works in frames that are asked for only when something changed, so a
+ * lab at rest costs nothing. It stands still while nobody can see it, and goes on when it is seen
+ * again if the reader had it playing.
  */
 import { askFrame } from "../page/frames.js";
 import { Presence } from "../page/presence.js";

@@ -126,8 +126,10 @@ export class Run {
     return { simulation, scene: this.visualization.ghost!, time, trouble };
   }
 
-  /** The present value of each control. A slider shows what it is bound to, whoever wrote there;
-   * null for a button, a select without a choice, a slider that cannot be read. */
+  /**
+   * The present value of each control. A slider shows what it is bound to, whatever wrote there; null
+   * for a button, a select without a choice, a slider that cannot be read.
+   */
   get settings(): readonly ControlValue[] {
     return this.lab.controls.map((control, i) => {
       if (control.type === "slider") return this.#number(control.read) ?? null;

@@ -1,7 +1,7 @@
 /**
  * One simulation on its way, which knows how it came to where it is. mj_step leaves in mjData what
- * belongs to the state before the step (positions in space, sensors, contacts), so a place is not
- * found again by its state alone: we keep the state before the last thing that was done, and do that
+ * belongs to the state before the step: positions in space, sensors, contacts. So a place is not
+ * found again by its state alone. We keep the state before the last thing that was done, and do that
  * thing once more. Then all of mjData has the same bits as the first time.
  */
 import type { Simulation } from "../../engine/simulation.js";

@@ -1,7 +1,8 @@
 /**
  * All that stands on the stage in one frame. Each geom is drawn with others of its kind, in the order
- * of MuJoCo's renderer: first the mirror, over its own mirror image; what is solid; the sky; what
- * light shines through, one by one, from the nearest to the farthest and back again; last the ghost.
+ * of MuJoCo's renderer. First comes the mirror, over its own mirror image; then what is solid; then
+ * the sky. What light shines through follows one by one, from the nearest to the farthest and back
+ * again. Last comes the ghost.
  */
 import { type Material, Matrix4, type Mesh, Scene } from "three";
 
@@ -37,7 +38,7 @@ interface Clear {
   readonly distance: number;
 }
 
-/** Those who are drawn alone: all there are of a kind and way, and how many are on stage. */
+/** Those that are drawn alone: all there are of a kind and way, and how many are on stage. */
 interface Soloists {
   readonly all: Instances[];
   used: number;

@@ -1,4 +1,4 @@
-/** What the shaders know of who looks, and through which mirror. */
+/** What the shaders know of the camera, and through which mirror. */
 import { type Matrix4, Vector3, Vector4 } from "three";
 
 import type { Eye } from "./eye.js";

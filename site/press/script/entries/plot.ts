@@ -19,8 +19,10 @@ import { besideSpec, findUnknown } from "../plot/vocabulary.js";
 type Answer = Partial<Drawings> & { readonly faults?: readonly Fault[] };
 let answer: Answer | undefined;
 
-/** `json` is the plot as its author wrote it; `table` is "" where it is not known, so that the words
- * alone can be looked at, or the JSON of a list of pairs: a column's name and its numbers. */
+/**
+ * `json` is the plot as its author wrote it. `table` is "" where it is not known, so that the words
+ * alone can be looked at. Else it is the JSON of a list of pairs: a column's name and its numbers.
+ */
 function draw(json: string, table: string, id: string): string {
   answer = undefined;
   const spec = specOf(json);

@@ -1,7 +1,8 @@
 /**
- * A lab's script, made fit for the reader's page. There it is a part of the site's own code, so nothing
- * of the page is out of its reach by itself: what it may name and write is decided here, by its text,
- * before it is run anywhere. Enter with guarded(). What the text cannot tell, the guards do (guards.ts).
+ * A lab's script, made fit for the reader's page. There it is a part of the site's own code, so
+ * nothing of the page is out of its reach by itself. What it may name and write is decided here, by
+ * its text, before it is run anywhere. Enter with guarded(). What the text cannot tell, the guards do
+ * (guards.ts).
  */
 import * as guards from "../guards.js";
 import { suggest } from "../suggest.js";

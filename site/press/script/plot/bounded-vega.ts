@@ -117,7 +117,8 @@ scale.transform = function (parameters, pulse) {
   return scaleOf.call(this, parameters, pulse);
 };
 
-// How many ticks an axis or a legend gets, who asks for a number of them or for one each so many days.
+// How many ticks an axis or a legend gets that asks for a number of them or for one each so many
+// days.
 for (const guide of ["axisticks", "legendentries"]) {
   const prototype = prototypeOf(guide);
   const original = prototype.transform;

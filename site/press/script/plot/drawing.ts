@@ -47,9 +47,11 @@ textMetrics.width = ({ fontSize = 11, fontWeight }, text) =>
 /** Chance is the same in each drawing, whatever was drawn before. */
 const seed = 1;
 
-/** Does Vega complain of what no author said? No plot has tooltips but those that Vega-Lite gives to error
- * bars and bands; what is fitted here is not fitted where the author has a step for each value; and a
- * boxplot without outliers has no extent of them. */
+/**
+ * Does Vega complain of what no author said? No plot has tooltips but those that Vega-Lite gives to
+ * error bars and bands. What is fitted here is not fitted where the author has a step for each value.
+ * A boxplot without outliers has no extent of them.
+ */
 function isOurs(message: string, spec: JsonObject, compiled: Spec): boolean {
   if (message.startsWith("Channel tooltip ")) return true;
   if (message.startsWith('Dropping "fit')) return spec["autosize"] === undefined;

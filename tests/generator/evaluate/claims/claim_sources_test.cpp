@@ -8,7 +8,7 @@
 namespace mjcourse {
 namespace {
 
-// A course whose model `cart` includes a file and has a mesh; each look is by who looks anew.
+// A course whose model `cart` includes a file and has a mesh; each look is a new one.
 class ClaimSourcesTest : public testing::Test {
  protected:
   ClaimSourcesTest() {
