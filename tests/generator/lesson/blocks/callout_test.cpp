@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "lesson/guide_table.h"
 #include "reading_of.h"
 
 namespace mjcourse {
@@ -27,6 +30,12 @@ TEST(Callout, KnowsEveryKind) {
     EXPECT_EQ(reading.only<Callout>().kind, kind);
     EXPECT_EQ(title_of(reading.only<Callout>()), "none");
   }
+}
+
+TEST(Callout, HasItsKindsInTheGuidesTable) {
+  std::vector<std::string> kinds = callout_kinds();
+  std::sort(kinds.begin(), kinds.end());
+  EXPECT_EQ(names_of(guide_table("A.2-text.md", "| kind | for | looks |")), kinds);
 }
 
 TEST(Callout, StartsFoldedWhenToldOrWhenItIsASolution) {

@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
+#include "lesson/guide_table.h"
 #include "lesson/json/json_fences.h"
 #include "reading_of.h"
 
@@ -139,6 +141,63 @@ TEST(Vocabulary, SaysOfEachKeyWhatItMeans) {
     });
   }
   EXPECT_GT(keys, 100);
+}
+
+std::vector<std::string> sorted_keys(const Vocabulary& vocabulary) {
+  std::vector<std::string> names;
+  for (const Key& key : vocabulary.keys) names.emplace_back(key.name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+const Vocabulary& within(const Vocabulary& vocabulary, std::string_view key) {
+  return *vocabulary.find(key)->of;
+}
+
+// What a table of the guide says of keys: which there are, and which must be there.
+void expect_keys(const std::vector<GuideRow>& rows, const Vocabulary& vocabulary) {
+  EXPECT_EQ(names_of(rows), sorted_keys(vocabulary));
+  for (const GuideRow& row : rows) {
+    for (const std::string& name : row.names) {
+      const Key* key = vocabulary.find(name);
+      const bool required = row.words.ends_with("; required |");
+      EXPECT_EQ(required, key != nullptr && key->need != Need::none) << name;
+    }
+  }
+}
+
+TEST(Vocabulary, HasItsKeysInTheGuidesTables) {
+  constexpr const char* kHead = "| key | value |";
+  constexpr const char* kFigures = "A.7-figures-and-plots.md";
+  expect_keys(guide_table("A.5-labs.md", kHead), *vocabulary_of("lab"));
+  expect_keys(guide_table(kFigures, kHead), *vocabulary_of("figure"));
+  std::vector<GuideRow> plot = guide_table(kFigures, kHead, "## A plot");
+  EXPECT_TRUE(plot.back().names.empty()) << "Vega-Lite's keys";
+  plot.pop_back();
+  expect_keys(plot, *vocabulary_of("plot"));
+}
+
+TEST(Vocabulary, OfAProofStandsInTheGuidesTables) {
+  std::vector<GuideRow> rows = guide_table("A.6-questions.md", "| first, one of | the build |");
+  for (GuideRow& row : guide_table("A.6-questions.md", "| then | means |")) rows.push_back(row);
+  for (const Variant& kind : within(*vocabulary_of("quiz"), "questions").variants) {
+    EXPECT_EQ(names_of(rows), sorted_keys(within(*kind.vocabulary, "verify"))) << kind.word;
+  }
+}
+
+TEST(Vocabulary, OfAControlStandsInTheGuidesTable) {
+  const std::vector<GuideRow> rows = guide_table("A.5-labs.md", "| type | keys besides `label` |");
+  const Vocabulary& controls = within(*vocabulary_of("lab"), "controls");
+  EXPECT_EQ(rows.size(), controls.variants.size());
+  for (const GuideRow& row : rows) {
+    const Vocabulary* control = controls.variant(row.names.at(0));
+    ASSERT_NE(control, nullptr) << row.names[0];
+    const std::vector<std::string> said = code_in(row.words);
+    for (const Key& key : control->keys.subspan(2)) {  // behind `type` and `label`
+      EXPECT_NE(std::count(said.begin(), said.end(), key.name), 0)
+          << key.name << " of " << row.names[0];
+    }
+  }
 }
 
 TEST(Vocabulary, OfVariantsIsChosenByTheFirstKey) {
