@@ -18,7 +18,7 @@
 
 namespace mjcourse {
 
-class LessonShelf;
+class LessonCache;
 
 // Where a course begins.
 inline constexpr const char* kCoursePath = "content/course.yaml";
@@ -57,11 +57,11 @@ inline constexpr std::size_t kMostAwake = 500;
 
 // Read content/course.yaml and every lesson in it, on so many threads, and check the links between
 // them; behind the first `awake` lessons, the others are put to rest (lesson/resting_lesson.h).
-// Lessons that are on the `shelf` are taken from it instead.
+// Lessons that are in `cache` are taken from it instead.
 // Mistakes go to `diagnostics`; nothing is returned only when there is no readable course.yaml.
 std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics,
                                   std::size_t threads = core_count(),
-                                  std::size_t awake = kMostAwake, LessonShelf* shelf = nullptr);
+                                  std::size_t awake = kMostAwake, LessonCache* cache = nullptr);
 
 // What Course::models has, sorted.
 std::vector<std::string> model_names(const Files& files);

@@ -5,7 +5,7 @@
 #include "course/course.h"
 #include "course/former_page.h"
 #include "course/language.h"
-#include "course/lesson_shelf.h"
+#include "course/lesson_cache.h"
 #include "course/link_target.h"
 #include "course/missing_lesson.h"
 #include "course/prerequisites.h"
@@ -99,7 +99,7 @@ std::vector<Listed> read_levels(const std::vector<YAML::Node>& nodes, const Loca
 }
 
 // On one of several threads.
-void read_listed(const Files& files, const Typography& typography, LessonShelf* shelf,
+void read_listed(const Files& files, const Typography& typography, LessonCache* cache,
                  Listed& listed, bool stays_awake) {
   if (!files.exists(listed.path)) return;
   tl::expected<std::string, std::string> bytes = files.read(listed.path);
@@ -107,7 +107,7 @@ void read_listed(const Files& files, const Typography& typography, LessonShelf* 
     listed.refusal = files.refusal(listed.path);
     return;
   }
-  if (shelf != nullptr) listed.lesson = shelf->take(listed.path, *bytes, typography);
+  if (cache != nullptr) listed.lesson = cache->take(listed.path, *bytes, typography);
   if (listed.lesson) return;
   listed.lesson = read_lesson(listed.path, *std::move(bytes), listed.diagnostics, typography);
   if (!listed.lesson || stays_awake) return;
@@ -250,7 +250,7 @@ std::vector<const Lesson*> Course::pages() const {
 }
 
 std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, std::size_t threads,
-                                  std::size_t awake, LessonShelf* shelf) {
+                                  std::size_t awake, LessonCache* cache) {
   const tl::expected<std::string, std::string> bytes = files.read(kCoursePath);
   if (!bytes && files.refusal(kCoursePath)) {
     report_refused(kCoursePath, files, diagnostics);
@@ -290,7 +290,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
   std::vector<Listed> listed = read_levels(map.required_items("levels"), text, reading, course);
   map.finish();
   for_each_index(listed.size(), threads, [&](std::size_t index, std::size_t) {
-    read_listed(files, course.typography, shelf, listed[index], index < awake);
+    read_listed(files, course.typography, cache, listed[index], index < awake);
   });
   course.lessons.reserve(listed.size());
   for (Listed& one : listed) add_listed(files, one, reading, course, diagnostics);

@@ -63,8 +63,8 @@ std::vector<std::string> ModelNames::objects(const std::string& model,
                                              const std::string& function) {
   const auto lookup = lookups().find(function);
   if (model.empty() || lookup == lookups().end()) return {};
-  const auto loaded =
-      model.starts_with('<') ? shelf_.text(model) : shelf_.file(root_, "models/" + model + ".xml");
+  const auto loaded = model.starts_with('<') ? models_.text(model)
+                                             : models_.file(root_, "models/" + model + ".xml");
   return loaded ? loaded->names(lookup->second) : std::vector<std::string>{};
 }
 

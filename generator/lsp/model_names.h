@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "physics/model_shelf.h"
+#include "physics/model_cache.h"
 
 namespace mjcourse {
 
@@ -23,7 +23,7 @@ class ModelNames {
 
  private:
   std::filesystem::path root_;
-  ModelShelf shelf_;
+  ModelCache models_;
   std::vector<std::string> fields_;  // "data.qpos", "model.opt.timestep"
 };
 

@@ -108,8 +108,8 @@ void LiveSession::wake(bool& why) {
 
 // Each has a course of its own: a page may just be made of the one before.
 std::shared_ptr<Snapshot> LiveSession::begin() const {
-  return {new Snapshot, [shelf = shelf_](Snapshot* old) {
-            shelf->give_back(old->course);
+  return {new Snapshot, [cache = lesson_cache_](Snapshot* old) {
+            cache->give_back(old->course);
             delete old;
           }};
 }
@@ -120,7 +120,7 @@ SnapshotPtr LiveSession::snapshot(const SnapshotPtr& former, bool whole, Progres
   try {
     Diagnostics reading;
     if (auto course =
-            read_course(*lessons_, reading, workplace_.threads, kMostAwake, shelf_.get())) {
+            read_course(*lessons_, reading, workplace_.threads, kMostAwake, lesson_cache_.get())) {
       made->readable = true;
       made->course = *std::move(course);
       Workplace workplace = workplace_;
@@ -140,7 +140,7 @@ SnapshotPtr LiveSession::snapshot(const SnapshotPtr& former, bool whole, Progres
     made->diagnostics = std::move(reading);
   } catch (const std::exception& error) {
     // What is known of a course must be of all its lessons, so nothing is known of none.
-    shelf_->give_back(made->course);
+    lesson_cache_->give_back(made->course);
     *made = Snapshot();
     made->of_work.push_back(error_at({}, "E-preview", error.what()));
   }
@@ -158,8 +158,8 @@ SnapshotPtr LiveSession::guess(const SnapshotPtr& former) const {
   if (!wants_guesses_ || !former) return nullptr;
   const std::shared_ptr<Snapshot> made = begin();
   try {
-    auto course =
-        read_course(*lessons_, made->diagnostics, workplace_.threads, kMostAwake, shelf_.get());
+    auto course = read_course(*lessons_, made->diagnostics, workplace_.threads, kMostAwake,
+                              lesson_cache_.get());
     if (!course) return nullptr;
     made->evaluation = former_evaluation(*former, *course);
     if (!made->evaluation) return nullptr;

@@ -17,7 +17,7 @@
 #include <mutex>
 #include <thread>
 
-#include "course/lesson_shelf.h"
+#include "course/lesson_cache.h"
 #include "evaluate/progress.h"
 #include "session/snapshot.h"
 
@@ -59,7 +59,7 @@ class LiveSession {
 
   Workplace workplace_;
   std::shared_ptr<const Files> lessons_;
-  std::shared_ptr<LessonShelf> shelf_ = std::make_shared<LessonShelf>();
+  std::shared_ptr<LessonCache> lesson_cache_ = std::make_shared<LessonCache>();
   std::function<void(SnapshotPtr)> tell_;
   bool wants_guesses_;
   std::mutex mutex_;

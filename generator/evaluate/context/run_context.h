@@ -12,7 +12,7 @@
 #include "course/course.h"
 #include "evaluate/context/reports.h"
 #include "evaluate/context/shown_program.h"
-#include "physics/model_shelf.h"
+#include "physics/model_cache.h"
 #include "script/script_bundles.h"
 #include "toolchain/compiler.h"
 
@@ -42,7 +42,7 @@ class RunContext {
   std::optional<Diagnostic> why_nothing_runs() const;
 
   // Shared by all threads.
-  ModelShelf& models() const { return models_; }
+  ModelCache& models() const { return models_; }
 
   // The bundle script/NAME.js; throws std::runtime_error when the assets were not built.
   const std::string& script(const std::string& name) const;
@@ -62,7 +62,7 @@ class RunContext {
   bool without_landlock_;
   ShownPrograms shown_;
   Reports reports_;
-  mutable ModelShelf models_;
+  mutable ModelCache models_;
   mutable std::mutex mutex_;  // of what is made when first asked for
   mutable std::optional<std::optional<Compiler>> compiler_;
 };

@@ -13,7 +13,7 @@ export interface Dialogs {
   openKeys(): void;
 }
 
-interface Shelf {
+interface SearchScripts {
   /** All three below the site's root. */
   readonly code: string;
   readonly styles: string;
@@ -24,7 +24,7 @@ interface Shelf {
 
 declare global {
   interface Window {
-    mjcourse?: Shelf;
+    mjcourse?: SearchScripts;
   }
 }
 

@@ -1,4 +1,4 @@
-#include "course/lesson_shelf.h"
+#include "course/lesson_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -12,40 +12,40 @@ namespace {
 
 constexpr const char* kX = "content/1-a/1.1-x.md";
 
-// Two lessons, read with what is on the shelf.
+// Two lessons, read with what is in the cache.
 struct Reader {
   std::map<std::string, std::string> files{{"content/course.yaml", kTwo},
                                            {kX, lesson("## One\n\nText, and $x$.\n")},
                                            {"content/1-a/1.2-y.md", lesson("[Back](1.1#one).\n")}};
-  LessonShelf shelf;
+  LessonCache cache;
   Diagnostics diagnostics;
 
   Course read() {
     diagnostics.clear();
-    return read_course(MemoryFiles(files), diagnostics, 2, kMostAwake, &shelf).value();
+    return read_course(MemoryFiles(files), diagnostics, 2, kMostAwake, &cache).value();
   }
   void read_and_give_back() {
     Course course = read();
-    shelf.give_back(course);
+    cache.give_back(course);
   }
 };
 
-TEST(LessonShelf, GivesALessonOfTheSameTextOnce) {
+TEST(LessonCache, GivesALessonOfTheSameTextOnce) {
   Reader reader;
   reader.read_and_give_back();
-  EXPECT_FALSE(reader.shelf.take(kX, "another text"));
-  const std::optional<Lesson> taken = reader.shelf.take(kX, reader.files.at(kX));
+  EXPECT_FALSE(reader.cache.take(kX, "another text"));
+  const std::optional<Lesson> taken = reader.cache.take(kX, reader.files.at(kX));
   ASSERT_TRUE(taken);
   EXPECT_EQ(taken->number, "1.1");
   EXPECT_EQ(taken->headings.size(), 1u);
-  EXPECT_FALSE(reader.shelf.take(kX, reader.files.at(kX)));
+  EXPECT_FALSE(reader.cache.take(kX, reader.files.at(kX)));
 }
 
-TEST(LessonShelf, MakesTheSameCourse) {
+TEST(LessonCache, MakesTheSameCourse) {
   Reader reader;
   Course first = reader.read();
   const cmark_node* document = first.lessons[1].document.get();
-  reader.shelf.give_back(first);
+  reader.cache.give_back(first);
   reader.files[kX] = lesson("## Two\n\nAnother text.\n");
   const Course second = reader.read();
   EXPECT_EQ(second.lessons[1].document.get(), document) << "it was read again";
@@ -55,17 +55,17 @@ TEST(LessonShelf, MakesTheSameCourse) {
   EXPECT_EQ(reader.diagnostics[0].id, "E-link-anchor");
 }
 
-TEST(LessonShelf, HasNoLessonWithAMistake) {
+TEST(LessonCache, HasNoLessonWithAMistake) {
   Reader reader;
   reader.files[kX] = lesson("```nonsense\n```\n");
   reader.read_and_give_back();
   ASSERT_EQ(reader.diagnostics.size(), 2u);
   reader.read_and_give_back();
   EXPECT_EQ(reader.diagnostics.size(), 2u) << "the mistake was forgotten";
-  EXPECT_FALSE(reader.shelf.take(kX, reader.files.at(kX)));
+  EXPECT_FALSE(reader.cache.take(kX, reader.files.at(kX)));
 }
 
-TEST(LessonShelf, HasNoLessonWithTheQuotesOfAnotherLanguage) {
+TEST(LessonCache, HasNoLessonWithTheQuotesOfAnotherLanguage) {
   Reader reader;
   reader.files[kX] = lesson("## \"One\"\n");
   reader.read_and_give_back();
@@ -73,13 +73,13 @@ TEST(LessonShelf, HasNoLessonWithTheQuotesOfAnotherLanguage) {
   EXPECT_EQ(plain_text(reader.read().lessons[0].document.get()), "„One“");
 }
 
-TEST(LessonShelf, HasNoLessonAtRest) {
+TEST(LessonCache, HasNoLessonAtRest) {
   Reader reader;
   Course course =
-      read_course(MemoryFiles(reader.files), reader.diagnostics, 2, 1, &reader.shelf).value();
-  reader.shelf.give_back(course);
-  EXPECT_TRUE(reader.shelf.take(kX, reader.files.at(kX)));
-  EXPECT_FALSE(reader.shelf.take("content/1-a/1.2-y.md", reader.files.at("content/1-a/1.2-y.md")));
+      read_course(MemoryFiles(reader.files), reader.diagnostics, 2, 1, &reader.cache).value();
+  reader.cache.give_back(course);
+  EXPECT_TRUE(reader.cache.take(kX, reader.files.at(kX)));
+  EXPECT_FALSE(reader.cache.take("content/1-a/1.2-y.md", reader.files.at("content/1-a/1.2-y.md")));
 }
 
 }  // namespace

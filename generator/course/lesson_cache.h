@@ -1,7 +1,7 @@
-// LessonShelf: lessons that were read, for who reads a course again after each save.
+// LessonCache: lessons that were read, for a session that reads a course again after each save.
 //
-// A lesson is on the shelf or in one course, never in two: who writes its page changes its trees
-// for that time. So each goes back when its course is of no more use.
+// A lesson is in the cache or in one course, never in two, since the writer of its page changes its
+// trees for that time. So each goes back when its course is of no more use.
 #pragma once
 
 #include <map>
@@ -16,7 +16,7 @@ namespace mjcourse {
 
 struct Course;
 
-class LessonShelf {
+class LessonCache {
  public:
   // The lesson that is read out of `bytes`, where it is here. From any thread, as give_back().
   std::optional<Lesson> take(const std::string& path, std::string_view bytes,

@@ -1,4 +1,4 @@
-// ModelShelf: each model is compiled once, and a caller that asks again gets a copy.
+// ModelCache: each model is compiled once, and a caller that asks again gets a copy.
 //
 // Compiling draws textures and fits inertias, some 40 ms for a model with a sky; a copy takes two.
 // A lab's rehearsal needs the same model a dozen times, fresh each time, as scripts may change one.
@@ -18,7 +18,7 @@
 
 namespace mjcourse {
 
-class ModelShelf {
+class ModelCache {
  public:
   // As load_vetted_file() and load_vetted_text() (vetted_model.h), to the bit.
   tl::expected<Model, ModelError> file(const std::filesystem::path& root, const std::string& name);

@@ -1,4 +1,4 @@
-#include "physics/model_shelf.h"
+#include "physics/model_cache.h"
 
 #include <sys/stat.h>
 
@@ -45,7 +45,7 @@ std::optional<std::string> status_of(const std::vector<std::string>& files) {
 
 }  // namespace
 
-tl::expected<Model, ModelError> ModelShelf::file(const std::filesystem::path& root,
+tl::expected<Model, ModelError> ModelCache::file(const std::filesystem::path& root,
                                                  const std::string& name) {
   const auto load = [&] { return load_vetted_file(root, name); };
   const NamedFiles named = look_at_model_files(root, name);
@@ -54,11 +54,11 @@ tl::expected<Model, ModelError> ModelShelf::file(const std::filesystem::path& ro
   return status ? get("file " + (root / name).string() + "\n" + *status, load) : load();
 }
 
-tl::expected<Model, ModelError> ModelShelf::text(const std::string& mjcf) {
+tl::expected<Model, ModelError> ModelCache::text(const std::string& mjcf) {
   return get("text " + mjcf, [&] { return load_vetted_text(mjcf); });
 }
 
-tl::expected<Model, ModelError> ModelShelf::get(
+tl::expected<Model, ModelError> ModelCache::get(
     const std::string& name, const std::function<tl::expected<Model, ModelError>()>& load) {
   std::promise<Loaded> promise;
   std::shared_future<Loaded> loaded;
@@ -89,7 +89,7 @@ tl::expected<Model, ModelError> ModelShelf::get(
   return copy_of(*model);
 }
 
-void ModelShelf::make_room(const std::string& name, std::size_t bytes) {
+void ModelCache::make_room(const std::string& name, std::size_t bytes) {
   const std::lock_guard lock(mutex_);
   for (Kept& kept : kept_) {
     if (kept.name == name) kept.bytes = bytes;

@@ -1,4 +1,4 @@
-#include "physics/model_shelf.h"
+#include "physics/model_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -29,50 +29,50 @@ std::string buffer(const Model& model) {
   return {static_cast<const char*>(model->buffer), static_cast<std::size_t>(model->nbuffer)};
 }
 
-TEST(ModelShelf, GivesWhatLoadingGives) {
-  ModelShelf shelf;
+TEST(ModelCache, GivesWhatLoadingGives) {
+  ModelCache cache;
   const Model loaded = load_model_text(kSwing).value();
   for (int i = 0; i < 2; ++i) {
-    const Model given = shelf.text(kSwing).value();
+    const Model given = cache.text(kSwing).value();
     EXPECT_EQ(buffer(given), buffer(loaded));
     EXPECT_EQ(std::memcmp(&given->opt, &loaded->opt, sizeof given->opt), 0);
-    EXPECT_EQ(angle(shelf.text(kSwing).value()), angle(load_model_text(kSwing).value()));
+    EXPECT_EQ(angle(cache.text(kSwing).value()), angle(load_model_text(kSwing).value()));
   }
 }
 
-TEST(ModelShelf, GivesModelsThatShareNothing) {
-  ModelShelf shelf;
-  Model changed = shelf.text(kSwing).value();
+TEST(ModelCache, GivesModelsThatShareNothing) {
+  ModelCache cache;
+  Model changed = cache.text(kSwing).value();
   const std::uint64_t serial = changed.serial();
   changed->opt.gravity[2] = 0;
   changed->body_mass[1] = 100;
-  const Model next = shelf.text(kSwing).value();
+  const Model next = cache.text(kSwing).value();
   EXPECT_EQ(next->opt.gravity[2], -9.81);
   EXPECT_NE(next->body_mass[1], 100);
   EXPECT_NE(next.serial(), serial);
 }
 
-TEST(ModelShelf, CompilesAFileAgainWhenItChanges) {
+TEST(ModelCache, CompilesAFileAgainWhenItChanges) {
   const TemporaryFolder folder;
   const std::string path = folder.path() / "a.xml", part = folder.path() / "part.xml";
   write_file(path, "<mujoco><include file='part.xml'/></mujoco>");
   write_file(part, "<mujoco><worldbody><geom size='1'/></worldbody></mujoco>");
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
-  ModelShelf shelf;
-  EXPECT_EQ(shelf.file(folder.path(), "a.xml").value()->geom_size[0], 1);
-  EXPECT_EQ(shelf.file(folder.path(), "a.xml").value()->geom_size[0], 1);
+  ModelCache cache;
+  EXPECT_EQ(cache.file(folder.path(), "a.xml").value()->geom_size[0], 1);
+  EXPECT_EQ(cache.file(folder.path(), "a.xml").value()->geom_size[0], 1);
   write_file(part, "<mujoco><worldbody><geom size='2'/></worldbody></mujoco>");
-  EXPECT_EQ(shelf.file(folder.path(), "a.xml").value()->geom_size[0], 2);
+  EXPECT_EQ(cache.file(folder.path(), "a.xml").value()->geom_size[0], 2);
   write_file(part, "<mujoco><worldbody><geom size='3'/></worldbody></mujoco>");
-  EXPECT_EQ(shelf.file(folder.path(), "a.xml").value()->geom_size[0], 3) << "within the same tick";
+  EXPECT_EQ(cache.file(folder.path(), "a.xml").value()->geom_size[0], 3) << "within the same tick";
   std::filesystem::remove(path);
-  EXPECT_FALSE(shelf.file(folder.path(), "a.xml"));
+  EXPECT_FALSE(cache.file(folder.path(), "a.xml"));
 }
 
-TEST(ModelShelf, GivesTheErrorEachTime) {
-  ModelShelf shelf;
+TEST(ModelCache, GivesTheErrorEachTime) {
+  ModelCache cache;
   for (int i = 0; i < 2; ++i) {
-    const auto model = shelf.text("<mujoco>\n<worldbdy/></mujoco>");
+    const auto model = cache.text("<mujoco>\n<worldbdy/></mujoco>");
     ASSERT_FALSE(model);
     EXPECT_EQ(model.error().line, 2);
   }

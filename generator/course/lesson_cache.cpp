@@ -1,4 +1,4 @@
-#include "course/lesson_shelf.h"
+#include "course/lesson_cache.h"
 
 #include <utility>
 
@@ -6,7 +6,7 @@
 
 namespace mjcourse {
 
-std::optional<Lesson> LessonShelf::take(const std::string& path, std::string_view bytes,
+std::optional<Lesson> LessonCache::take(const std::string& path, std::string_view bytes,
                                         const Typography& typography) {
   const std::lock_guard lock(mutex_);
   const auto found = lessons_.find(path);
@@ -17,7 +17,7 @@ std::optional<Lesson> LessonShelf::take(const std::string& path, std::string_vie
   return std::move(lessons_.extract(found).mapped());
 }
 
-void LessonShelf::give_back(Course& course) {
+void LessonCache::give_back(Course& course) {
   const std::lock_guard lock(mutex_);
   for (Lesson& lesson : course.lessons) {
     // What is at rest is read again, and so is what has to be said once more.
