@@ -10,8 +10,8 @@
 #include "base/temporary_folder.h"
 #include "evaluate/work_message.h"
 #include "physics/mesa.h"
-#include "process/keeper.h"
 #include "process/open_to_all.h"
+#include "process/process_supervisor.h"
 
 namespace mjcourse {
 namespace {
@@ -116,10 +116,10 @@ Diagnostic end_of(const Task& task, const Outcome& outcome, const WorkLimits& li
 class Worker::Process {
  public:
   Process(const WorkerProgram& program, const fs::path& root, const WorkLimits& limits)
-      : command_(command_of(program, root, folder_.path(), limits)), keeper_(command_) {}
+      : command_(command_of(program, root, folder_.path(), limits)), supervisor_(command_) {}
 
   tl::expected<std::string, Outcome> ask(const std::string& question, double seconds) {
-    return keeper_.ask(question, seconds);
+    return supervisor_.ask(question, seconds);
   }
 
   // Does it know what programs told? They are published once.
@@ -128,7 +128,7 @@ class Worker::Process {
  private:
   TemporaryFolder folder_;
   Command command_;
-  Keeper keeper_;
+  ProcessSupervisor supervisor_;
 };
 
 Worker::Worker(const RunContext& run_context, WorkerProgram program, WorkLimits limits)

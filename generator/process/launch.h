@@ -13,7 +13,7 @@
 
 #include "base/descriptor.h"
 #include "process/confinement.h"
-#include "process/guardian.h"
+#include "process/process_reaper.h"
 #include "process/subprocess.h"
 
 namespace mjcourse {
@@ -40,7 +40,7 @@ class Launch {
   const Command& command_;
   Confinement confinement_;
   pid_t parent_;
-  const Guardian& guardian_;
+  const ProcessReaper& reaper_;
   Ends ends_;
   std::vector<std::string> fixed_;
   std::vector<char*> arguments_, environment_;  // as execvpe takes them

@@ -1,10 +1,10 @@
 // Run a program that may do anything: fail, hang, flood its output, leave children behind.
 //
-// The program reads an empty stdin (but see process/keeper.h), and has a process group of its own.
-// It is killed with the whole group when its wall clock or its output runs over the limit. When it
-// ends, what it left behind goes with it. It is killed as well when the work of this thread is
-// cancelled (base/cancellation.h). A sandbox says what else it may, and `record_opened` has the
-// files noted that it asks for (process/watcher.h tells how).
+// The program reads an empty stdin (but see process/process_supervisor.h), and has a process group
+// of its own. It is killed with the whole group when its wall clock or its output runs over the
+// limit. When it ends, what it left behind goes with it. It is killed as well when the work of this
+// thread is cancelled (base/cancellation.h). A sandbox says what else it may, and `record_opened`
+// has the files noted that it asks for (process/watcher.h tells how).
 #pragma once
 
 #include <cstddef>
@@ -25,7 +25,7 @@ struct Command {
   // With one, the environment is a small fixed one beside `environment`.
   std::optional<Sandbox> sandbox = {};
   bool record_opened = false;  // where there is a sandbox
-  bool answers = false;        // it reads questions from its stdin: see Keeper::ask
+  bool answers = false;        // it reads questions from its stdin: see ProcessSupervisor::ask
 };
 
 struct Outcome {

@@ -1,4 +1,4 @@
-#include "process/keeper.h"
+#include "process/process_supervisor.h"
 
 #include <poll.h>
 #include <sys/socket.h>
@@ -49,7 +49,7 @@ constexpr std::size_t kSizeBytes = sizeof(std::uint64_t);
 
 }  // namespace
 
-Keeper::Keeper(const Command& command)
+ProcessSupervisor::ProcessSupervisor(const Command& command)
     : command_(command),
       child_(command),
       next_count_(Clock::now() + between_counts(command)),
@@ -58,13 +58,14 @@ Keeper::Keeper(const Command& command)
   if (command.sandbox) watcher_.emplace(child_.id(), *command.sandbox);
 }
 
-Outcome Keeper::run() {
+Outcome ProcessSupervisor::run() {
   allow(command_.seconds);
   while (!over_ && (!ended_ || child_.out.is_open() || child_.err.is_open())) wait_and_serve();
   return conclude();
 }
 
-tl::expected<std::string, Outcome> Keeper::ask(std::string_view question, double seconds) {
+tl::expected<std::string, Outcome> ProcessSupervisor::ask(std::string_view question,
+                                                          double seconds) {
   allow(seconds);
   const std::uint64_t size = question.size();
   to_say_.assign(reinterpret_cast<const char*>(&size), kSizeBytes).append(question);
@@ -76,7 +77,7 @@ tl::expected<std::string, Outcome> Keeper::ask(std::string_view question, double
   return tl::unexpected(conclude());
 }
 
-std::optional<std::string> Keeper::take_answer() {
+std::optional<std::string> ProcessSupervisor::take_answer() {
   std::uint64_t size = 0;
   if (outcome_.out.size() < kSizeBytes) return std::nullopt;
   std::memcpy(&size, outcome_.out.data(), kSizeBytes);
@@ -88,7 +89,7 @@ std::optional<std::string> Keeper::take_answer() {
   return answer;
 }
 
-Outcome Keeper::conclude() {
+Outcome ProcessSupervisor::conclude() {
   if (!ended_) status_ = child_.end();
   ended_ = true;
   if (outcome_.end == End::exited && WIFSIGNALED(status_)) {
@@ -101,24 +102,24 @@ Outcome Keeper::conclude() {
   return std::move(outcome_);
 }
 
-void Keeper::allow(double seconds) {
+void ProcessSupervisor::allow(double seconds) {
   deadline_ = Clock::now() +
               std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-void Keeper::say() {
+void ProcessSupervisor::say() {
   const ssize_t count =
       send(child_.in.get(), to_say_.data(), to_say_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
   if (count > 0) to_say_.erase(0, static_cast<std::size_t>(count));
   if (count < 0 && errno != EAGAIN && errno != EINTR) to_say_.clear();  // it will have ended
 }
 
-void Keeper::stop(End end) {
+void ProcessSupervisor::stop(End end) {
   outcome_.end = end;
   over_ = true;
 }
 
-int Keeper::patience() const {
+int ProcessSupervisor::patience() const {
   Clock::time_point until = deadline_;
   if (command_.sandbox) until = std::min({until, next_count_, next_use_});
   if (cancellation().stop_possible()) until = std::min(until, Clock::now() + kAskForWish);
@@ -127,7 +128,7 @@ int Keeper::patience() const {
       std::max<std::int64_t>(0, std::chrono::ceil<milliseconds>(until - Clock::now()).count()));
 }
 
-void Keeper::wait_and_serve() {
+void ProcessSupervisor::wait_and_serve() {
   // A closed one is -1, which poll passes over.
   std::array<pollfd, 6> open{{{child_.news.get(), POLLIN, 0},
                               {listener_.get(), POLLIN, 0},
@@ -154,7 +155,7 @@ void Keeper::wait_and_serve() {
   }
 }
 
-void Keeper::hear_news() {
+void ProcessSupervisor::hear_news() {
   LaunchNews news = read_launch_news(child_.news.get());
   if (news.failure != 0) {
     outcome_.code = news.failure;
@@ -167,7 +168,7 @@ void Keeper::hear_news() {
   if (news.begun) child_.news.reset();
 }
 
-void Keeper::answer(short events) {
+void ProcessSupervisor::answer(short events) {
   if ((events & POLLIN) != 0) watcher_->answer(listener_.get());
   if ((events & POLLIN) == 0) listener_.reset();  // nobody is left to ask
   if (watcher_->refused().empty()) return;
@@ -175,14 +176,14 @@ void Keeper::answer(short events) {
   stop(End::refused);
 }
 
-void Keeper::collect(Descriptor& stream, std::string& text) {
+void ProcessSupervisor::collect(Descriptor& stream, std::string& text) {
   if (!drain(stream.get(), text)) stream.reset();
   if (text.size() <= command_.output_bytes) return;
   text.resize(command_.output_bytes);
   stop(End::flooded);
 }
 
-void Keeper::count_use() {
+void ProcessSupervisor::count_use() {
   const Sandbox& sandbox = *command_.sandbox;
   const GroupUse use = use_of_group(child_.id(), sandbox);
   removed_ = use.removed;
@@ -190,7 +191,7 @@ void Keeper::count_use() {
   next_use_ = Clock::now() + kCountUse;
 }
 
-void Keeper::count_files() {
+void ProcessSupervisor::count_files() {
   FolderSize size;
   size.bytes = removed_;
   for (const std::string& path : command_.sandbox->write) {
@@ -204,7 +205,7 @@ void Keeper::count_files() {
 }
 
 Outcome run(const Command& command) {
-  return Keeper(command).run();
+  return ProcessSupervisor(command).run();
 }
 
 }  // namespace mjcourse

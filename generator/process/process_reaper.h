@@ -11,19 +11,19 @@
 
 namespace mjcourse {
 
-class Guardian {
+class ProcessReaper {
  public:
   // Of this process; begun by the first caller. A copy of us as we are then, so a program asks
   // before it has taken much memory and begun threads.
-  static const Guardian& instance();
+  static const ProcessReaper& instance();
 
-  // Both are async-signal-safe, and do nothing where no guardian could be begun.
+  // Both are async-signal-safe, and do nothing where no reaper could be begun.
   void watch(pid_t group) const;
   // Call it when nothing of the group is left: from then on another may get its number.
   void forget(pid_t group) const;
 
  private:
-  Guardian();
+  ProcessReaper();
   void tell(pid_t group) const;
 
   int socket_ = -1;

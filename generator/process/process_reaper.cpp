@@ -1,4 +1,4 @@
-#include "process/guardian.h"
+#include "process/process_reaper.h"
 
 #include <fcntl.h>
 #include <sys/socket.h>
@@ -17,7 +17,7 @@ namespace {
 // More than there can be threads that wait for a program.
 constexpr std::size_t kMostGroups = 1 << 14;
 
-// The guardian's own, which allocates nothing: the process that it is a copy of may have had other
+// The reaper's own, which allocates nothing: the process that it is a copy of may have had other
 // threads, one of which held the allocator's lock.
 class Groups {
  public:
@@ -41,7 +41,7 @@ class Groups {
 };
 
 // In a group of its own, deaf to what ends the others, and with nothing of ours open: a process
-// that waits for the end of our output must not wait for the guardian's.
+// that waits for the end of our output must not wait for the reaper's.
 void stand_apart(int socket) {
   setsid();
   sigset_t all;
@@ -53,7 +53,7 @@ void stand_apart(int socket) {
   for (int number = 1; number < static_cast<int>(sysconf(_SC_OPEN_MAX)); ++number) close(number);
 }
 
-[[noreturn]] void guard(int socket) {
+[[noreturn]] void watch_and_end(int socket) {
   static Groups groups;
   stand_apart(socket);
   // A number is a group that has begun; a negative one has ended.
@@ -69,17 +69,17 @@ void stand_apart(int socket) {
 
 }  // namespace
 
-const Guardian& Guardian::instance() {
-  static const Guardian guardian;
-  return guardian;
+const ProcessReaper& ProcessReaper::instance() {
+  static const ProcessReaper reaper;
+  return reaper;
 }
 
-Guardian::Guardian() {
+ProcessReaper::ProcessReaper() {
   int ends[2];
   // Its end is the end of the last process that has ours, and no program inherits that.
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return;
   const pid_t child = fork();
-  if (child == 0) guard(ends[1]);
+  if (child == 0) watch_and_end(ends[1]);
   close(ends[1]);
   if (child < 0) {
     close(ends[0]);
@@ -88,15 +88,15 @@ Guardian::Guardian() {
   }
 }
 
-void Guardian::watch(pid_t group) const {
+void ProcessReaper::watch(pid_t group) const {
   tell(group);
 }
 
-void Guardian::forget(pid_t group) const {
+void ProcessReaper::forget(pid_t group) const {
   tell(-group);
 }
 
-void Guardian::tell(pid_t group) const {
+void ProcessReaper::tell(pid_t group) const {
   if (socket_ < 0) return;
   while (send(socket_, &group, sizeof group, MSG_NOSIGNAL) < 0 && errno == EINTR) {
   }

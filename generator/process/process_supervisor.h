@@ -1,8 +1,8 @@
-// Keeper: looks after one program from its start to its end.
+// ProcessSupervisor: looks after one program from its start to its end.
 //
 // Enter with run() of subprocess.h for a program that does its work and ends. One that works for as
-// long as it is asked to is kept by a Keeper: question and answer are bytes behind their number, as
-// 8 bytes in this machine's order.
+// long as it is asked to has a ProcessSupervisor of its own. Question and answer are bytes behind
+// their number, as 8 bytes in this machine's order.
 // Tested by tests/generator/process/subprocess_test.cpp.
 #pragma once
 
@@ -21,11 +21,11 @@
 
 namespace mjcourse {
 
-class Keeper {
+class ProcessSupervisor {
  public:
   // The command must stay as long as this does. Throws std::system_error when the system has no
   // room for another process.
-  explicit Keeper(const Command& command);
+  explicit ProcessSupervisor(const Command& command);
 
   // Waits for its end.
   Outcome run();
