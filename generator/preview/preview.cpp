@@ -95,13 +95,13 @@ Preview::Preview(const PreviewSetup& setup, std::function<void(const Snapshot&)>
     : setup_(setup),
       built_css_(css_of(setup.assets)),
       folders_(watched_folders(setup)),
-      room_(setup.workplace.root, setup.assets,
-            setup.site.empty() ? fs::path() : setup.site / "press/templates") {
+      pages_(setup.workplace.root, setup.assets,
+             setup.site.empty() ? fs::path() : setup.site / "press/templates") {
   if (!setup.site.empty()) stylesheet_.emplace(setup.site);
   session_ = std::make_unique<LiveSession>(
       setup_.workplace, std::make_shared<DiskFiles>(setup_.workplace.root),
       [this, tell = std::move(tell)](const SnapshotPtr& snapshot) {
-        room_.show(snapshot);
+        pages_.show(snapshot);
         next_version();
         if (!snapshot->guessed) tell(*snapshot);
       },
@@ -155,7 +155,7 @@ void Preview::watch(const std::stop_token& stop) {
     const bool styles = has_site && any(setup_.site / "browser/styles");
     const bool pages = any(course / "theme") || (has_site && any(setup_.site / "press/templates"));
     if (styles) restyle();
-    if (pages) room_.renew_templates();
+    if (pages) pages_.renew_templates();
     if (styles || pages) next_version();
   }
 }
@@ -173,7 +173,7 @@ std::string Preview::styled(std::string html) const {
 }
 
 Preview::Answer Preview::page(const std::string& path) {
-  const PageRoom::Page page = room_.page(path);
+  const OnDemandPages::Page page = pages_.page(path);
   if (page.html.empty()) return {no_page(page.snapshot && page.snapshot->readable), false};
   std::string html = styled(page.html);
   // Before all other scripts: it must see the page as it came.
@@ -185,7 +185,7 @@ Preview::Answer Preview::page(const std::string& path) {
 std::string Preview::state(const std::string& path, const std::string& known,
                            const std::string& worn) {
   const std::size_t version = wait(0, std::chrono::seconds(0));
-  const PageRoom::Page page = room_.page(path);
+  const OnDemandPages::Page page = pages_.page(path);
   json diagnostics = json::array(), drafts = json::array();
   if (page.fault) diagnostics.push_back(told(*page.fault, true));
   {
@@ -233,7 +233,7 @@ std::optional<std::string> Preview::file(const std::string& path) {
   if (stylesheet_) {
     if (auto bytes = read_inside(stylesheet_->folder(), stylesheet_->folder() / path)) return bytes;
   }
-  return room_.file(path);
+  return pages_.file(path);
 }
 
 }  // namespace mjcourse

@@ -1,6 +1,6 @@
 // Enter here: a course, shown in the browser while it is being written.
 //
-//   files ──FolderWatch──▶ LiveSession ──Snapshot──▶ PageRoom ──pages──▶ PreviewServer ──▶ browser
+//   files ──FolderWatch──▶ LiveSession ──Snapshot──▶ OnDemandPages ──▶ PreviewServer ──▶ browser
 //
 // Each save becomes a new version; the pages that are open hear of it, ask for what they show, and
 // put the parts in place that are others now (site/browser/preview/).
@@ -17,7 +17,7 @@
 #include <string>
 #include <thread>
 
-#include "preview/page_room.h"
+#include "preview/on_demand_pages.h"
 #include "preview/sent_pages.h"
 #include "preview/stylesheet.h"
 #include "session/folder_watch.h"
@@ -68,7 +68,7 @@ class Preview {
   const PreviewSetup setup_;
   std::string built_css_;  // path of the stylesheet that pages name
   FolderWatch folders_;
-  PageRoom room_;
+  OnDemandPages pages_;
   SentPages sent_;
   std::optional<Stylesheet> stylesheet_;
   mutable std::mutex mutex_;

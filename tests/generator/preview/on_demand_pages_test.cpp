@@ -1,4 +1,4 @@
-#include "preview/page_room.h"
+#include "preview/on_demand_pages.h"
 
 #include <gtest/gtest.h>
 
@@ -9,17 +9,17 @@ namespace mjcourse {
 namespace {
 
 // A browser whose tab stayed open asks before anything is known.
-TEST(PageRoom, HasNothingBeforeTheFirstSnapshot) {
+TEST(OnDemandPages, HasNothingBeforeTheFirstSnapshot) {
   const TemporaryFolder course;
-  PageRoom room(course.path(), MJCOURSE_ASSETS, "");
-  const PageRoom::Page page = room.page("index.html");
+  OnDemandPages pages(course.path(), MJCOURSE_ASSETS, "");
+  const OnDemandPages::Page page = pages.page("index.html");
   EXPECT_EQ(page.html, "");
   EXPECT_EQ(page.snapshot, nullptr);
   EXPECT_FALSE(page.fault);
-  EXPECT_EQ(room.file("1-a/1.1-b/figure-1.png"), std::nullopt);
+  EXPECT_EQ(pages.file("1-a/1.1-b/figure-1.png"), std::nullopt);
 }
 
-TEST(PageRoom, KeepsAPageThatCannotBeMadeAnyMore) {
+TEST(OnDemandPages, KeepsAPageThatCannotBeMadeAnyMore) {
   const TemporaryFolder course;
   write_file(course.path() / "content/course.yaml",
              "title: A course\nlevels:\n  - folder: 1-a\n    title: A\n    lessons: [1.1-b]\n");
@@ -30,14 +30,14 @@ TEST(PageRoom, KeepsAPageThatCannotBeMadeAnyMore) {
   results->lessons.resize(1);
   known->evaluation = results;
   known->readable = true;
-  PageRoom room(course.path(), MJCOURSE_ASSETS, "");
-  room.show(known);
-  const std::string html = room.page("1-a/1.1-b.html").html;
+  OnDemandPages pages(course.path(), MJCOURSE_ASSETS, "");
+  pages.show(known);
+  const std::string html = pages.page("1-a/1.1-b.html").html;
   EXPECT_NE(html.find("<p>Text.</p>"), std::string::npos);
-  EXPECT_EQ(room.page("1-a/1.2-c.html").html, "");
+  EXPECT_EQ(pages.page("1-a/1.2-c.html").html, "");
 
-  room.show(std::make_shared<Snapshot>());  // of a course that cannot be read
-  EXPECT_EQ(room.page("1-a/1.1-b.html").html, html);
+  pages.show(std::make_shared<Snapshot>());  // of a course that cannot be read
+  EXPECT_EQ(pages.page("1-a/1.1-b.html").html, html);
 }
 
 }  // namespace

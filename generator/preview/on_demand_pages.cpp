@@ -1,4 +1,4 @@
-#include "preview/page_room.h"
+#include "preview/on_demand_pages.h"
 
 #include <algorithm>
 #include <exception>
@@ -45,19 +45,19 @@ std::vector<fs::path> template_folders(const fs::path& root, const fs::path& edi
 
 }  // namespace
 
-PageRoom::PageRoom(fs::path root, fs::path assets, const fs::path& templates)
+OnDemandPages::OnDemandPages(fs::path root, fs::path assets, const fs::path& templates)
     : root_(std::move(root)),
       assets_folder_(std::move(assets)),
       assets_(assets_folder_, template_folders(root_, templates)),
       thread_([this] { work(); }) {}
 
-PageRoom::~PageRoom() {
+OnDemandPages::~OnDemandPages() {
   const std::lock_guard lock(mutex_);
   stopped_ = true;
   woken_.notify_all();
 }
 
-void PageRoom::work() {
+void OnDemandPages::work() {
   for (;;) {
     std::function<void()> next;
     {
@@ -75,7 +75,7 @@ void PageRoom::work() {
   engines_.reset();
 }
 
-void PageRoom::do_on_thread(const std::function<void()>& work) {
+void OnDemandPages::do_on_thread(const std::function<void()>& work) {
   std::promise<void> done;
   {
     const std::lock_guard lock(mutex_);
@@ -88,22 +88,22 @@ void PageRoom::do_on_thread(const std::function<void()>& work) {
   done.get_future().wait();
 }
 
-void PageRoom::show(SnapshotPtr snapshot) {
+void OnDemandPages::show(SnapshotPtr snapshot) {
   const std::lock_guard lock(mutex_);
   snapshot_ = std::move(snapshot);
 }
 
-void PageRoom::renew_templates() {
+void OnDemandPages::renew_templates() {
   const std::lock_guard lock(mutex_);
   stale_templates_ = true;
 }
 
-bool PageRoom::has_snapshot() {
+bool OnDemandPages::has_snapshot() {
   const std::lock_guard lock(mutex_);
   return snapshot_ != nullptr;
 }
 
-PageRoom::Made& PageRoom::newest() {
+OnDemandPages::Made& OnDemandPages::newest() {
   const std::lock_guard lock(mutex_);
   if (std::exchange(stale_templates_, false)) {
     engines_.reset();
@@ -119,13 +119,13 @@ PageRoom::Made& PageRoom::newest() {
   return *made_;
 }
 
-void PageRoom::make_lesson(Made& made, std::size_t index) {
+void OnDemandPages::make_lesson(Made& made, std::size_t index) {
   if (made.lessons.contains(index)) return;
   made.pages->write_lesson(index, *engines_, true);
   made.lessons.insert(index);
 }
 
-void PageRoom::make_others(Made& made) {
+void OnDemandPages::make_others(Made& made) {
   if (made.others) return;
   const std::vector<Lesson>& lessons = made.snapshot->course.lessons;
   for (std::size_t i = 0; i < lessons.size(); ++i) {
@@ -136,7 +136,7 @@ void PageRoom::make_others(Made& made) {
 }
 
 // So that `path` is there, if it can be.
-void PageRoom::make(const std::string& path) {
+void OnDemandPages::make(const std::string& path) {
   if (!has_snapshot()) return;
   Made& made = newest();
   if (!made.snapshot->readable) return;
@@ -147,7 +147,7 @@ void PageRoom::make(const std::string& path) {
   }
 }
 
-PageRoom::Page PageRoom::page(const std::string& path) {
+OnDemandPages::Page OnDemandPages::page(const std::string& path) {
   Page page;
   do_on_thread([&] {
     std::optional<Diagnostic> fault;
@@ -173,7 +173,7 @@ PageRoom::Page PageRoom::page(const std::string& path) {
   return page;
 }
 
-std::optional<std::string> PageRoom::file(const std::string& path) {
+std::optional<std::string> OnDemandPages::file(const std::string& path) {
   // What needs no page to be made first.
   if (auto bytes = read_inside(assets_folder_ / "public", assets_folder_ / "public" / path)) {
     return bytes;

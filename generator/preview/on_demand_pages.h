@@ -1,7 +1,7 @@
-// PageRoom: the pages of a course as it is being edited, each made when somebody asks for it.
+// OnDemandPages: the pages of a course as it is being edited, each made when somebody asks for it.
 //
 // Enter with show() for each snapshot and page() for each page. Script engines serve one thread, so
-// pages are made on a thread of the room's own, which all others wait for. A page that cannot be
+// pages are made on a thread of their own, which all others wait for. A page that cannot be
 // made any more, as its lesson is gone or its template broken, stays as it was last.
 #pragma once
 
@@ -24,15 +24,15 @@
 
 namespace mjcourse {
 
-class PageRoom {
+class OnDemandPages {
  public:
   // `root` is the course's folder, `assets` the folder that site/bundle/build.mjs filled,
   // `templates` one with other templates, or empty.
-  PageRoom(std::filesystem::path root, std::filesystem::path assets,
-           const std::filesystem::path& templates);
-  ~PageRoom();
-  PageRoom(const PageRoom&) = delete;
-  PageRoom& operator=(const PageRoom&) = delete;
+  OnDemandPages(std::filesystem::path root, std::filesystem::path assets,
+                const std::filesystem::path& templates);
+  ~OnDemandPages();
+  OnDemandPages(const OnDemandPages&) = delete;
+  OnDemandPages& operator=(const OnDemandPages&) = delete;
 
   // From here on pages are made of this. All from any thread.
   void show(SnapshotPtr snapshot);
@@ -76,7 +76,7 @@ class PageRoom {
   std::deque<std::function<void()>> wanted_;
   SnapshotPtr snapshot_;
   bool stale_templates_ = false, stopped_ = false;
-  // Of the room's thread alone.
+  // Of that thread alone.
   std::unique_ptr<Made> made_;
   std::unique_ptr<Made> old_;  // taken apart when nobody waits any more
   std::unique_ptr<PageEngines> engines_;
