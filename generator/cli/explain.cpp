@@ -115,8 +115,8 @@ int explain(const ExplainOptions& options) {
   if (verified.store == nullptr) return kClean;  // it was said that there is no store
   const DiskFiles assets(assets_folder());
   std::size_t kept = 0, told = 0;
-  for (const Explanation& task :
-       explain_course(*verified.course, workplace_of(options, assets, verified.store.get()))) {
+  for (const Explanation& task : explain_course(
+           *verified.course, evaluation_settings(options, assets, verified.store.get()))) {
     const bool meant =
         wanted.empty() || std::any_of(wanted.begin(), wanted.end(),
                                       [&](const Where& where) { return where.has(task.place); });

@@ -23,9 +23,9 @@ int lsp(const LspOptions& options) {
   const OpenedStore opened = open_store(options.store);
   WriteBehindStore store(opened.get());
   const DiskFiles assets(assets_folder());
-  Workplace workplace = workplace_of(options, assets, &store);
-  workplace.fingerprint_cache = std::make_shared<FingerprintCache>(kPatienceWhileEditing);
-  LanguageServer server({workplace, options.course_named, MJCOURSE_VERSION}, std::cout);
+  EvaluationSettings settings = evaluation_settings(options, assets, &store);
+  settings.fingerprint_cache = std::make_shared<FingerprintCache>(kPatienceWhileEditing);
+  LanguageServer server({settings, options.course_named, MJCOURSE_VERSION}, std::cout);
   return server.run(std::cin) ? kClean : kLeftAlone;
 }
 

@@ -98,9 +98,9 @@ int preview(const PreviewOptions& options) {
   WriteBehindStore store(opened.get());
   const DiskFiles assets(assets_folder());
   Teller teller;
-  Workplace workplace = workplace_of(options, assets, &store);
-  workplace.fingerprint_cache = std::make_shared<FingerprintCache>(kPatienceWhileEditing);
-  Preview preview({workplace, assets_folder(), site_sources(), options.link},
+  EvaluationSettings settings = evaluation_settings(options, assets, &store);
+  settings.fingerprint_cache = std::make_shared<FingerprintCache>(kPatienceWhileEditing);
+  Preview preview({settings, assets_folder(), site_sources(), options.link},
                   [&](const Snapshot& snapshot) { teller.tell(snapshot); });
   PreviewServer server(preview, options.port);
   const std::jthread answering([&] { server.run(); });

@@ -82,15 +82,16 @@ std::filesystem::path assets_folder() {
   return std::filesystem::exists(built / "manifest.json") ? built : prefix / "share" / "mjcourse";
 }
 
-Workplace workplace_of(const CourseOptions& options, const Files& assets, Store* store) {
-  Workplace workplace{options.course, assets, store, options.jobs,
-                      assets_folder() / "examples" / "include"};
-  workplace.without_landlock = options.without_landlock;
-  workplace.worker = {std::filesystem::read_symlink("/proc/self/exe"),
-                      std::filesystem::absolute(assets_folder())};
+EvaluationSettings evaluation_settings(const CourseOptions& options, const Files& assets,
+                                       Store* store) {
+  EvaluationSettings settings{options.course, assets, store, options.jobs,
+                              assets_folder() / "examples" / "include"};
+  settings.without_landlock = options.without_landlock;
+  settings.worker = {std::filesystem::read_symlink("/proc/self/exe"),
+                     std::filesystem::absolute(assets_folder())};
   const std::filesystem::path folder = store_folder(options.store);
-  if (store != nullptr && !folder.empty()) workplace.prepared = prepared_folder(folder);
-  return workplace;
+  if (store != nullptr && !folder.empty()) settings.prepared = prepared_folder(folder);
+  return settings;
 }
 
 void print_diagnostics(const Diagnostics& diagnostics) {
@@ -115,10 +116,10 @@ void evaluate_course(const CourseOptions& options, Verified& verified, bool all_
     ProgressBar progress;
     const DiskFiles assets(assets_folder());
     Store* store = verified.store.get();
-    const Workplace workplace = workplace_of(options, assets, store);
-    if (store != nullptr) workplace.fingerprint_cache->read(*store, options.course);
-    verified.evaluation = examine(*verified.course, workplace, progress, std::move(reading));
-    if (store != nullptr) workplace.fingerprint_cache->write(*store, options.course);
+    const EvaluationSettings settings = evaluation_settings(options, assets, store);
+    if (store != nullptr) settings.fingerprint_cache->read(*store, options.course);
+    verified.evaluation = examine(*verified.course, settings, progress, std::move(reading));
+    if (store != nullptr) settings.fingerprint_cache->write(*store, options.course);
   } else {
     verified.evaluation.diagnostics = std::move(reading);
     verified.evaluation.versions = known_versions(DiskFiles(assets_folder()));

@@ -37,6 +37,7 @@ Verified verify_course(const VerifyOptions& options);
 std::filesystem::path assets_folder();
 
 // Of a course, for evaluating it; `store` may be null.
-Workplace workplace_of(const CourseOptions& options, const Files& assets, Store* store);
+EvaluationSettings evaluation_settings(const CourseOptions& options, const Files& assets,
+                                       Store* store);
 
 }  // namespace mjcourse

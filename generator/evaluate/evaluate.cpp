@@ -75,21 +75,21 @@ void show_regions(const Lesson& lesson, const std::filesystem::path& root,
 
 class Evaluator {
  public:
-  Evaluator(const Course& course, const Workplace& workplace, Progress& progress)
+  Evaluator(const Course& course, const EvaluationSettings& settings, Progress& progress)
       : course_(course),
-        workplace_(workplace),
+        settings_(settings),
         progress_(progress),
-        run_context_(course, workplace.root, workplace.assets, workplace.helper, workplace.prepared,
-                     workplace.script_bundles, workplace.without_landlock),
-        fingerprints_(workplace.root, workplace.fingerprint_cache) {
-    if (workplace.store != nullptr)
-      task_store_.emplace(*workplace.store, workplace.root, fingerprints_);
+        run_context_(course, settings.root, settings.assets, settings.helper, settings.prepared,
+                     settings.script_bundles, settings.without_landlock),
+        fingerprints_(settings.root, settings.fingerprint_cache) {
+    if (settings.store != nullptr)
+      task_store_.emplace(*settings.store, settings.root, fingerprints_);
   }
 
   Evaluation run(Diagnostics found) {
     evaluation_.lessons.resize(course_.lessons.size());
     evaluation_.diagnostics = std::move(found);
-    evaluation_.versions = known_versions(workplace_.assets);
+    evaluation_.versions = known_versions(settings_.assets);
     const Tasks tasks = plan_tasks(course_);
     const bool compiles = has_any<ProgramTask, SnippetsTask>(tasks) && run_context_.compiler();
     if (compiles) evaluation_.versions.compiler = run_context_.compiler()->version();
@@ -97,9 +97,9 @@ class Evaluator {
       evaluation_.sandbox = sandbox_level().text();
     }
     Scheduler scheduler(run_context_, task_store_ ? &*task_store_ : nullptr, progress_,
-                        workplace_.threads, workplace_.stand_in ? Effort::looks : Effort::all,
-                        workplace_.worker);
-    gather(tasks, scheduler.run(tasks, workplace_.first, [&](const TaskRecords& records) {
+                        settings_.threads, settings_.stand_in ? Effort::looks : Effort::all,
+                        settings_.worker);
+    gather(tasks, scheduler.run(tasks, settings_.first, [&](const TaskRecords& records) {
       publish(tasks, records, run_context_.reports(), fingerprints_);
     }));
     const std::vector<TaskTime>& headers = scheduler.header_times();
@@ -110,9 +110,9 @@ class Evaluator {
     };
     evaluation_.api =
         evaluate_api(course_, results_of, installed_mujoco_api, evaluation_.diagnostics);
-    ClaimSources sources(workplace_.root, course_.models, run_context_.include_folders(),
+    ClaimSources sources(settings_.root, course_.models, run_context_.include_folders(),
                          fingerprints_);
-    make_claims(course_, sources, programs_, workplace_.threads, evaluation_);
+    make_claims(course_, sources, programs_, settings_.threads, evaluation_);
     return std::move(evaluation_);
   }
 
@@ -148,7 +148,7 @@ class Evaluator {
   void stand_in(const Task& task, Finding& finding) {
     evaluation_.open = true;
     for (const std::size_t block : task.blocks()) {
-      if (auto result = workplace_.stand_in(task.lesson(), block)) {
+      if (auto result = settings_.stand_in(task.lesson(), block)) {
         finding.results[block] = *std::move(result);
       }
     }
@@ -157,13 +157,13 @@ class Evaluator {
   void finish(std::size_t index) {
     const Lesson& lesson = course_.lessons[index];
     LessonResults& results = evaluation_.lessons[index];
-    show_regions(lesson, workplace_.root, run_context_.shown(), programs_, results,
+    show_regions(lesson, settings_.root, run_context_.shown(), programs_, results,
                  evaluation_.diagnostics);
     compare_outputs(lesson, results, evaluation_.diagnostics);
   }
 
   const Course& course_;
-  const Workplace& workplace_;
+  const EvaluationSettings& settings_;
   Progress& progress_;
   RunContext run_context_;
   Fingerprints fingerprints_;
@@ -174,9 +174,9 @@ class Evaluator {
 
 }  // namespace
 
-Evaluation evaluate(const Course& course, const Workplace& workplace, Progress& progress,
+Evaluation evaluate(const Course& course, const EvaluationSettings& settings, Progress& progress,
                     Diagnostics found) {
-  return Evaluator(course, workplace, progress).run(std::move(found));
+  return Evaluator(course, settings, progress).run(std::move(found));
 }
 
 }  // namespace mjcourse

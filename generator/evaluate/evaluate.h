@@ -30,7 +30,7 @@ namespace mjcourse {
 // What to show of a block that is not known yet; nothing where there is nothing.
 using StandIn = std::function<std::optional<Result>(const Lesson& lesson, std::size_t block)>;
 
-struct Workplace {
+struct EvaluationSettings {
   std::filesystem::path root;  // the course's folder
   const Files& assets;         // what the site's build made
   Store* store = nullptr;      // may be null: then all is worked out
@@ -51,7 +51,7 @@ struct Workplace {
 
 // Throws Cancelled when the caller's work is cancelled. The diagnostics begin with what reading the
 // course `found` wrong.
-Evaluation evaluate(const Course& course, const Workplace& workplace, Progress& progress,
+Evaluation evaluate(const Course& course, const EvaluationSettings& settings, Progress& progress,
                     Diagnostics found = {});
 
 }  // namespace mjcourse

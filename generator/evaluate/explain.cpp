@@ -11,11 +11,11 @@ namespace {
 
 class Explainer {
  public:
-  Explainer(const Course& course, const Workplace& workplace)
-      : run_context_(course, workplace.root, workplace.assets, workplace.helper, workplace.prepared,
-                     workplace.script_bundles),
-        fingerprints_(workplace.root),
-        task_store_(*workplace.store, workplace.root, fingerprints_),
+  Explainer(const Course& course, const EvaluationSettings& settings)
+      : run_context_(course, settings.root, settings.assets, settings.helper, settings.prepared,
+                     settings.script_bundles),
+        fingerprints_(settings.root),
+        task_store_(*settings.store, settings.root, fingerprints_),
         worker_context_(run_context_),
         tasks_(plan_tasks(course)),
         records_(tasks_.size()) {}
@@ -71,8 +71,8 @@ class Explainer {
 
 }  // namespace
 
-std::vector<Explanation> explain_course(const Course& course, const Workplace& workplace) {
-  return Explainer(course, workplace).run();
+std::vector<Explanation> explain_course(const Course& course, const EvaluationSettings& settings) {
+  return Explainer(course, settings).run();
 }
 
 }  // namespace mjcourse

@@ -22,6 +22,6 @@ struct Explanation {
 };
 
 // One for each task whose finding can be kept, in the course's order.
-std::vector<Explanation> explain_course(const Course& course, const Workplace& workplace);
+std::vector<Explanation> explain_course(const Course& course, const EvaluationSettings& settings);
 
 }  // namespace mjcourse

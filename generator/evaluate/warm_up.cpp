@@ -12,11 +12,11 @@
 
 namespace mjcourse {
 
-void warm_up(const Course& course, const Workplace& workplace) {
-  if (sandbox_level().landlock == 0 && !workplace.without_landlock) return;  // nothing is run
-  const DiskFiles files(workplace.root);
-  const std::filesystem::path examples = workplace.root / "examples";
-  const IncludeFolders include = include_folders_of(examples, workplace.helper);
+void warm_up(const Course& course, const EvaluationSettings& settings) {
+  if (sandbox_level().landlock == 0 && !settings.without_landlock) return;  // nothing is run
+  const DiskFiles files(settings.root);
+  const std::filesystem::path examples = settings.root / "examples";
+  const IncludeFolders include = include_folders_of(examples, settings.helper);
   std::set<std::vector<std::string>> all;
   for (const Lesson& lesson : course.lessons) {
     for (const Block& block : lesson.blocks) {
@@ -27,7 +27,7 @@ void warm_up(const Course& course, const Workplace& workplace) {
     }
   }
   if (all.empty()) return;
-  const std::optional<Compiler> compiler = Compiler::find(include, workplace.prepared);
+  const std::optional<Compiler> compiler = Compiler::find(include, settings.prepared);
   if (!compiler || !compiler->makes_headers()) return;
   for (const std::vector<std::string>& roots : all) {
     if (!compiler->has_header(roots)) compiler->make_header(roots, Warmth::quick);

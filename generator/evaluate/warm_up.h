@@ -10,6 +10,6 @@ namespace mjcourse {
 // The warm headers (warm_objects.h) of the course's programs, where they are not there yet; quick
 // ones, as an author edits one program at a time. Throws Cancelled when the caller's work is
 // cancelled.
-void warm_up(const Course& course, const Workplace& workplace);
+void warm_up(const Course& course, const EvaluationSettings& settings);
 
 }  // namespace mjcourse

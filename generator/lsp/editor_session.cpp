@@ -31,13 +31,13 @@ bool wants_quick_fixes(const json& params) {
 
 }  // namespace
 
-EditorSession::EditorSession(Workplace workplace, Units units, Connection& connection)
+EditorSession::EditorSession(EvaluationSettings settings, Units units, Connection& connection)
     : units_(units),
-      documents_(std::make_shared<OpenDocuments>(workplace.root)),
+      documents_(std::make_shared<OpenDocuments>(settings.root)),
       models_(documents_->root()),
-      plots_(read_plot_grammar(workplace.assets)),
+      plots_(read_plot_grammar(settings.assets)),
       diagnostics_(*documents_, connection),
-      session_(std::move(workplace), documents_,
+      session_(std::move(settings), documents_,
                [this](const SnapshotPtr& snapshot) { show(snapshot); }),
       typed_(kQuiet, [this] { session_.changed(); }),
       watcher_([this](const std::stop_token& stop) { watch(stop); }) {}

@@ -20,7 +20,7 @@ namespace mjcourse {
 class EditorSession {
  public:
   // `connection` must outlive this.
-  EditorSession(Workplace workplace, Units units, Connection& connection);
+  EditorSession(EvaluationSettings settings, Units units, Connection& connection);
   ~EditorSession();
   EditorSession(const EditorSession&) = delete;
   EditorSession& operator=(const EditorSession&) = delete;

@@ -118,9 +118,9 @@ void LanguageServer::tell(const std::string& method, const json& params) {
 
 json LanguageServer::initialize(const json& params) {
   const auto root = setup_.root_named ? std::nullopt : root_in(params);
-  if (root) setup_.workplace.root = *root;
+  if (root) setup_.settings.root = *root;
   const Units units = units_in(params);
-  session_ = std::make_unique<EditorSession>(setup_.workplace, units, connection_);
+  session_ = std::make_unique<EditorSession>(setup_.settings, units, connection_);
   return {{"capabilities",
            {{"positionEncoding", units == Units::utf8 ? "utf-8" : "utf-16"},
             {"textDocumentSync", {{"openClose", true}, {"change", 2}}},

@@ -22,8 +22,8 @@ namespace mjcourse {
 class LanguageServer {
  public:
   struct Setup {
-    Workplace workplace;      // its root is the course, unless the editor names one
-    bool root_named = false;  // its author named it: the editor's does not count
+    EvaluationSettings settings;  // its root is the course, unless the editor names one
+    bool root_named = false;      // its author named it: the editor's does not count
     std::string version;
   };
 

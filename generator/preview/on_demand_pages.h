@@ -1,8 +1,8 @@
 // OnDemandPages: the pages of a course as it is being edited, each made when somebody asks for it.
 //
 // Enter with show() for each snapshot and page() for each page. Script engines serve one thread, so
-// pages are made on a thread of their own, which all others wait for. A page that cannot be
-// made any more, as its lesson is gone or its template broken, stays as it was last.
+// pages are made on a thread of their own, which all others wait for. A page that cannot be made
+// any more, as its lesson is gone or its template broken, stays as it was last.
 #pragma once
 
 #include <condition_variable>

@@ -24,7 +24,7 @@ std::string script(const std::string& page) {
 
 std::vector<fs::path> watched_folders(const PreviewSetup& setup) {
   std::vector<fs::path> folders;
-  for (const char* name : kCourseFolders) folders.push_back(setup.workplace.root / name);
+  for (const char* name : kCourseFolders) folders.push_back(setup.settings.root / name);
   if (!setup.site.empty()) {
     folders.push_back(setup.site / "browser/styles");
     folders.push_back(setup.site / "press/templates");
@@ -95,11 +95,11 @@ Preview::Preview(const PreviewSetup& setup, std::function<void(const Snapshot&)>
     : setup_(setup),
       built_css_(css_of(setup.assets)),
       folders_(watched_folders(setup)),
-      pages_(setup.workplace.root, setup.assets,
+      pages_(setup.settings.root, setup.assets,
              setup.site.empty() ? fs::path() : setup.site / "press/templates") {
   if (!setup.site.empty()) stylesheet_.emplace(setup.site);
   session_ = std::make_unique<LiveSession>(
-      setup_.workplace, std::make_shared<DiskFiles>(setup_.workplace.root),
+      setup_.settings, std::make_shared<DiskFiles>(setup_.settings.root),
       [this, tell = std::move(tell)](const SnapshotPtr& snapshot) {
         pages_.show(snapshot);
         next_version();
@@ -148,7 +148,7 @@ void Preview::watch(const std::stop_token& stop) {
       return std::ranges::any_of(changed,
                                  [&](const fs::path& path) { return is_below(path, folder); });
     };
-    const fs::path& course = setup_.workplace.root;
+    const fs::path& course = setup_.settings.root;
     const auto is_read = [&](const char* name) { return any(course / name); };
     if (std::ranges::any_of(kCourseFolders, is_read)) session_->changed();
     const bool has_site = !setup_.site.empty();
@@ -218,7 +218,7 @@ std::string Preview::state(const std::string& path, const std::string& known,
               {"change", told(change)},
               {"html", is_known ? json(nullptr) : json(page.html)},
               {"marks", told(marks_of(page.html))},
-              {"course", setup_.workplace.root.string()},
+              {"course", setup_.settings.root.string()},
               {"link", setup_.link}}
       .dump(-1, ' ', false, json::error_handler_t::replace);
 }

@@ -26,7 +26,7 @@
 namespace mjcourse {
 
 struct PreviewSetup {
-  Workplace workplace;           // of the course
+  EvaluationSettings settings;   // of the course
   std::filesystem::path assets;  // the folder that site/bundle/build.mjs filled
   std::filesystem::path site;    // its sources, where they are being edited too; else empty
   // How an editor is told to open a file: "vscode://file/{file}:{line}:{column}".

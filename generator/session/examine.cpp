@@ -8,10 +8,10 @@
 
 namespace mjcourse {
 
-Evaluation examine(const Course& course, const Workplace& workplace, Progress& progress,
+Evaluation examine(const Course& course, const EvaluationSettings& settings, Progress& progress,
                    Diagnostics found) {
-  Evaluation evaluation = evaluate(course, workplace, progress, std::move(found));
-  Diagnostics theme = check_theme(DiskFiles(workplace.root), workplace.assets);
+  Evaluation evaluation = evaluate(course, settings, progress, std::move(found));
+  Diagnostics theme = check_theme(DiskFiles(settings.root), settings.assets);
   std::ranges::move(theme, std::back_inserter(evaluation.diagnostics));
   return evaluation;
 }

@@ -11,7 +11,7 @@ namespace mjcourse {
 
 // Its diagnostics begin with what reading the course `found` wrong. Throws Cancelled when the
 // caller's work is cancelled.
-Evaluation examine(const Course& course, const Workplace& workplace, Progress& progress,
+Evaluation examine(const Course& course, const EvaluationSettings& settings, Progress& progress,
                    Diagnostics found);
 
 }  // namespace mjcourse

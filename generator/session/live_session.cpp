@@ -81,9 +81,9 @@ struct LiveSession::Job {
   SnapshotPtr last, whole;  // where it began, and what came of it
 };
 
-LiveSession::LiveSession(Workplace workplace, std::shared_ptr<const Files> lessons,
+LiveSession::LiveSession(EvaluationSettings settings, std::shared_ptr<const Files> lessons,
                          std::function<void(SnapshotPtr)> tell, bool wants_guesses)
-    : workplace_(std::move(workplace)),
+    : settings_(std::move(settings)),
       lessons_(std::move(lessons)),
       tell_(std::move(tell)),
       wants_guesses_(wants_guesses),
@@ -120,19 +120,19 @@ SnapshotPtr LiveSession::snapshot(const SnapshotPtr& former, bool whole, Progres
   try {
     Diagnostics reading;
     if (auto course =
-            read_course(*lessons_, reading, workplace_.threads, kMostAwake, lesson_cache_.get())) {
+            read_course(*lessons_, reading, settings_.threads, kMostAwake, lesson_cache_.get())) {
       made->readable = true;
       made->course = *std::move(course);
-      Workplace workplace = workplace_;
+      EvaluationSettings settings = settings_;
       if (whole) {
-        workplace.first = open_blocks(*former);
+        settings.first = open_blocks(*former);
       } else {
-        workplace.stand_in = [&](const Lesson& lesson, std::size_t block) {
+        settings.stand_in = [&](const Lesson& lesson, std::size_t block) {
           return results.find(lesson, block);
         };
       }
       made->evaluation =
-          std::make_shared<const Evaluation>(examine(made->course, workplace, progress, reading));
+          std::make_shared<const Evaluation>(examine(made->course, settings, progress, reading));
       const Diagnostics& all = made->evaluation->diagnostics;
       made->of_work.assign(all.begin() + static_cast<std::ptrdiff_t>(reading.size()), all.end());
       if (made->evaluation->open && former) keep_former(former->of_work, made->of_work);
@@ -158,7 +158,7 @@ SnapshotPtr LiveSession::guess(const SnapshotPtr& former) const {
   if (!wants_guesses_ || !former) return nullptr;
   const std::shared_ptr<Snapshot> made = begin();
   try {
-    auto course = read_course(*lessons_, made->diagnostics, workplace_.threads, kMostAwake,
+    auto course = read_course(*lessons_, made->diagnostics, settings_.threads, kMostAwake,
                               lesson_cache_.get());
     if (!course) return nullptr;
     made->evaluation = former_evaluation(*former, *course);
@@ -231,7 +231,7 @@ void LiveSession::warm_up_for(const SnapshotPtr& snapshot) {
   warmer_ = std::jthread([this, snapshot](const std::stop_token& stop) {
     const Cancellable cancellable(stop);
     try {
-      warm_up(snapshot->course, workplace_);
+      warm_up(snapshot->course, settings_);
     } catch (const Cancelled&) {
       // The session ends.
     } catch (const std::exception&) {

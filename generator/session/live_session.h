@@ -28,7 +28,7 @@ class LiveSession {
   // `tell` gets each snapshot as it comes, on a thread of the session's; it must not wait for long.
   // All must outlive this. The first snapshot comes by itself. Lessons are read from `lessons`, in
   // which there may be some that nobody has saved yet; what they name is read from the disk.
-  LiveSession(Workplace workplace, std::shared_ptr<const Files> lessons,
+  LiveSession(EvaluationSettings settings, std::shared_ptr<const Files> lessons,
               std::function<void(SnapshotPtr)> tell, bool wants_guesses = false);
   // Ends all work.
   ~LiveSession();
@@ -57,7 +57,7 @@ class LiveSession {
   // The first program that is edited shall not wait for more than itself.
   void warm_up_for(const SnapshotPtr& snapshot);
 
-  Workplace workplace_;
+  EvaluationSettings settings_;
   std::shared_ptr<const Files> lessons_;
   std::shared_ptr<LessonCache> lesson_cache_ = std::make_shared<LessonCache>();
   std::function<void(SnapshotPtr)> tell_;

@@ -53,7 +53,8 @@ class LiveSessionTest : public testing::Test {
 
   void begin(bool wants_guesses = false) {
     session_.emplace(
-        Workplace{folder_.path(), assets_, &store_, 2}, std::make_shared<DiskFiles>(folder_.path()),
+        EvaluationSettings{folder_.path(), assets_, &store_, 2},
+        std::make_shared<DiskFiles>(folder_.path()),
         [this](const SnapshotPtr& snapshot) {
           const std::lock_guard lock(mutex_);
           told_.push_back(snapshot);
