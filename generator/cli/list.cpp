@@ -14,7 +14,7 @@
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "course/last_changed.h"
-#include "lesson/resting_lesson.h"
+#include "lesson/unloaded_lesson.h"
 #include "page/html/verification.h"
 #include "process/our_command.h"
 
@@ -32,9 +32,9 @@ std::size_t count_words(const std::string& text) {
 
 // Of the text that a reader sees: programs, labs and quizzes are no words.
 std::size_t count_words(const Lesson& lesson, const Files& files) {
-  const Lesson awake = wake(lesson, files);
+  const Lesson whole = reload(lesson, files);
   const std::unique_ptr<cmark_iter, decltype(&cmark_iter_free)> walk(
-      cmark_iter_new(awake.document.get()), cmark_iter_free);
+      cmark_iter_new(whole.document.get()), cmark_iter_free);
   std::size_t words = 0;
   for (cmark_event_type event; (event = cmark_iter_next(walk.get())) != CMARK_EVENT_DONE;) {
     cmark_node* node = cmark_iter_get_node(walk.get());

@@ -7,7 +7,7 @@
 
 #include "base/nearest.h"
 #include "base/text_lines.h"
-#include "lesson/resting_lesson.h"
+#include "lesson/unloaded_lesson.h"
 
 namespace mjcourse {
 namespace {
@@ -31,7 +31,7 @@ std::string no_lesson_named(const Course& course, const std::string& name) {
   return "there is no lesson " + name + "; " + suggest(name, known);
 }
 
-// The fence of `lesson`, the whole of what is at rest, that has a part in line `where.line`.
+// The fence of `lesson`, reloaded as a whole, that has a part in line `where.line`.
 void find_fence(const Lesson& lesson, Where& where) {
   const std::unique_ptr<cmark_iter, decltype(&cmark_iter_free)> walk(
       cmark_iter_new(lesson.document.get()), cmark_iter_free);
@@ -67,12 +67,12 @@ tl::expected<Where, std::string> find_place(const Course& course, const fs::path
   if (failure != std::errc() || stop != end || where.line < 1) {
     return tl::unexpected(text + " names no line; write it as " + name + ":210");
   }
-  const Lesson awake = wake(*lesson, DiskFiles(root));
-  const std::size_t lines = lines_of(awake.source->text()).size();
+  const Lesson whole = reload(*lesson, DiskFiles(root));
+  const std::size_t lines = lines_of(whole.source->text()).size();
   if (static_cast<std::size_t>(where.line) > lines) {
     return tl::unexpected(lesson->source->path() + " has only " + std::to_string(lines) + " lines");
   }
-  find_fence(awake, where);
+  find_fence(whole, where);
   return where;
 }
 

@@ -36,7 +36,7 @@ struct Course {
   std::string edit;  // where a lesson is edited, with {path} for its file; "" unless told
   std::map<std::string, std::string> macros;  // TeX, shared by all lessons: "\\R" → "\\mathbb{R}"
   std::vector<Level> levels;
-  std::vector<Lesson> lessons;  // in the course's order; most of many are at rest
+  std::vector<Lesson> lessons;  // in the course's order; most of many are unloaded
   // Names: "joint_zoo" for models/joint_zoo.xml, "arm/scene" for models/arm/scene.xml. A file that
   // only others include is among them, and nobody compiles it by itself.
   std::vector<std::string> models;
@@ -52,16 +52,17 @@ struct Course {
   std::unordered_map<std::string, std::size_t> by_number_;  // of the lessons
 };
 
-// A lesson awake takes some 180 KB for 12 KB of text. To wake one is to read it again.
-inline constexpr std::size_t kMostAwake = 500;
+// A loaded lesson takes some 180 KB for 12 KB of text. To reload one is to read it again.
+inline constexpr std::size_t kMostLoaded = 500;
 
 // Read content/course.yaml and every lesson in it, on so many threads, and check the links between
-// them; behind the first `awake` lessons, the others are put to rest (lesson/resting_lesson.h).
+// them; after the first `most_loaded` lessons, the others are unloaded (lesson/unloaded_lesson.h).
 // Lessons that are in `cache` are taken from it instead.
 // Mistakes go to `diagnostics`; nothing is returned only when there is no readable course.yaml.
 std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics,
                                   std::size_t threads = core_count(),
-                                  std::size_t awake = kMostAwake, LessonCache* cache = nullptr);
+                                  std::size_t most_loaded = kMostLoaded,
+                                  LessonCache* cache = nullptr);
 
 // What Course::models has, sorted.
 std::vector<std::string> model_names(const Files& files);

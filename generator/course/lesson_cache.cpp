@@ -20,7 +20,7 @@ std::optional<Lesson> LessonCache::take(const std::string& path, std::string_vie
 void LessonCache::give_back(Course& course) {
   const std::lock_guard lock(mutex_);
   for (Lesson& lesson : course.lessons) {
-    // What is at rest is read again, and so is what has to be said once more.
+    // What is unloaded is read again, and so is what has to be said once more.
     if (lesson.kept != Lesson::Kept::all || !lesson.sound) continue;
     const std::string path = lesson.source->path();
     lessons_.insert_or_assign(path, std::move(lesson));

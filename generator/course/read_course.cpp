@@ -15,9 +15,9 @@
 #include "lesson/json/yaml_map.h"
 #include "lesson/read_glossary.h"
 #include "lesson/read_lesson.h"
-#include "lesson/resting_lesson.h"
 #include "lesson/syntax/is_text.h"
 #include "lesson/syntax/reading.h"
+#include "lesson/unloaded_lesson.h"
 #include "report/refused_file.h"
 
 namespace mjcourse {
@@ -100,7 +100,7 @@ std::vector<Listed> read_levels(const std::vector<YAML::Node>& nodes, const Loca
 
 // On one of several threads.
 void read_listed(const Files& files, const Typography& typography, LessonCache* cache,
-                 Listed& listed, bool stays_awake) {
+                 Listed& listed, bool stays_loaded) {
   if (!files.exists(listed.path)) return;
   tl::expected<std::string, std::string> bytes = files.read(listed.path);
   if (!bytes) {
@@ -110,10 +110,10 @@ void read_listed(const Files& files, const Typography& typography, LessonCache* 
   if (cache != nullptr) listed.lesson = cache->take(listed.path, *bytes, typography);
   if (listed.lesson) return;
   listed.lesson = read_lesson(listed.path, *std::move(bytes), listed.diagnostics, typography);
-  if (!listed.lesson || stays_awake) return;
+  if (!listed.lesson || stays_loaded) return;
   // A mistake needs the text around it.
-  const bool is_card = listed.diagnostics.empty() && is_prose(*listed.lesson);
-  put_to_rest(*listed.lesson, is_card ? Lesson::Kept::card : Lesson::Kept::blocks);
+  const bool is_outline = listed.diagnostics.empty() && is_prose(*listed.lesson);
+  unload(*listed.lesson, is_outline ? Lesson::Kept::outline : Lesson::Kept::blocks);
 }
 
 // Append the lesson to the course, or say why not.
@@ -218,9 +218,9 @@ void check_references(const Files& files, Course& course, Diagnostics& diagnosti
   const auto check = [&](Lesson& lesson) {
     const std::vector<DeadReference> found = dead_references(course, former, lesson);
     if (found.empty()) return;
-    if (lesson.kept == Lesson::Kept::card) {
-      lesson = wake(lesson, files);
-      put_to_rest(lesson, Lesson::Kept::blocks);
+    if (lesson.kept == Lesson::Kept::outline) {
+      lesson = reload(lesson, files);
+      unload(lesson, Lesson::Kept::blocks);
     }
     Reading reading(*lesson.source, diagnostics);
     for (const auto& [dead, span] : found) reading.error(dead.id, span, dead.message, dead.cure);
@@ -250,7 +250,7 @@ std::vector<const Lesson*> Course::pages() const {
 }
 
 std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, std::size_t threads,
-                                  std::size_t awake, LessonCache* cache) {
+                                  std::size_t most_loaded, LessonCache* cache) {
   const tl::expected<std::string, std::string> bytes = files.read(kCoursePath);
   if (!bytes && files.refusal(kCoursePath)) {
     report_refused(kCoursePath, files, diagnostics);
@@ -290,7 +290,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
   std::vector<Listed> listed = read_levels(map.required_items("levels"), text, reading, course);
   map.finish();
   for_each_index(listed.size(), threads, [&](std::size_t index, std::size_t) {
-    read_listed(files, course.typography, cache, listed[index], index < awake);
+    read_listed(files, course.typography, cache, listed[index], index < most_loaded);
   });
   course.lessons.reserve(listed.size());
   for (Listed& one : listed) add_listed(files, one, reading, course, diagnostics);

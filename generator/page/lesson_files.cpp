@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "lesson/resting_lesson.h"
+#include "lesson/unloaded_lesson.h"
 #include "page/course_data.h"
 #include "page/html/csv.h"
 #include "page/html/lesson_pictures.h"
@@ -55,10 +55,11 @@ void copy_images(const Lesson& page, const LessonResults& results, SiteFiles& di
 
 void write_lesson(const SiteData& site, std::size_t index, PageRenderer& renderer,
                   SiteFiles& directory, Spool& spool, PrintedLength& printed, LessonParts* parts) {
-  const Lesson& resting = site.course.lessons[index];
-  std::optional<Lesson> woken;
-  const Lesson& lesson =
-      resting.kept == Lesson::Kept::all ? resting : woken.emplace(wake(resting, site.files));
+  const Lesson& unloaded = site.course.lessons[index];
+  std::optional<Lesson> reloaded;
+  const Lesson& lesson = unloaded.kept == Lesson::Kept::all
+                             ? unloaded
+                             : reloaded.emplace(reload(unloaded, site.files));
   const LessonResults& results = site.evaluation.lessons[index];
   const std::string path = page_path(lesson);
   InlineStyles styles;
@@ -69,7 +70,7 @@ void write_lesson(const SiteData& site, std::size_t index, PageRenderer& rendere
   const std::optional<SharedPicture> picture = shared_picture(lesson, results);
   renderer.write(path,
                  {"lesson", lesson.number + " " + lesson.front.title.text, description, "../",
-                  &resting, picture},
+                  &unloaded, picture},
                  page.body, styles);
   write_pictures(lesson, results, directory);
   copy_images(lesson, results, directory);
@@ -77,8 +78,8 @@ void write_lesson(const SiteData& site, std::size_t index, PageRenderer& rendere
   write_labs(writer.lab_files(), directory);
 
   if (parts == nullptr) return;
-  const bool is_card = resting.kept == Lesson::Kept::card;
-  *parts = verification_parts(lesson, is_card ? site.claims_of_card(lesson) : results.claims,
+  const bool is_outline = unloaded.kept == Lesson::Kept::outline;
+  *parts = verification_parts(lesson, is_outline ? site.claims_of_outline(lesson) : results.claims,
                               renderer.templates(), spool);
   add_search_part(lesson, results, search_share(site.course), spool, *parts);
   if (printed.fits()) {

@@ -108,7 +108,7 @@ json levels_of(const Course& course) {
 PrintedLength::PrintedLength(const Course& course) {
   for (const Lesson& lesson : course.lessons) {
     if (lesson.front.draft) continue;
-    bytes_ += lesson.kept == Lesson::Kept::card ? lesson.length : lesson.source->text().size();
+    bytes_ += lesson.kept == Lesson::Kept::outline ? lesson.length : lesson.source->text().size();
   }
   if (fits()) bytes_ = 0;
 }

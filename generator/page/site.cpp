@@ -15,11 +15,11 @@
 namespace mjcourse {
 
 void write_site(const Course& course, const Evaluation& evaluation, const SitePaths& paths,
-                const CardClaims& claims_of_card, LastChanges changes) {
+                const OutlineClaims& claims_of_outline, LastChanges changes) {
   const ThemedAssets assets(paths.assets, {paths.course / kThemeTemplates});
   SiteDirectory directory(paths.out, paths.course);
   SitePages pages(course, evaluation, paths.course, assets, directory, false, std::move(changes),
-                  claims_of_card);
+                  claims_of_outline);
   // Made on the thread that works with it, at its first page.
   std::vector<std::unique_ptr<PageEngines>> engines(paths.threads);
   const auto engines_of = [&](std::size_t thread) -> PageEngines& {

@@ -26,11 +26,11 @@ struct SitePaths {
   bool compress = false;         // precompressed.h
 };
 
-// `claims_of_card` is asked for the claims of lessons that rest as cards, from any thread.
-// `changes` is when the lessons' files were changed, as far as that is known. Throws
+// `claims_of_outline` is asked for the claims of lessons of which an outline is kept, from any
+// thread. `changes` is when the lessons' files were changed, as far as that is known. Throws
 // std::runtime_error or std::system_error when the site cannot be written; the old one then stands
 // as it was.
 void write_site(const Course& course, const Evaluation& evaluation, const SitePaths& paths,
-                const CardClaims& claims_of_card, LastChanges changes);
+                const OutlineClaims& claims_of_outline, LastChanges changes);
 
 }  // namespace mjcourse

@@ -16,8 +16,8 @@
 
 namespace mjcourse {
 
-// The claims of a lesson that rested as a card (lesson/resting_lesson.h) and was woken.
-using CardClaims = std::function<Claims(const Lesson&)>;
+// The claims of a lesson of which an outline was kept (lesson/unloaded_lesson.h), once reloaded.
+using OutlineClaims = std::function<Claims(const Lesson&)>;
 
 struct SiteData {
   const Course& course;
@@ -31,7 +31,7 @@ struct SiteData {
   LastChanges changes = {};                        // of the lessons' files, as far as git knows
   bool asks = has_questions(course);               // some published lesson does
   bool feed = false;                               // it has one (page/web_files.h)
-  CardClaims claims_of_card = {};                  // of lessons that rest as cards
+  OutlineClaims claims_of_outline = {};            // of lessons of which an outline is kept
   bool prints = true;                              // it has print.html (page/printed_course.h)
 };
 

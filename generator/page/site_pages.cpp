@@ -43,7 +43,7 @@ std::string write_theme(const Files& course, SiteFiles& out) {
 
 SitePages::SitePages(const Course& course, const Evaluation& evaluation,
                      const std::filesystem::path& root, const Files& assets, SiteFiles& out,
-                     bool places, LastChanges changes, CardClaims claims_of_card)
+                     bool places, LastChanges changes, OutlineClaims claims_of_outline)
     : root_(root),
       out_(out),
       files_(root),
@@ -58,7 +58,7 @@ SitePages::SitePages(const Course& course, const Evaluation& evaluation,
             std::move(changes)},
       parts_(course.lessons.size() + 1),
       printed_(course) {
-  site_.claims_of_card = std::move(claims_of_card);
+  site_.claims_of_outline = std::move(claims_of_outline);
   site_.feed = has_feed(site_);
 }
 

@@ -23,7 +23,7 @@ class SitePages {
   // what came of it must outlive this.
   SitePages(const Course& course, const Evaluation& evaluation, const std::filesystem::path& root,
             const Files& assets, SiteFiles& out, bool places = false, LastChanges changes = {},
-            CardClaims claims_of_card = {});
+            OutlineClaims claims_of_outline = {});
 
   // Lesson `index` with its files, be it a draft; what write_others() needs of it is made as well,
   // unless it is written `alone`. From several threads, each with engines of its own and another

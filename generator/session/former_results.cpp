@@ -36,7 +36,8 @@ std::string name_of(const Lesson& lesson, std::size_t index) {
 }
 
 bool has_same_text(const Lesson& a, const Lesson& b) {
-  if (a.kept != b.kept || a.kept == Lesson::Kept::card) return a.kept == b.kept && a.hash == b.hash;
+  if (a.kept != b.kept || a.kept == Lesson::Kept::outline)
+    return a.kept == b.kept && a.hash == b.hash;
   return a.source->text() == b.source->text();
 }
 

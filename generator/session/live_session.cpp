@@ -120,7 +120,7 @@ SnapshotPtr LiveSession::snapshot(const SnapshotPtr& former, bool whole, Progres
   try {
     Diagnostics reading;
     if (auto course =
-            read_course(*lessons_, reading, settings_.threads, kMostAwake, lesson_cache_.get())) {
+            read_course(*lessons_, reading, settings_.threads, kMostLoaded, lesson_cache_.get())) {
       made->readable = true;
       made->course = *std::move(course);
       EvaluationSettings settings = settings_;
@@ -158,7 +158,7 @@ SnapshotPtr LiveSession::guess(const SnapshotPtr& former) const {
   if (!wants_guesses_ || !former) return nullptr;
   const std::shared_ptr<Snapshot> made = begin();
   try {
-    auto course = read_course(*lessons_, made->diagnostics, settings_.threads, kMostAwake,
+    auto course = read_course(*lessons_, made->diagnostics, settings_.threads, kMostLoaded,
                               lesson_cache_.get());
     if (!course) return nullptr;
     made->evaluation = former_evaluation(*former, *course);

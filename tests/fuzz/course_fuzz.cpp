@@ -6,7 +6,7 @@
 #include "course/course_listing.h"
 #include "diagnostic_check.h"
 #include "fuzz.h"
-#include "lesson/resting_lesson.h"
+#include "lesson/unloaded_lesson.h"
 #include "lesson_check.h"
 #include "require.h"
 
@@ -71,7 +71,7 @@ void check_course(const std::string& input) {
       require(lesson < course->lessons.size(), "a level's lesson is there");
     }
   }
-  for (const Lesson& lesson : course->lessons) check_lesson(wake(lesson, memory));
+  for (const Lesson& lesson : course->lessons) check_lesson(reload(lesson, memory));
   if (course->glossary) check_lesson(course->glossary->page);
 }
 

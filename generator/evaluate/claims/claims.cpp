@@ -7,7 +7,7 @@
 #include "evaluate/claims/code_claims.h"
 #include "evaluate/claims/prose_claims.h"
 #include "evaluate/claims/shown_claims.h"
-#include "lesson/resting_lesson.h"
+#include "lesson/unloaded_lesson.h"
 
 namespace mjcourse {
 namespace {
@@ -51,7 +51,7 @@ void make_claims(const Course& course, ClaimSources& sources, const Programs& pr
         const bool is_lesson = index < glossary;
         const Lesson& page = is_lesson ? course.lessons[index] : course.glossary->page;
         LessonResults& results = is_lesson ? evaluation.lessons[index] : evaluation.glossary;
-        if (page.kept == Lesson::Kept::card) {
+        if (page.kept == Lesson::Kept::outline) {
           results.tally.unchecked = page.unchecked;
           return;
         }
@@ -72,9 +72,9 @@ Claims claims_of_prose(const Lesson& lesson, const Evaluation& evaluation) {
 void claim_prose(Course& course, const Files& files, Evaluation& evaluation) {
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
     Lesson& lesson = course.lessons[i];
-    if (lesson.kept != Lesson::Kept::card) continue;
-    lesson = wake(lesson, files);
-    put_to_rest(lesson, Lesson::Kept::blocks);
+    if (lesson.kept != Lesson::Kept::outline) continue;
+    lesson = reload(lesson, files);
+    unload(lesson, Lesson::Kept::blocks);
     evaluation.lessons[i].claims = claims_of_prose(lesson, evaluation);
   }
 }

@@ -14,13 +14,13 @@
 namespace mjcourse {
 
 // Fills the claims and the tally of every lesson of `evaluation`, whose results, diagnostics and
-// versions are complete; of a lesson that rests as a card, the tally alone. `programs` are the
-// results of the examples by their files. Works on `threads`.
+// versions are complete; of a lesson of which an outline is kept, the tally alone. `programs` are
+// the results of the examples by their files. Works on `threads`.
 void make_claims(const Course& course, ClaimSources& sources,
                  const std::map<std::string, ExampleResult>& programs, std::size_t threads,
                  Evaluation& evaluation);
 
-// The claims of a lesson that rested as a card and was woken.
+// The claims of a lesson of which an outline was kept, and which was reloaded.
 Claims claims_of_prose(const Lesson& lesson, const Evaluation& evaluation);
 
 // Fills in what make_claims left out, and keeps those lessons' blocks, for a caller that looks at

@@ -43,14 +43,14 @@ struct TitlePart {
 struct Heading {
   int level = 2;
   std::string id;        // unique in its lesson: the fragment of links to it
-  cmark_node* node;      // in the lesson's document; null at rest
+  cmark_node* node;      // in the lesson's document; null once unloaded
   bool in_demo = false;  // then the page's contents leave it out
   int line = 0;          // where it begins
   std::vector<TitlePart> title{};
 };
 
 struct Link {
-  cmark_node* node;                // null at rest
+  cmark_node* node;                // null once unloaded
   LocatedText target;              // as written: "1.3#anchor", "https://…"
   bool in_angle_brackets = false;  // `<https://…>`, and `<std::string>`, which was meant as text
 };
@@ -70,13 +70,13 @@ struct Lesson {
   bool sound = true;                      // reading it found no mistake
   std::optional<std::size_t> index = {};  // in Course::lessons; nothing of a page beside them
 
-  // How much of it is there (lesson/resting_lesson.h): all of it; all but its trees, which are
-  // `document`, `block_of`, the nodes, and those of the front matter; or a card. A card is where
+  // How much of it is there (lesson/unloaded_lesson.h): all of it; all but its trees, which are
+  // `document`, `block_of`, the nodes, and those of the front matter; or an outline. That is where
   // the lesson is, its title, its headings, and these three.
-  enum class Kept { all, blocks, card } kept = Kept::all;
-  std::string hash;        // of a card: its bytes'
-  std::size_t length = 0;  // of a card: how many these are
-  int unchecked = 0;       // of a card: how many such blocks it has
+  enum class Kept { all, blocks, outline } kept = Kept::all;
+  std::string hash;        // of an outline: the lesson's bytes'
+  std::size_t length = 0;  // of an outline: how many these are
+  int unchecked = 0;       // of an outline: how many such blocks the lesson has
 
   // A block that `node` stands for.
   void add(const cmark_node* node, Block block) {

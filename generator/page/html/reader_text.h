@@ -14,7 +14,7 @@ namespace mjcourse {
 // each stretch of blanks as one.
 std::string reader_text(cmark_node* node, const Lesson& page, const LessonResults& results);
 
-// The same of a heading, whose lesson may be at rest.
+// The same of a heading, whose lesson may be unloaded.
 std::string reader_text(const Heading& heading, const LessonResults& results);
 
 // Of a formula that may have no result, since it was not set.

@@ -22,7 +22,7 @@ struct Reader {
 
   Course read() {
     diagnostics.clear();
-    return read_course(MemoryFiles(files), diagnostics, 2, kMostAwake, &cache).value();
+    return read_course(MemoryFiles(files), diagnostics, 2, kMostLoaded, &cache).value();
   }
   void read_and_give_back() {
     Course course = read();

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "course/course_of.h"
-#include "lesson/resting_lesson.h"
+#include "lesson/unloaded_lesson.h"
 
 namespace mjcourse {
 namespace {
@@ -51,7 +51,7 @@ std::string texts_of(const std::string& keys) {
   const MemoryFiles memory(files);
   const Course course = read_course(memory, mistakes, 1, 0).value();
   EXPECT_EQ(shown(mistakes), "");
-  const Lesson lesson = wake(course.lessons[0], memory);
+  const Lesson lesson = reload(course.lessons[0], memory);
   std::string texts = plain_text(lesson.front.summary.get()) + " " +
                       plain_text(cmark_node_first_child(lesson.document.get()));
   for (const std::size_t i : blocks_of<Quiz>(lesson)) {
@@ -233,24 +233,24 @@ TEST(Course, ReadsOnAfterALessonThatCannotBeRead) {
   EXPECT_EQ(found.course->lessons.size(), 1u);
 }
 
-TEST(ReadCourse, PutsLessonsToRest) {
+TEST(ReadCourse, UnloadsLessons) {
   const CourseOf read = course_of("$x$\n", "## Here\n\n[one](1.1)\n");
   EXPECT_EQ(read.mistakes(), "");
   EXPECT_EQ(read.course->find_lesson("1.1")->kept, Lesson::Kept::blocks);
   const Lesson& prose = *read.course->find_lesson("1.2");
-  EXPECT_EQ(prose.kept, Lesson::Kept::card);
+  EXPECT_EQ(prose.kept, Lesson::Kept::outline);
   EXPECT_EQ(prose.headings.at(0).id, "here");
   EXPECT_TRUE(prose.links.empty());
 }
 
-TEST(ReadCourse, LetsTheFirstLessonsStayAwake) {
+TEST(ReadCourse, KeepsTheFirstLessonsLoaded) {
   const MemoryFiles files({{"content/course.yaml", kTwo},
                            {"content/1-a/1.1-x.md", lesson("One.\n")},
                            {"content/1-a/1.2-y.md", lesson("Two.\n")}});
   Diagnostics diagnostics;
   const std::optional<Course> course = read_course(files, diagnostics, 2, 1);
   EXPECT_EQ(course->lessons.at(0).kept, Lesson::Kept::all);
-  EXPECT_EQ(course->lessons.at(1).kept, Lesson::Kept::card);
+  EXPECT_EQ(course->lessons.at(1).kept, Lesson::Kept::outline);
 }
 
 // What needs its text to be told keeps it.

@@ -23,11 +23,11 @@ TEST(PrintedLength, FitsUpToItsLimit) {
 
 TEST(PrintedLength, CountsNoDraftsAndCardsToo) {
   SiteOf site;
-  Lesson& card = site.course.lessons[0];
-  card.kept = Lesson::Kept::card;
-  card.length = kMostPrinted;
+  Lesson& outline = site.course.lessons[0];
+  outline.kept = Lesson::Kept::outline;
+  outline.length = kMostPrinted;
   EXPECT_FALSE(PrintedLength(site.course).fits());
-  card.front.draft = true;
+  outline.front.draft = true;
   EXPECT_TRUE(PrintedLength(site.course).fits());
 }
 

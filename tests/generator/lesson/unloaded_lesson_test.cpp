@@ -1,4 +1,4 @@
-#include "lesson/resting_lesson.h"
+#include "lesson/unloaded_lesson.h"
 
 #include <gtest/gtest.h>
 
@@ -29,7 +29,7 @@ bool is_prose_with(const std::string& body) {
   return is_prose(reading_of(body).lesson.value());
 }
 
-TEST(RestingLesson, IsProseWhereNothingIsToBeFoundOut) {
+TEST(UnloadedLesson, IsProseWhereNothingIsToBeFoundOut) {
   EXPECT_TRUE(is_prose(prose()));
   EXPECT_TRUE(is_prose_with("> [!note] A\n> text\n\n````demo\n**b**\n````\n"));
   EXPECT_FALSE(is_prose_with("$x$\n"));
@@ -40,9 +40,9 @@ TEST(RestingLesson, IsProseWhereNothingIsToBeFoundOut) {
   EXPECT_FALSE(is_prose_with("[a](model:zoo)\n"));
 }
 
-TEST(RestingLesson, KeepsOfACardWhatOtherLessonsNeed) {
+TEST(UnloadedLesson, KeepsOfAnOutlineWhatOtherLessonsNeed) {
   Lesson lesson = prose();
-  put_to_rest(lesson, Lesson::Kept::card);
+  unload(lesson, Lesson::Kept::outline);
   EXPECT_EQ(lesson.number, "1.1");
   EXPECT_EQ(lesson.front.title.text, "T");
   EXPECT_EQ(lesson.source->path(), kPath);
@@ -56,9 +56,9 @@ TEST(RestingLesson, KeepsOfACardWhatOtherLessonsNeed) {
   EXPECT_TRUE(lesson.links.empty());
 }
 
-TEST(RestingLesson, KeepsTheBlocksOfWhatIsEvaluated) {
+TEST(UnloadedLesson, KeepsTheBlocksOfWhatIsEvaluated) {
   Lesson lesson = prose();
-  put_to_rest(lesson, Lesson::Kept::blocks);
+  unload(lesson, Lesson::Kept::blocks);
   forget_links(lesson);
   EXPECT_EQ(lesson.blocks.size(), 1U);
   EXPECT_EQ(lesson.links.size(), 1U);
@@ -67,27 +67,27 @@ TEST(RestingLesson, KeepsTheBlocksOfWhatIsEvaluated) {
   EXPECT_TRUE(lesson.block_of.empty());
 }
 
-TEST(RestingLesson, IsAllThereOnceItIsWoken) {
-  for (const Lesson::Kept kept : {Lesson::Kept::blocks, Lesson::Kept::card}) {
+TEST(UnloadedLesson, IsAllThereOnceItIsReloaded) {
+  for (const Lesson::Kept kept : {Lesson::Kept::blocks, Lesson::Kept::outline}) {
     Lesson lesson = prose();
     lesson.index = 3;
-    put_to_rest(lesson, kept);
-    const Lesson awake = wake(lesson, files_with(kText));
-    EXPECT_EQ(awake.kept, Lesson::Kept::all);
-    EXPECT_EQ(awake.index, 3U);
-    EXPECT_EQ(awake.blocks.size(), 1U);
-    EXPECT_EQ(awake.block_of.size(), 1U);
-    EXPECT_EQ(plain_text(awake.front.summary.get()), "S");
-    EXPECT_EQ(plain_text(awake.headings.at(0).node), "One");
+    unload(lesson, kept);
+    const Lesson whole = reload(lesson, files_with(kText));
+    EXPECT_EQ(whole.kept, Lesson::Kept::all);
+    EXPECT_EQ(whole.index, 3U);
+    EXPECT_EQ(whole.blocks.size(), 1U);
+    EXPECT_EQ(whole.block_of.size(), 1U);
+    EXPECT_EQ(plain_text(whole.front.summary.get()), "S");
+    EXPECT_EQ(plain_text(whole.headings.at(0).node), "One");
   }
 }
 
-TEST(RestingLesson, IsNotWokenFromAFileThatWasChanged) {
+TEST(UnloadedLesson, IsNotReloadedFromAFileThatWasChanged) {
   Lesson lesson = prose();
-  put_to_rest(lesson, Lesson::Kept::card);
+  unload(lesson, Lesson::Kept::outline);
   const auto message = [&](const MemoryFiles& files) {
     try {
-      wake(lesson, files);
+      reload(lesson, files);
     } catch (const std::runtime_error& error) {
       return std::string(error.what());
     }

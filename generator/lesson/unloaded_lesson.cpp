@@ -1,4 +1,4 @@
-#include "lesson/resting_lesson.h"
+#include "lesson/unloaded_lesson.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -21,13 +21,13 @@ bool is_explained(const Link& link) {
   return link.target.text.starts_with("api:") || link.target.text.starts_with("model:");
 }
 
-// The lesson's bytes as they were; from the file where the lesson at rest has none.
-std::string bytes_of(const Lesson& resting, const Files& files) {
-  const std::string& path = resting.source->path();
-  if (resting.kept != Lesson::Kept::card) return std::string(resting.source->text());
+// The lesson's bytes as they were; from the file where the unloaded lesson has none.
+std::string bytes_of(const Lesson& unloaded, const Files& files) {
+  const std::string& path = unloaded.source->path();
+  if (unloaded.kept != Lesson::Kept::outline) return std::string(unloaded.source->text());
   tl::expected<std::string, std::string> bytes = files.read(path);
   if (!bytes) throw std::runtime_error("cannot read again " + bytes.error());
-  if (content_hash(*bytes) != resting.hash) {
+  if (content_hash(*bytes) != unloaded.hash) {
     throw std::runtime_error(path + " was changed while it was worked on; begin again");
   }
   return *std::move(bytes);
@@ -42,7 +42,7 @@ bool is_prose(const Lesson& lesson) {
 }
 
 // Where `= {}` would keep a container's memory, a new one is moved in.
-void put_to_rest(Lesson& lesson, Lesson::Kept kept) {
+void unload(Lesson& lesson, Lesson::Kept kept) {
   lesson.kept = kept;
   lesson.document.reset();
   lesson.block_of = decltype(lesson.block_of)();
@@ -50,7 +50,7 @@ void put_to_rest(Lesson& lesson, Lesson::Kept kept) {
   lesson.front.objectives.clear();
   for (Heading& heading : lesson.headings) heading.node = nullptr;
   for (Link& link : lesson.links) link.node = nullptr;
-  if (kept != Lesson::Kept::card) return;
+  if (kept != Lesson::Kept::outline) return;
   lesson.unchecked = static_cast<int>(
       std::count_if(lesson.blocks.begin(), lesson.blocks.end(),
                     [](const Block& block) { return std::holds_alternative<Unchecked>(block); }));
@@ -64,15 +64,15 @@ void put_to_rest(Lesson& lesson, Lesson::Kept kept) {
 }
 
 void forget_links(Lesson& lesson) {
-  if (lesson.kept == Lesson::Kept::card) lesson.links = std::vector<Link>();
+  if (lesson.kept == Lesson::Kept::outline) lesson.links = std::vector<Link>();
 }
 
-Lesson wake(const Lesson& resting, const Files& files) {
+Lesson reload(const Lesson& unloaded, const Files& files) {
   Diagnostics known;  // they were told when it was first read
-  std::optional<Lesson> awake =
-      read_lesson(resting.source->path(), bytes_of(resting, files), known, resting.typography);
-  awake->index = resting.index;
-  return *std::move(awake);
+  std::optional<Lesson> whole =
+      read_lesson(unloaded.source->path(), bytes_of(unloaded, files), known, unloaded.typography);
+  whole->index = unloaded.index;
+  return *std::move(whole);
 }
 
 }  // namespace mjcourse
