@@ -120,7 +120,7 @@ await testSite(
         if ((kind === "document") !== (look === "paper") && kind !== "lesson") continue;
         const name = `${kind}-${look}`;
         const settings = {
-          savesData: true, // a lab would wake, and its clock is not ours
+          savesData: true, // a lab would go live, and its clock is not ours
           reducedMotion: "reduce",
           deviceScaleFactor: 0.5,
           before: before(kind),

@@ -65,7 +65,7 @@ class Visitor {
   }
 
   // Opens the page at `path` for a new reader, without a service worker, hands it to `look`, and shuts
-  // it. For one who saves data, no lab wakes by itself. `before` is given the page while it is empty; all
+  // it. For one who saves data, no lab goes live by itself. `before` is given the page while it is empty; all
   // other options are those of a context.
   async visit(path, options, look) {
     const { width = 1440, scheme = "light", javaScript = true, ...rest } = options;

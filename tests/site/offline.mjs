@@ -90,7 +90,7 @@ class Reader {
   // Until all of it has come: what a later deployment breaks off is no mistake of the page's.
   async go(path) {
     await this.page.goto(this.root + path);
-    for (const place of [4, 5]) await this.page.mouse.move(place, place); // labs that are near wake
+    for (const place of [4, 5]) await this.page.mouse.move(place, place); // labs that are near go live
     await this.page.waitForLoadState("networkidle");
   }
 
@@ -129,7 +129,7 @@ async function readWithoutNetwork(reader) {
   expect((await reader.text()).includes("A prediction and a goal"), "a lesson has lost its text");
   const fonts = await page.evaluate(() => document.fonts.ready.then((all) => [...all].length));
   expect(fonts > 0, "the fonts are gone");
-  const lab = await Lab.wake(page, "lab-1");
+  const lab = await Lab.live(page, "lab-1");
   await lab.button("Play").first().click();
   await lab.runs();
 
@@ -222,7 +222,7 @@ async function test(browser) {
   };
 
   await reader.go(read);
-  await Lab.wake(reader.page, "lab-1");
+  await Lab.live(reader.page, "lab-1");
   await reader.isKept();
   goOffline();
   await readWithoutNetwork(reader);

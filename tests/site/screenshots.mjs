@@ -28,7 +28,7 @@ const toTop = (locator) => locator.evaluate((e) => e.scrollIntoView({ behavior: 
 await testSite(async (visitor) => {
   await visitor.visit(lesson, { width: 1280 }, async (page) => {
     await page.setViewportSize({ width: 1280, height: 800 });
-    const lab = await Lab.wake(page, "lab-1");
+    const lab = await Lab.live(page, "lab-1");
     await lab.press("Turn the hinge (qvel[10] = 2 rad/s)");
     for (let i = 0; i < 40; ++i) await lab.root.getByRole("button", { name: "Ten steps" }).click();
     await lab.settle();

@@ -1,12 +1,12 @@
 /**
- * Wakes a lab of the page: enter at openLab(), which client/lab-loader.ts calls when it has loaded
+ * Makes a lab of the page live: enter at openLab(), which client/lab-loader.ts calls when it has loaded
  * this module. However many labs a page has, there is one engine and one WebGL context.
  */
 import type { Engine, ModelFiles } from "../engine/engine.js";
-import { LiveLab } from "./bench/live-lab.js";
+import { LiveLab } from "./live/live-lab.js";
 import type { LabModule } from "./lab-module.js";
 import { wear } from "./page/stylesheet.js";
-import { arrive, fetchFiles, loadModule, openEngine } from "./run/engine-room.js";
+import { arrive, fetchFiles, loadModule, openEngine } from "./run/resources.js";
 import { Run } from "./run/run.js";
 import { isOutOfMemory, whyNoStart } from "./run/trouble.js";
 import { Stage } from "./stage/stage.js";
@@ -26,7 +26,7 @@ class NoMemory extends Refusal {
 }
 
 let stage: Stage | undefined;
-const awake: LiveLab[] = [];
+const liveLabs: LiveLab[] = [];
 
 export async function openLab(lab: HTMLElement): Promise<LabHandle> {
   const opened = openStage();
@@ -39,7 +39,7 @@ export async function openLab(lab: HTMLElement): Promise<LabHandle> {
   ]).catch(refuse);
   const files = await fetchFiles(module, described.lab.model).catch(refuse);
   const live = new LiveLab(lab, start(engine, described, files), opened);
-  awake.push(live);
+  liveLabs.push(live);
   await live.restoreLink();
   return live;
 }
@@ -72,12 +72,12 @@ function openStage(): Stage {
 
 /** The browser may take the context away, and give it back. */
 function watched(opened: Stage): Stage {
-  opened.onLost = () => awake.forEach((lab) => lab.viewLost(true));
-  opened.onRestored = () => awake.forEach((lab) => lab.viewLost(false));
+  opened.onLost = () => liveLabs.forEach((lab) => lab.viewLost(true));
+  opened.onRestored = () => liveLabs.forEach((lab) => lab.viewLost(false));
   return opened;
 }
 
-/** What did not arrive has a sentence for readers (run/engine-room.ts). */
+/** What did not arrive has a sentence for readers (run/resources.ts). */
 function refuse(error: unknown): never {
   if (error instanceof Error && error.name === "Unreachable") throw new Refusal(error.message);
   throw error;

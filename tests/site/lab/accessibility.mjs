@@ -24,21 +24,21 @@ await testSite(async (visitor) => {
 });
 
 async function openAll(page) {
-  await Lab.wake(page, "lab-3");
-  const edited = await Lab.wake(page, "lab-4");
+  await Lab.live(page, "lab-3");
+  const edited = await Lab.live(page, "lab-4");
   await edited.root.locator("summary").click();
   await edited.root.getByRole("textbox", { name: /^MJCF of/ }).waitFor();
-  const asked = await Lab.wake(page, "lab-2");
+  const asked = await Lab.live(page, "lab-2");
   await asked.root.getByRole("textbox").fill("0.5");
   await asked.root.getByRole("textbox").press("Enter");
   await asked.root.locator(".lab-compare").waitFor({ timeout: 30_000 });
-  const lab = await Lab.wake(page, "lab-1");
+  const lab = await Lab.live(page, "lab-1");
   await lab.press("push");
   await lab.press("keys");
 }
 
 async function failBoth(page) {
-  const lab = await Lab.wake(page, "lab-1");
+  const lab = await Lab.live(page, "lab-1");
   await lab.press("One step");
   await lab.press("Look");
   await lab.root.locator(".lab-trouble").waitFor();

@@ -18,7 +18,7 @@ function keepContexts() {
 await testSite(async (visitor) => {
   const before = (page) => page.addInitScript(keepContexts);
   await visitor.visit(fourLabs, { before }, async (page) => {
-    const lab = await Lab.wake(page, "lab-1");
+    const lab = await Lab.live(page, "lab-1");
     const expect = (good, what) => visitor.expect(good, fourLabs, what);
     const first = await lab.picture();
     const status = lab.root.locator(".lab-status");

@@ -9,7 +9,7 @@ import { fourLabs, Lab } from "./lab.mjs";
 
 await testSite(async (visitor) => {
   await visitor.visit(fourLabs, {}, async (page) => {
-    const lab = await Lab.wake(page, "lab-1");
+    const lab = await Lab.live(page, "lab-1");
     const shows = async (label, value, after) => {
       const shown = await lab.reading(label);
       visitor.expect(

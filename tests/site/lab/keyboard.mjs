@@ -5,7 +5,7 @@ import { fourLabs, Lab } from "./lab.mjs";
 
 await testSite(async (visitor) => {
   await visitor.visit(fourLabs, {}, async (page) => {
-    const lab = await Lab.wake(page, "lab-1");
+    const lab = await Lab.live(page, "lab-1");
     const expect = (good, what) => visitor.expect(good, fourLabs, what);
     const press = async (...keys) => {
       for (const key of keys) await page.keyboard.press(key);
@@ -65,7 +65,7 @@ async function tryFocus(lab, press, expect) {
     return `${outlineStyle} ${outlineWidth}`;
   });
   expect(ring === "solid 2px", `the focus is shown as ${ring}`);
-  const second = await Lab.wake(lab.page, "lab-2");
+  const second = await Lab.live(lab.page, "lab-2");
   await second.root.getByRole("textbox").fill("");
   await second.root.getByRole("textbox").pressSequentially("0.5");
   expect((await second.root.getByRole("textbox").inputValue()) === "0.5", "a field loses keys");

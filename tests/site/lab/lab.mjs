@@ -1,11 +1,11 @@
-// What a test does with a lab of a page: wakes it, presses its buttons, reads it.
+// What a test does with a lab of a page: waits until it is live, presses its buttons, reads it.
 
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { folder, pages } from "../browser.mjs";
 
-// How long a lab may take to wake, on a machine that has other tests to run and draws in software.
+// How long a lab may take to go live, on a machine that has other tests to run and draws in software.
 const patience = 60_000;
 
 export const fourLabs = "1-labs/1.1-four-labs.html";
@@ -28,16 +28,16 @@ export class Lab {
     this.time = this.root.locator(".lab-time");
   }
 
-  // The lab of that id, once it is live; it is scrolled to, as labs wake when they come near a reader
+  // The lab of that id, once it is live; it is scrolled to, as labs go live when they come near a reader
   // who has moved.
-  static async wake(page, id) {
+  static async live(page, id) {
     const lab = new Lab(page, id);
     for (const place of [4, 5]) await page.mouse.move(place, place);
     await lab.root.scrollIntoViewIfNeeded();
     const live = page.locator(`#${id}[data-live]`);
     await live.waitFor({ timeout: patience }).catch(async (error) => {
       const said = await lab.root.locator(".lab-status").allInnerTexts();
-      throw new Error(`${id} does not wake, and says “${said}”`, { cause: error });
+      throw new Error(`${id} does not go live, and says “${said}”`, { cause: error });
     });
     await lab.settle();
     return lab;

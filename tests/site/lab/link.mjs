@@ -11,7 +11,7 @@ await testSite(async (visitor) => {
     fourLabs,
     { permissions: ["clipboard-read", "clipboard-write"] },
     async (page) => {
-      const lab = await Lab.wake(page, "lab-1");
+      const lab = await Lab.live(page, "lab-1");
       await lab.root.getByRole("slider", { name: "Motor" }).fill("0.75");
       await lab.press("Kick the cart");
       await lab.press("Ten steps");
@@ -33,14 +33,14 @@ await testSite(async (visitor) => {
 
   const path = link.slice(visitor.address("").length);
   await visitor.visit(path, {}, async (page) => {
-    const lab = await Lab.wake(page, "lab-1");
+    const lab = await Lab.live(page, "lab-1");
     await lab.time.filter({ hasText: "0.100 s" }).waitFor();
     expect((await lab.picture()) === picture, "the link brings another view");
     let again = await state(lab);
     await lab.press("Ten steps");
     again += ` then ${await state(lab)}`;
     expect(again === seen, `the link brings ${again}, not ${seen}`);
-    const other = await Lab.wake(page, "lab-2");
+    const other = await Lab.live(page, "lab-2");
     expect((await other.seconds()) === 0, "the link moves another lab");
 
     await lab.root.scrollIntoViewIfNeeded();
@@ -56,7 +56,7 @@ await testSite(async (visitor) => {
 
   for (const value of ["", "1", "nonsense", "1AAAA", "9abc"]) {
     await visitor.visit(`${fourLabs}?lab=${value}#lab-1`, {}, async (page) => {
-      const lab = await Lab.wake(page, "lab-1");
+      const lab = await Lab.live(page, "lab-1");
       expect((await lab.seconds()) === 0, `?lab=${value} moves the lab`);
     });
   }

@@ -6,7 +6,7 @@ import { fourLabs, Lab } from "./lab.mjs";
 
 await testSite(async (visitor) => {
   await visitor.visit(fourLabs, { reducedMotion: "reduce" }, async (page) => {
-    const lab = await Lab.wake(page, "lab-1");
+    const lab = await Lab.live(page, "lab-1");
     const expect = (good, what) => visitor.expect(good, fourLabs, what);
     expect(await lab.rests(), "a lab starts by itself");
     expect((await lab.seconds()) === 0, "a lab started by itself");

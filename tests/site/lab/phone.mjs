@@ -7,7 +7,7 @@ import { docked, Lab } from "./lab.mjs";
 await testSite(async (visitor) => {
   const expect = (good, what) => visitor.expect(good, docked, what);
   await visitor.visit(docked, { width: 390 }, async (page) => {
-    const lab = await Lab.wake(page, "lab-1");
+    const lab = await Lab.live(page, "lab-1");
     const isSheet = () => lab.root.evaluate((root) => root.matches(".sheet"));
     expect(!(await isSheet()), "it is a sheet in its own place");
     const before = await page.evaluate(() => document.body.scrollHeight);
@@ -31,7 +31,7 @@ await testSite(async (visitor) => {
 
   // Where there is room it stays beside the text.
   await visitor.visit(docked, { width: 1440 }, async (page) => {
-    const lab = await Lab.wake(page, "lab-1");
+    const lab = await Lab.live(page, "lab-1");
     await page.evaluate(() => scrollTo(0, 500));
     await lab.settle();
     expect(await lab.canvas.isVisible(), "a wide screen has no docked lab");

@@ -26,7 +26,7 @@ await testSite(async (visitor) => {
         // Two that a page has no room for together (trouble.mjs).
         if (await page.locator(`#lab-${index}[data-large]`).count()) continue;
         await page.evaluate(drawInstances, true);
-        const lab = await Lab.wake(page, `lab-${index}`);
+        const lab = await Lab.live(page, `lab-${index}`);
         await page.evaluate(drawInstances, false);
         const record = join(folder, "labs", `${number}-${index}.rehearsal.json`);
         const { runs } = JSON.parse(readFileSync(record, "utf8"));

@@ -12,7 +12,7 @@ const root = path.resolve(import.meta.dirname, "../../..");
 // One bundle, so that its parts know one another's classes.
 const parts = [
   ...["engine/engine", "engine/errors", "lab/run/base64url", "lab/run/clock", "lab/run/cpp-state"],
-  ...["lab/run/engine-room", "lab/run/fixed", "lab/run/history", "lab/run/lab-link"],
+  ...["lab/run/resources", "lab/run/fixed", "lab/run/history", "lab/run/lab-link"],
   ...["lab/run/playback", "lab/run/run", "lab/run/samples", "lab/run/trouble"],
 ];
 const { outputFiles } = await require("esbuild").build({

@@ -26,7 +26,7 @@ await testSite(async (visitor) => {
   await visitor.visit(fourLabs, { before, viewport }, async (page) => {
     const expect = (good, what) => visitor.expect(good, fourLabs, what);
     const labs = [];
-    for (const id of ids) labs.push(await Lab.wake(page, id));
+    for (const id of ids) labs.push(await Lab.live(page, id));
 
     const engines = fetched.filter((url) => url.endsWith(".wasm")).length;
     expect(engines === 1, `${engines} engines`);

@@ -7,10 +7,10 @@ import { fourLabs, Lab } from "./lab.mjs";
 await testSite(async (visitor) => {
   const expect = (good, what) => visitor.expect(good, fourLabs, what);
   await visitor.visit(fourLabs, {}, async (page) => {
-    await tryPrediction(await Lab.wake(page, "lab-2"), expect);
-    await tryGoal(await Lab.wake(page, "lab-2"), expect);
-    await tryGhost(await Lab.wake(page, "lab-3"), expect);
-    await tryEditor(await Lab.wake(page, "lab-4"), expect);
+    await tryPrediction(await Lab.live(page, "lab-2"), expect);
+    await tryGoal(await Lab.live(page, "lab-2"), expect);
+    await tryGhost(await Lab.live(page, "lab-3"), expect);
+    await tryEditor(await Lab.live(page, "lab-4"), expect);
   });
 });
 

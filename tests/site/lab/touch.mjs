@@ -6,7 +6,7 @@ import { fourLabs, Lab } from "./lab.mjs";
 
 await testSite(async (visitor) => {
   await visitor.visit(fourLabs, { width: 390, hasTouch: true, isMobile: true }, async (page) => {
-    const lab = await Lab.wake(page, "lab-1");
+    const lab = await Lab.live(page, "lab-1");
     const expect = (good, what) => visitor.expect(good, fourLabs, what);
     const client = await page.context().newCDPSession(page);
     const touch = async (ways) => drag(client, lab, ways);
@@ -29,7 +29,7 @@ await testSite(async (visitor) => {
   });
 
   await visitor.visit(fourLabs, {}, async (page) => {
-    const lab = await Lab.wake(page, "lab-1");
+    const lab = await Lab.live(page, "lab-1");
     const expect = (good, what) => visitor.expect(good, fourLabs, what);
     await tryMouse(lab, expect);
   });

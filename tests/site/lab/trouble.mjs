@@ -6,11 +6,11 @@ import { Lab, trouble } from "./lab.mjs";
 await testSite(async (visitor) => {
   const expect = (good, what) => visitor.expect(good, trouble, what);
   await visitor.visit(trouble, {}, async (page) => {
-    await tryScript(await Lab.wake(page, "lab-1"), expect);
-    await tryDiverging(await Lab.wake(page, "lab-2"), expect);
+    await tryScript(await Lab.live(page, "lab-1"), expect);
+    await tryDiverging(await Lab.live(page, "lab-2"), expect);
   });
 
-  // What wakes by itself, as a small lab does, is in nobody's way: the other keeps its button.
+  // What goes live by itself, as a small lab does, is in nobody's way: the other keeps its button.
   const unasked = (page) =>
     page.route(`**/${trouble}`, async (route) => {
       const response = await route.fetch();
@@ -60,15 +60,15 @@ async function tryScript(lab, expect) {
 }
 
 // Two labs of more than a gibibyte each.
-async function tryTwoLarge(page, wakes, expect) {
+async function tryTwoLarge(page, goesLive, expect) {
   const labs = ["lab-3", "lab-4"].map((id) => new Lab(page, id));
   for (const place of [4, 5]) await page.mouse.move(place, place);
   await labs[1].root.scrollIntoViewIfNeeded();
   const live = page.locator(":is(#lab-3, #lab-4)[data-live]");
-  if (wakes) await live.waitFor({ timeout: 60_000 });
+  if (goesLive) await live.waitFor({ timeout: 60_000 });
   await page.evaluate(idle);
-  expect((await live.count()) === (wakes ? 1 : 0), `${await live.count()} large labs woke`);
-  if (!wakes) await labs[0].button("Play").click();
+  expect((await live.count()) === (goesLive ? 1 : 0), `${await live.count()} large labs are live`);
+  if (!goesLive) await labs[0].button("Play").click();
   await live.waitFor({ timeout: 60_000 });
   const other = (await live.getAttribute("id")) === "lab-3" ? labs[1] : labs[0];
   await other.button("Play").click();

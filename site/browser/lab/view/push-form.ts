@@ -1,6 +1,6 @@
 /** Pushing a body by words in place of the mouse: which, where to, how hard. On a touch screen the
  * same form makes a drag pull in place of turning the view. */
-import type { Player } from "../bench/player.js";
+import type { Player } from "../live/player.js";
 import { make } from "../markup/element.js";
 import { type Body, movableBodies, push } from "./push.js";
 

@@ -3,7 +3,7 @@
  * asked to, and lets the reader move the camera and pull at bodies.
  */
 import type { Action } from "../../engine/scene.js";
-import type { Player } from "../bench/player.js";
+import type { Player } from "../live/player.js";
 import { make, newId } from "../markup/element.js";
 import type { Stage } from "../stage/stage.js";
 import { View } from "../stage/view.js";

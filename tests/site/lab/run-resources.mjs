@@ -1,6 +1,6 @@
 // What a lab fetches, and what it says when that does not arrive.
 //
-//   node --test tests/site/lab/run-engine-room.mjs
+//   node --test tests/site/lab/run-resources.mjs
 
 import assert from "node:assert/strict";
 import { test } from "node:test";

@@ -1,5 +1,5 @@
 /**
- * A lab that is awake: the live view over the poster, and the panel in the place of what the page says
+ * A lab that is live: the live view over the poster, and the panel in the place of what the page says
  * of the lab at rest, which stays for print. Everything follows one Player.
  */
 import { make } from "../markup/element.js";
@@ -12,7 +12,7 @@ import { presets } from "../view/presets.js";
 import { ViewPanel } from "../view/view-panel.js";
 import { Head } from "./head.js";
 import { listenToKeys } from "./keys.js";
-import { LinkKeeper, showOnly } from "./link-keeper.js";
+import { LabAddress, showOnly } from "./lab-address.js";
 import { Panel } from "./panel.js";
 import { type Follower, Player } from "./player.js";
 import { everywhere, inView, listOf } from "./shortcuts.js";
@@ -26,7 +26,7 @@ export class LiveLab implements Follower {
   readonly #head: Head;
   readonly #trouble = new TroubleBox();
   readonly #panel: Panel;
-  readonly #links: LinkKeeper;
+  readonly #address: LabAddress;
 
   constructor(lab: HTMLElement, run: Run, stage: Stage) {
     const place = lab.querySelector<HTMLElement>(".lab-view")!;
@@ -35,12 +35,12 @@ export class LiveLab implements Follower {
     this.#view = new ViewPanel(place, stage, this.#player);
     this.#transport = new Transport(this.#player);
     this.#head = new Head(lab, this.#player);
-    this.#links = new LinkKeeper(lab.id, this.#player);
+    this.#address = new LabAddress(lab.id, this.#player);
     const menus = this.#menus(run);
     this.#panel = new Panel(this.#player, menus.row, () => this.#rebuilt());
     this.#view.pulls = () => this.#panel.push.pulling;
     this.#panel.element.append(...menus.below);
-    this.#wake(place);
+    this.#show(place);
   }
 
   /** The reader's first Play, on the poster. */
@@ -71,7 +71,7 @@ export class LiveLab implements Follower {
 
   /** To what the page's address says of this lab. */
   async restoreLink(): Promise<void> {
-    await this.#links.restore(async (mjcf) => this.#panel.edit?.replace(mjcf));
+    await this.#address.restore(async (mjcf) => this.#panel.edit?.replace(mjcf));
   }
 
   /** As the lesson gave it: state, controls, camera, overlays, speed, model; and no link. */
@@ -82,11 +82,11 @@ export class LiveLab implements Follower {
     this.#view.home();
     showOnly(this.#player, run.lab.overlays);
     this.#player.speed = run.lab.speed;
-    this.#links.forget();
+    this.#address.forget();
   }
 
   /** Into the page, in one go. */
-  #wake(place: HTMLElement): void {
+  #show(place: HTMLElement): void {
     this.#lab.querySelector(".lab-body")!.before(this.#panel.element);
     place.after(this.#transport.element, this.#trouble.element);
     this.#lab.dataset["live"] = "";
@@ -107,7 +107,7 @@ export class LiveLab implements Follower {
       "camera",
       new Map(presets.map((preset) => [preset, () => this.#view.lookFrom(preset)])),
     );
-    const copy = copyMenu(run, () => this.#links.address(this.#panel.edit?.edited === true));
+    const copy = copyMenu(run, () => this.#address.href(this.#panel.edit?.edited === true));
     const title = "State, controls, camera, overlays, speed and model as they were at first";
     const back = make("button", { type: "button", class: "menu-opener", title }, "reset all");
     back.addEventListener("click", () => void this.restoreLesson());

@@ -4,7 +4,7 @@ import type { Player } from "./player.js";
 
 const parameter = "lab";
 
-export class LinkKeeper {
+export class LabAddress {
   readonly #id: string;
   readonly #player: Player;
 
@@ -15,7 +15,7 @@ export class LinkKeeper {
 
   /** The page's address that brings the lab as it is now; `edited` tells whether its model was.
    * Undefined when that would be longer than servers take. */
-  async address(edited: boolean): Promise<string | undefined> {
+  async href(edited: boolean): Promise<string | undefined> {
     const { run, speed } = this.#player;
     const value = await encodeLink({
       id: this.#id,
