@@ -37,7 +37,7 @@ TEST_F(Build, WritesIntoTheFolderThatItIsRunIn) {
 }
 
 TEST_F(Build, BuildsMoreLessonsThanStayAwake) {
-  const int last = static_cast<int>(kMostAwake) + 1;
+  const int last = static_cast<int>(kMostLoaded) + 1;
   std::string names;
   for (int i = 1; i <= last; ++i) {
     const std::string number = "1." + std::to_string(i);
