@@ -1,6 +1,6 @@
 // Cancellation: work that is no longer wanted, ended early.
 //
-// Work for somebody that may change their mind opens a Cancellable on each of its threads; whatever
+// Work that its caller may cancel opens a Cancellable on each of its threads; whatever
 // takes long looks there now and then, and whatever waits for a program looks while it waits.
 // Cancelled then goes through all of the work like any exception: programs are killed, folders
 // removed, nothing half done is kept.

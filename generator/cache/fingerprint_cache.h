@@ -1,10 +1,10 @@
 // FingerprintCache: keeps the fingerprints of files, which are believed for as long as the
 // files' status stays the same.
 //
-// For one evaluation, or for several; and for the next run, where a store keeps them: behind a
-// course stand hundreds of the compiler's headers, and whose bytes were read once need not be read
-// again. What counts is the status that nobody can set, the time of the last change to the file or
-// its status, as in git's index.
+// For one evaluation, or for several; and for the next run, where a store keeps them. A course
+// depends on hundreds of the compiler's headers; one that was read once need not be read again.
+// What counts is the status that nobody can set, the time of the last change to the file or its
+// status, as in git's index.
 #pragma once
 
 #include <sys/stat.h>

@@ -1,11 +1,11 @@
 // PreparedFolders: folders of files, each made once for a request and kept for later programs and
 // runs.
 //
-// Enter with find() or get(). An entry is a folder of files, made once for a request: a text that
-// says all that went in but the contents of files. It is made again when one of the files that were
-// read for it has another content. It is written aside, brought to the disk and renamed, so a
-// reader sees all of it or nothing; of several processes that want it, one makes it and the others
-// wait. What was not used for longest goes when all together is too large.
+// Enter with find() or get(). A request is a text that says all that went in but the contents of
+// files. An entry is made again when one of the files that were read for it has another content. It
+// is written aside, brought to the disk and renamed, so a reader sees all of it or nothing; of
+// several processes that want it, one makes it and the others wait. What was not used for longest
+// goes when all together is too large.
 //
 //   FOLDER/REQUEST/current   which entry is the current one, or that there was something to refuse;
 //                            and the hash and name of its inputs

@@ -119,8 +119,8 @@ struct LabRunResult {
 };
 
 struct LabResult {
-  std::vector<double> readouts;             // at rest, in the lab's order
-  std::vector<std::vector<double>> traces;  // at rest, for each plot
+  std::vector<double> readouts;             // at the start, in the lab's order
+  std::vector<std::vector<double>> traces;  // at the start, for each plot
   Lab::Camera camera;                       // the lab's, or one that shows all of the model
   std::uint64_t memory = 0;                 // bytes that it takes in a page
   LabModel model;

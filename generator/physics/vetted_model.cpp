@@ -127,7 +127,7 @@ Loaded load_in_peace(const std::string& file, const std::optional<ModelError>& i
     return tl::unexpected(ModelError{
         file, 0, 0,
         "the solver may take more than " + std::to_string(kMostIterations) + " " + option,
-        "it converges in some ten, or never"});
+        "lower it: a solver that converges needs about ten"});
   };
   const mjOption& option = model->get()->opt;
   if (option.iterations > kMostIterations) return refuse("iterations");

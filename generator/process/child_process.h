@@ -1,6 +1,6 @@
 // A program from its start to its end, and our ends of its pipes.
 //
-// How it starts is launch.h's; subprocess.cpp looks after it from then on.
+// How it starts is launch.h's; process_supervisor.cpp looks after it from then on.
 // Tested by tests/generator/process/subprocess_test.cpp.
 #pragma once
 

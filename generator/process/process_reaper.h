@@ -1,4 +1,4 @@
-// A small process that ends what we started, when we have ended and could not.
+// ProcessReaper: a small process that kills the programs we started where we die before we can.
 //
 // A generator that is killed, or that crashes, takes its programs along: the kernel kills a child
 // whose parent ends. Of what that child has started itself, the kernel knows nothing. So each

@@ -30,9 +30,9 @@ class ProcessSupervisor {
   // Waits for its end.
   Outcome run();
 
-  // Sends the question to a program that `answers`, and gives what it says within `seconds`; or how
-  // it ended without, which it has then. Throws Cancelled where the caller's work is; of the
-  // program nothing is to be expected any more then.
+  // Sends the question to a program that `answers`, and gives its answer; or its Outcome where it
+  // ends, or takes longer than `seconds`. Throws Cancelled where the caller's work is cancelled; do
+  // not use the program after that.
   tl::expected<std::string, Outcome> ask(std::string_view question, double seconds);
 
  private:
@@ -54,7 +54,7 @@ class ProcessSupervisor {
   const Command& command_;
   Clock::time_point deadline_;
   ChildProcess child_;
-  std::optional<Watcher> watcher_;  // with a sandbox alone is somebody asked
+  std::optional<Watcher> watcher_;  // only where there is a sandbox
   Descriptor listener_;
   Clock::time_point next_count_, next_use_;
   std::uint64_t removed_ = 0;  // bytes of files that no folder has

@@ -61,13 +61,13 @@ bool make_object(const std::string& compiler, const fs::path& pch, const fs::pat
 
 }  // namespace
 
-WarmObjects::WarmObjects(Toolchain toolchain, std::optional<fs::path> cache,
+WarmObjects::WarmObjects(Toolchain toolchain, std::optional<fs::path> prepared,
                          const IncludeFolders& include)
     : toolchain_(std::move(toolchain)),
       include_(include),
       headers_(include),
       contents_(headers_.contents()),
-      prepared_(std::move(cache),
+      prepared_(std::move(prepared),
                 [this](const std::string& path) { return headers_.true_path(path); }) {}
 
 // All that an entry depends on besides the contents of the system's files. All headers of the

@@ -2,11 +2,11 @@
 // handlers that keep MuJoCo's errors from waiting on stdin.
 //
 // Making a header is an investment, so it is for a caller to decide (shared_headers.h): compiling a
-// program waits for none. They are of two kinds. A quick one takes little longer than to compile
-// one program, and a program that has it a fifth of what it took. A thorough one holds what
-// programs mostly do with Eigen (warm_eigen.hpp) as well, and comes with an object of all that is
-// inline in it, optimised. It takes ten times as long, and so is for many programs; these are then
-// compiled and run in half of the time that the quick one leaves.
+// program waits for none. They are of two kinds. Making a quick one takes little longer than
+// compiling one program; with it, a program compiles in a fifth of the time. A thorough one holds
+// what programs mostly do with Eigen (warm_eigen.hpp) as well, and comes with an object of all that
+// is inline in it, optimised. It takes ten times as long, and so is for many programs; these are
+// then compiled and run in half of the time that the quick one leaves.
 //
 // A header that makes the compiler say anything is not warmed, so that each program shows it. No
 // path of the course is in what is kept (course_headers.h), so that all checkouts share it.
@@ -33,9 +33,9 @@ class WarmObjects {
  public:
   using Entry = std::shared_ptr<const PreparedFolders::Entry>;
 
-  // Of a course whose headers are in these folders. What is made is kept in `cache`, or nothing is
-  // made.
-  WarmObjects(Toolchain toolchain, std::optional<std::filesystem::path> cache,
+  // Of a course whose headers are in these folders. What is made is kept in `prepared`, or nothing
+  // is made.
+  WarmObjects(Toolchain toolchain, std::optional<std::filesystem::path> prepared,
               const IncludeFolders& include);
 
   const CourseHeaders& headers() const { return headers_; }

@@ -135,7 +135,7 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
   }
   const std::string shown = without_region_marks(code.text);
   const TemporaryFolder folder;
-  // The refusal that a page shows is what a learner sees who builds the file.
+  // The refusal on the page is what a learner who builds the file sees.
   const bool in_file = code.offsets.empty() || !example.compiles;
   const std::string shown_as = in_file ? example.file.text : lesson.source->path();
   const int first_line = in_file ? 1 : lesson.source->position(code.span(0, 0).begin).line;
@@ -154,7 +154,8 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
                           diagnostics);
   if (!compiled.succeeded) return std::nullopt;
   if (!example.compiles) {
-    return report(error_at({}, "E-example-compiles", "the program compiles, and is said not to",
+    return report(error_at({}, "E-example-compiles",
+                           "the program compiles, but the lesson says that it does not",
                            "remove `expect=compile-error`, or correct what the lesson says"));
   }
   const fs::path records = folder.path() / "records";

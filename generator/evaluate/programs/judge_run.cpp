@@ -169,7 +169,7 @@ std::optional<Diagnostic> judge_run(const Outcome& outcome, const ExpectedRun& e
       found.id = "E-example-memory";
       found.message = "the " + expected.what +
                       " took more than 4 GiB of memory with all that it started, and was stopped";
-      found.cure = "start less at once, or what needs less";
+      found.cure = "start fewer processes at once, or smaller ones";
       found.detail = tail(outcome.err);
       break;
     case Outcome::End::not_started:

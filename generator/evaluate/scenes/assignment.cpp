@@ -63,7 +63,7 @@ bool check_at_rest(const LabContext& context, LabRun& run) {
   bool done = false;
   good = run.truth(goal, done) && good;
   if (done) {
-    context.error("E-lab-goal", goal.span(), "the goal is reached already at rest",
+    context.error("E-lab-goal", goal.span(), "the goal is already reached at the start",
                   "ask for something that is not so from the start");
   }
   return good;

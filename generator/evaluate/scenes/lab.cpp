@@ -62,7 +62,7 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson,
   result.script_names = run->world().names();
   result.keyframes = find_keyframes(lab, run->simulation().model());
   const bool read = read_at_rest(lab, *run, result);
-  // What fails at rest would fail again after every control.
+  // What fails at the start would fail again after every control.
   const bool at_rest = check_at_rest(context, *run);
   WholeView view(run->simulation().model(), outlook_of(lab));
   run.reset();  // a large model is not there twice

@@ -1,9 +1,9 @@
 // Labs, rehearsed: every control used, every readout and trace read, without a browser.
 //
-// Steps: the model compiles. Readouts and traces are read at rest. Then two seconds are simulated,
-// by themselves and again after each control, and everything is read all the way (rehearsal.h).
-// What is asked of the reader is tried out (assignment.h). At last the poster is drawn. A script
-// that fails anywhere is an error at its place in the lesson.
+// Steps: the model compiles. Readouts and traces are read at the start. Then two seconds are
+// simulated, by themselves and again after each control, and everything is read all the way
+// (rehearsal.h). What is asked of the reader is tried out (assignment.h). At last the poster is
+// drawn. A script that fails anywhere is an error at its place in the lesson.
 #pragma once
 
 #include <optional>

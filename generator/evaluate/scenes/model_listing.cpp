@@ -56,7 +56,7 @@ std::optional<ModelResult> evaluate_inline_model(const InlineModel& model, const
   const tl::expected<Model, ModelError> loaded = load_vetted_text(model.text.text);
   if (loaded) {
     diagnostics.push_back(error_at(place_of(*lesson.source, model.span), "E-model-compiles",
-                                   "the model compiles, and is said not to",
+                                   "the model compiles, but the lesson says that it does not",
                                    "remove `expect=error`, or correct what the lesson says"));
     return std::nullopt;
   }

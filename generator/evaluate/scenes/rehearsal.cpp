@@ -59,7 +59,7 @@ bool check_slider(const LabContext& context, const Lab::Slider& slider) {
   if (!run || !run->number(slider.bind, found)) return false;
   if (found < slider.min || found > slider.max) {
     return context.error("E-lab-slider", slider.bind.span(),
-                         "this is " + text_of(found) + " at rest, outside of the slider",
+                         "this is " + text_of(found) + " at the start, outside the slider's range",
                          "widen \"min\" and \"max\", or give the slider a \"value\"");
   }
   for (const double value : {slider.min, slider.min + slider.step_size(), slider.max}) {

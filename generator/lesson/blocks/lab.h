@@ -118,7 +118,7 @@ struct Lab {
   bool editable = false;
   std::vector<Task> tasks;
   Document note;
-  std::string alt;  // what it shows at rest, in words; may be empty
+  std::string alt;  // what it shows at the start, in words; may be empty
   LocatedText pin;  // the name of its poster's reference picture; empty for none
   Span span;
 };

@@ -10,7 +10,7 @@
 namespace mjcourse {
 namespace {
 
-// Where a block that prints keeps who states what; null for another block.
+// The list in which a block that prints has those that state its output; null for another block.
 std::vector<std::size_t>* outputs_of(Block& block) {
   if (auto* example = std::get_if<Example>(&block)) return &example->outputs;
   if (auto* snippet = std::get_if<Snippet>(&block)) return &snippet->outputs;

@@ -197,7 +197,8 @@ inline constexpr std::array kLabKeys{
         &kEditable},
     Key{"goal", KeyKind::object, "What the reader is to reach.", Need::none, {}, &kGoal},
     Key{"ghost", KeyKind::object, "A second run beside the first.", Need::none, {}, &kGhost},
-    Key{"alt", KeyKind::text, "What it shows at rest, in a sentence, for those who cannot see it.",
+    Key{"alt", KeyKind::text,
+        "What it shows before it is played, in a sentence, for those who cannot see it.",
         Need::filled},
     kPinKey,
     Key{"note", KeyKind::markdown, "Stands below the lab."}};

@@ -36,7 +36,7 @@ TEST_F(Build, WritesIntoTheFolderThatItIsRunIn) {
   }
 }
 
-TEST_F(Build, BuildsMoreLessonsThanStayAwake) {
+TEST_F(Build, BuildsMoreLessonsThanStayLoaded) {
   const int last = static_cast<int>(kMostLoaded) + 1;
   std::string names;
   for (int i = 1; i <= last; ++i) {

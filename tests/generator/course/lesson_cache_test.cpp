@@ -73,7 +73,7 @@ TEST(LessonCache, HasNoLessonWithTheQuotesOfAnotherLanguage) {
   EXPECT_EQ(plain_text(reader.read().lessons[0].document.get()), "„One“");
 }
 
-TEST(LessonCache, HasNoLessonAtRest) {
+TEST(LessonCache, HasNoUnloadedLesson) {
   Reader reader;
   Course course =
       read_course(MemoryFiles(reader.files), reader.diagnostics, 2, 1, &reader.cache).value();

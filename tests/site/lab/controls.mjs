@@ -27,7 +27,7 @@ await testSite(async (visitor) => {
 });
 
 async function tryControls(lab, shows) {
-  await shows("time", "0.000", "waking");
+  await shows("time", "0.000", "going live");
   const motor = lab.root.getByRole("slider", { name: "Motor" });
   await motor.fill("0.5");
   await lab.settle();

@@ -1,6 +1,6 @@
 /**
  * A lab that is live: the live view over the poster, and the panel in the place of what the page says
- * of the lab at rest, which stays for print. Everything follows one Player.
+ * of the lab before that, which stays for print. Everything follows one Player.
  */
 import { make } from "../markup/element.js";
 import { menu, popup } from "../markup/menu.js";

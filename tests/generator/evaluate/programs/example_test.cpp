@@ -198,7 +198,7 @@ TEST(Example, MayBeOneThatDoesNotCompile) {
             "examples/a.cpp:1:21: error: use of undeclared identifier 'undeclared'\n" + code +
                 "                    ^\n1 error generated.\n");
   EXPECT_EQ(run_mistake("int main() {}\n", " expect=compile-error"),
-            "the program compiles, and is said not to [E-example-compiles]\n"
+            "the program compiles, but the lesson says that it does not [E-example-compiles]\n"
             "  cure: remove `expect=compile-error`, or correct what the lesson says\n");
 }
 

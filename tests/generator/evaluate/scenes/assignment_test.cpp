@@ -53,9 +53,10 @@ TEST(Goal, MayBeReachedInPassing) {
 }
 
 TEST(Goal, IsOpenAtRest) {
-  EXPECT_EQ(goal_mistakes("data.qpos[2] > 0", R"("run": "data.qvel[0] = 2")"),
-            "E-lab-goal <data.qpos[2] > 0> the goal is reached already at rest | ask for something "
-            "that is not so from the start\n");
+  EXPECT_EQ(
+      goal_mistakes("data.qpos[2] > 0", R"("run": "data.qvel[0] = 2")"),
+      "E-lab-goal <data.qpos[2] > 0> the goal is already reached at the start | ask for something "
+      "that is not so from the start\n");
 }
 
 TEST(Goal, IsTrueOrFalse) {

@@ -66,7 +66,7 @@ TEST(InlineModel, MayBeOneThatDoesNotCompile) {
             "line 2: element 'option': unrecognized attribute: 'timestpe'\n");
   EXPECT_EQ(
       evaluated_mistakes("```xml mjcf expect=error\n<mujoco/>\n```\n"),
-      R"(content/1-a/1.1-x.md:4:1: error: the model compiles, and is said not to [E-model-compiles]
+      R"(content/1-a/1.1-x.md:4:1: error: the model compiles, but the lesson says that it does not [E-model-compiles]
   4 | ```xml mjcf expect=error
     | ^~~~~~~~~~~~~~~~~~~~~~~~
   cure: remove `expect=error`, or correct what the lesson says

@@ -130,9 +130,10 @@ std::string slider_mistakes(const std::string& bind, const std::string& numbers)
 }
 
 TEST(Slider, ShowsWhatItsModelHas) {
-  EXPECT_EQ(slider_mistakes("data.qpos[2]", R"("min": 0, "max": 0.5)"),
-            "E-lab-slider <data.qpos[2]> this is 1 at rest, outside of the slider | widen "
-            "\"min\" and \"max\", or give the slider a \"value\"\n");
+  EXPECT_EQ(
+      slider_mistakes("data.qpos[2]", R"("min": 0, "max": 0.5)"),
+      "E-lab-slider <data.qpos[2]> this is 1 at the start, outside the slider's range | widen "
+      "\"min\" and \"max\", or give the slider a \"value\"\n");
 }
 
 TEST(Slider, ReadsWhatItHasWritten) {
