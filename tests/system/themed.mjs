@@ -79,7 +79,7 @@ theme/templates/lession.hbs: error: no template has this name, and none includes
 theme/templates/notes.txt: error: a template is a file \`NAME.hbs\` [E-theme-file]
   cure: name it so, or remove it
 
-theme/templates/parts: error: a template is a file \`NAME.hbs\`, and no folder [E-theme-file]
+theme/templates/parts: error: a template is a file \`NAME.hbs\`, not a folder [E-theme-file]
   cure: put what is in it into \`theme/templates/\` itself
 
 `,
