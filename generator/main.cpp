@@ -2,7 +2,7 @@
 #include <csignal>
 
 #include "cli/run.h"
-#include "process/process_reaper.h"
+#include "process/group_killer.h"
 
 // Read by jemalloc before main(). In large pages, memory that is new costs a short run less; what
 // is large itself, a shadow map of 64 MB, jemalloc would give back at once, for the next one to be
@@ -15,6 +15,6 @@ int main(int argc, char** argv) {
   // A launcher may have it ignored, and then nobody learns how a program ended.
   std::signal(SIGCHLD, SIG_DFL);
   // While we are small, and alone.
-  mjcourse::ProcessReaper::instance();
+  mjcourse::GroupKiller::instance();
   return mjcourse::run_command({argv + 1, argv + argc});
 }

@@ -198,7 +198,7 @@ tl::expected<Descriptor, Unopened> opened(int folder, const char* name, int flag
 }  // namespace
 
 FileRefusal refusal_of_no_file() {
-  return {"is not a file", "put a plain file there: a pipe or a device is never read"};
+  return {"is neither a file nor a folder", "replace it: a pipe or a device is never read"};
 }
 
 void throw_unopened(const std::string& path, const Unopened& unopened) {

@@ -1,7 +1,7 @@
 // Cancellation: work that is no longer wanted, ended early.
 //
-// Work that its caller may cancel opens a Cancellable on each of its threads; whatever
-// takes long looks there now and then, and whatever waits for a program looks while it waits.
+// Work that its caller may cancel opens a Cancellable on each of its threads. Whatever takes long
+// looks there now and then, and whatever waits for a program looks while it waits.
 // Cancelled then goes through all of the work like any exception: programs are killed, folders
 // removed, nothing half done is kept.
 #pragma once

@@ -6,8 +6,6 @@
 // other bytes than those that were put.
 #pragma once
 
-#include <map>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -21,25 +19,6 @@ class Store {
   // Both from any thread. `put` gives false where the bytes could not be kept.
   virtual std::optional<std::string> get(const std::string& name) = 0;
   virtual bool put(const std::string& name, std::string_view bytes) = 0;
-};
-
-// One that lives as long as the process.
-class MemoryStore : public Store {
- public:
-  std::optional<std::string> get(const std::string& name) override {
-    const std::lock_guard lock(mutex_);
-    const auto found = kept_.find(name);
-    return found == kept_.end() ? std::nullopt : std::optional(found->second);
-  }
-  bool put(const std::string& name, std::string_view bytes) override {
-    const std::lock_guard lock(mutex_);
-    kept_[name] = bytes;
-    return true;
-  }
-
- private:
-  std::mutex mutex_;
-  std::map<std::string, std::string> kept_;
 };
 
 }  // namespace mjcourse

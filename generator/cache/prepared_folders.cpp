@@ -211,8 +211,8 @@ std::shared_ptr<const Entry> PreparedFolders::get(const std::string& request, co
   } catch (const std::system_error&) {
     // A cache that cannot be read or written is one that is not there.
   } catch (...) {
-    promise.set_exception(
-        std::current_exception());  // for the waiting thread: the work was cancelled
+    // The work was cancelled, which the waiting threads are told too.
+    promise.set_exception(std::current_exception());
     throw;
   }
   promise.set_value(entry);

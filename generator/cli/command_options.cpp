@@ -104,7 +104,7 @@ void declare(CommandLine& line, BuildOptions& options) {
   add_course(line, options.course);
   line.path("--out", kFolder, "where the site is written (default: build/site in the course)",
             options.out);
-  line.value("--base-url", {"URL", "the address of a site, as https://example.org/course/"},
+  line.value("--base-url", {"URL", "the address of a site, such as https://example.org/course/"},
              "where the site is published, whatever course.yaml says",
              [&](const std::string& value) {
                options.base_url = site_root(value);
@@ -135,7 +135,8 @@ void declare(CommandLine& line, DoctorOptions& options) {
 }
 
 void declare(CommandLine& line, ExplainOptions& options) {
-  line.words("[WHERE...]", std::string(kWhereHelp) + "; or a message's name, as E-output-differs",
+  line.words("[WHERE...]",
+             std::string(kWhereHelp) + "; or a message's name, such as E-output-differs",
              options.where);
   add_course(line, options.course);
   add_store(line, options.store);
@@ -192,8 +193,8 @@ void declare(CommandLine& line, PreviewOptions& options) {
 void declare(CommandLine& line, StoreOptions& options) {
   line.words("prune", "until no more than SIZE is left", options.words);
   add_store(line, options.store);
-  line.value("--keep", {"SIZE", "a size, as 2GB"}, "how much that is, as 500MB (default: 2GB)",
-             [&](const std::string& value) {
+  line.value("--keep", {"SIZE", "a size, such as 2GB"},
+             "how much to keep, such as 500MB (default: 2GB)", [&](const std::string& value) {
                const auto bytes = read_size(value);
                options.keep = bytes.value_or(0);
                return bytes.has_value();

@@ -17,7 +17,7 @@ using Words = std::vector<std::string>;
 tl::unexpected<Refusal> no_lesson_name(const std::string& name) {
   const std::string slug = slug_of(name.substr(name.find_last_of('/') + 1));
   return wrong_words("`" + name + "` is not a name for a lesson",
-                     "a number, then small letters, digits and hyphens, as `2.1-forces`" +
+                     "a number, then small letters, digits and hyphens, such as `2.1-forces`" +
                          (slug.empty() ? std::string() : "; did you mean `" + slug + "`?"));
 }
 
@@ -52,7 +52,7 @@ AddressOrRefusal named(const CourseFile& file, const ListedLevel* level, const s
   if (level == nullptr) level = numbers.level_of(*wanted);
   if (level == nullptr) {
     return wrong_words(
-        "no level in content/course.yaml has lessons with numbers as " + wanted->number(),
+        "no level in content/course.yaml has lessons with numbers such as " + wanted->number(),
         "name the level too: " + our_command("new lesson LEVEL/" + wanted->text()) + "; " +
             suggest("", file.folders()));
   }

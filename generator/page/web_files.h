@@ -1,5 +1,5 @@
 // The files of a site that other sites read: its pages for search engines, its lessons for readers
-// who wants to hear of changes. Only a course that has an address has them.
+// that follow its changes. Only a course that has an address has them.
 #pragma once
 
 #include <string>

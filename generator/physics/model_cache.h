@@ -2,8 +2,8 @@
 //
 // Compiling draws textures and fits inertias, some 40 ms for a model with a sky; a copy takes two.
 // A lab's rehearsal needs the same model a dozen times, fresh each time, as scripts may change one.
-// A model is compiled again when one of its files has changed. At most
-// eight are kept, and fewer where they are large. Any thread may ask.
+// A model is compiled again when one of its files has changed. At most eight are kept, and fewer
+// where they are large. Any thread may ask.
 #pragma once
 
 #include <filesystem>

@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "process/process_reaper.h"
+#include "process/group_killer.h"
 
 namespace mjcourse {
 namespace {
@@ -39,7 +39,7 @@ Stylesheet::~Stylesheet() {
   if (process_ <= 0) return;
   waitpid(process_, nullptr, 0);
   kill(-process_, SIGKILL);  // the bundler that it has started
-  ProcessReaper::instance().forget(process_);
+  GroupKiller::instance().forget(process_);
 }
 
 bool Stylesheet::start() {
@@ -66,7 +66,7 @@ bool Stylesheet::start() {
     process_ = -1;
     return false;
   }
-  ProcessReaper::instance().watch(process_);
+  GroupKiller::instance().watch(process_);
   from_ = fdopen(fcntl(ours.get(), F_DUPFD_CLOEXEC, 0), "r");
   to_ = std::move(ours);
   return from_ != nullptr;

@@ -13,8 +13,8 @@
 #include <utility>
 
 #include "base/descriptor.h"
+#include "process/group_killer.h"
 #include "process/launch.h"
-#include "process/process_reaper.h"
 
 namespace mjcourse {
 namespace {
@@ -80,7 +80,7 @@ int ChildProcess::end() {
     ended_one = waitpid(-id_, &status, __WALL);
     if (ended_one == id_) status_ = status;
   }
-  ProcessReaper::instance().forget(id_);
+  GroupKiller::instance().forget(id_);
   id_ = -1;
   gone_.release();
   return status_;

@@ -30,7 +30,7 @@ Launch::Launch(const Command& command, Ends ends)
       confinement_(command.sandbox ? &*command.sandbox : nullptr, command.record_opened,
                    command.seconds),
       parent_(getpid()),
-      reaper_(ProcessReaper::instance()),
+      killer_(GroupKiller::instance()),
       ends_(std::move(ends)) {
   if (command.sandbox) {
     fixed_ = {"HOME=" + command.folder, "TMPDIR=" + command.folder, "LC_ALL=C.UTF-8",
@@ -76,7 +76,7 @@ void Launch::become() const {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent_) _exit(127);
   // Nor does what it starts itself.
-  reaper_.watch(getpid());
+  killer_.watch(getpid());
   const int news = ends_.news.get();
   tell_id(news, getpid());
   dup2(ends_.in.is_open() ? ends_.in.get() : open("/dev/null", O_RDONLY), STDIN_FILENO);

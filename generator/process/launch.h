@@ -13,7 +13,7 @@
 
 #include "base/descriptor.h"
 #include "process/confinement.h"
-#include "process/process_reaper.h"
+#include "process/group_killer.h"
 #include "process/subprocess.h"
 
 namespace mjcourse {
@@ -40,7 +40,7 @@ class Launch {
   const Command& command_;
   Confinement confinement_;
   pid_t parent_;
-  const ProcessReaper& reaper_;
+  const GroupKiller& killer_;
   Ends ends_;
   std::vector<std::string> fixed_;
   std::vector<char*> arguments_, environment_;  // as execvpe takes them

@@ -13,6 +13,7 @@
 #include "evaluate/result_fits.h"
 #include "fuzz.h"
 #include "lesson/read_lesson.h"
+#include "memory_store.h"
 #include "require.h"
 
 namespace mjcourse {

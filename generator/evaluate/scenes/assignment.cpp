@@ -56,7 +56,7 @@ void prove_goal(const LabContext& context, const Lab::Goal& goal) {
 
 }  // namespace
 
-bool check_at_rest(const LabContext& context, LabRun& run) {
+bool check_at_start(const LabContext& context, LabRun& run) {
   bool good = compute_tasks(context, run);
   if (!context.lab().goal) return good;
   const LocatedText& goal = context.lab().goal->done;

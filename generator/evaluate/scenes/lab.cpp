@@ -30,7 +30,7 @@ std::vector<int> find_keyframes(const Lab& lab, const Model& model) {
 }
 
 // Every readout is read even when one fails: their mistakes are shown together.
-bool read_at_rest(const Lab& lab, LabRun& run, LabResult& result) {
+bool read_at_start(const Lab& lab, LabRun& run, LabResult& result) {
   bool good = true;
   for (const Lab::Readout& readout : lab.readouts) {
     good = run.number(readout.expression, result.readouts.emplace_back()) && good;
@@ -61,12 +61,12 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson,
   result.memory = *memory;
   result.script_names = run->world().names();
   result.keyframes = find_keyframes(lab, run->simulation().model());
-  const bool read = read_at_rest(lab, *run, result);
+  const bool read = read_at_start(lab, *run, result);
   // What fails at the start would fail again after every control.
-  const bool at_rest = check_at_rest(context, *run);
+  const bool at_start = check_at_start(context, *run);
   WholeView view(run->simulation().model(), outlook_of(lab));
   run.reset();  // a large model is not there twice
-  if (at_rest && read) {
+  if (at_start && read) {
     result.runs = rehearse(context, lab.camera ? nullptr : &view);
     evaluate_assignment(context, result);
   }

@@ -84,7 +84,7 @@ std::optional<Figure> read_figure_fence(Fence& fence, LessonReader& reader) {
   return figure;
 }
 
-// A std::optional of the one makes none of the other, since it asks whether a copy could be made.
+// A std::optional<Kind> converts to no std::optional<Block>, since a block cannot be copied.
 template <typename Kind>
 std::optional<Block> as_block(std::optional<Kind> read) {
   return read ? std::optional<Block>(*std::move(read)) : std::nullopt;

@@ -124,7 +124,7 @@ class TreeBuilder {
     if (std::abs(value) < kFirstInexact) return add_number(value);
     reading_.error("E-json-range", scalar(JsonValue::Kind::number).span,
                    "whole numbers are exact below 2^53, and this one is not below",
-                   "if its last digits do not matter, write it with an exponent, as 1.2e16");
+                   "if its last digits do not matter, write it with an exponent, such as 1.2e16");
     return false;
   }
   bool add_number(double value) {

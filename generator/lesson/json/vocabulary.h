@@ -2,10 +2,10 @@
 // means.
 //
 // Of each object there is one table. JsonObject reads by it. It takes from nowhere else what must
-// be there, what a number may be and which keys there are. A key that the table lacks, and one that
-// no reader asked for, are faults of ours. The schemas that a site brings along are made of it
-// (page/json_schema.h), and whatever an editor is told. So no two of these can say different
-// things.
+// be there, what a number may be and which keys there are. To ask for a key that the table lacks is
+// a fault of the generator, and so is a key for which nothing asked. The site's schemas
+// (page/json_schema.h) and what an editor is told are made of the same table. So no two of these
+// can say different things.
 //
 // Enter at vocabulary_of("lab") (json_fences.h); the tables are in lab_vocabulary.h and its like.
 #pragma once

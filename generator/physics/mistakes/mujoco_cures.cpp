@@ -90,7 +90,7 @@ constexpr auto kOfStructure = std::to_array<Cure>({
 // Of meshes, whose numbers stand in other files.
 constexpr auto kOfMeshes = std::to_array<Cure>({
     {"faces have inconsistent orientation",
-     "let all faces go round the same way: a program for meshes can make their normals again"},
+     "let all faces go round the same way: a program for meshes can recompute their normals"},
     {"mesh surface area is too small", "look at the mesh's vertices and at its `scale`"},
     {"mesh volume is too small",
      "a flat mesh has a surface alone: write `shellinertia=\"true\"` in its geom; else look at its "

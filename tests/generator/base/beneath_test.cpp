@@ -119,9 +119,9 @@ TEST_P(BeneathTest, DoesNotWaitForPipes) {
   ASSERT_EQ(mkfifo((course() / "pipe").c_str(), 0600), 0);
   link("pipe", "to-pipe");
   for (const std::string path : {"pipe", "to-pipe"}) {
-    EXPECT_EQ(read(path), path + ": is not a file");
+    EXPECT_EQ(read(path), path + ": is neither a file nor a folder");
     EXPECT_EQ(refusal(path),
-              "is not a file; put a plain file there: a pipe or a device is never read");
+              "is neither a file nor a folder; replace it: a pipe or a device is never read");
   }
 }
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/sha256.h"
-#include "base/store.h"
+#include "memory_store.h"
 
 namespace mjcourse {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "base/temporary_folder.h"
+#include "memory_store.h"
 
 namespace mjcourse {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "base/store.h"
+#include "memory_store.h"
 
 namespace mjcourse {
 namespace {

@@ -113,14 +113,15 @@ TEST(NewLesson, NeedsALevelANameAndAFreeNumber) {
   EXPECT_EQ(one({"lesson", "2-dynamics/2.1-forces"}),
             "2 there is no level 2-dynamics in content/course.yaml | `mjcourse new level "
             "2-dynamics` makes it; known: 1-state, guide");
-  EXPECT_EQ(one({"lesson", "3.1-forces"}),
-            "2 no level in content/course.yaml has lessons with numbers as 3.1 | name the level "
-            "too: `mjcourse new lesson LEVEL/3.1-forces`; known: 1-state, guide");
+  EXPECT_EQ(
+      one({"lesson", "3.1-forces"}),
+      "2 no level in content/course.yaml has lessons with numbers such as 3.1 | name the level "
+      "too: `mjcourse new lesson LEVEL/3.1-forces`; known: 1-state, guide");
   EXPECT_EQ(one({"lesson", "A.7-forces"}), "content/guide/A.7-forces.md");
   EXPECT_EQ(
       one({"lesson", "1-state/Free_Fall"}),
       "2 `1-state/Free_Fall` is not a name for a lesson | a number, then small letters, digits "
-      "and hyphens, as `2.1-forces`; did you mean `free-fall`?");
+      "and hyphens, such as `2.1-forces`; did you mean `free-fall`?");
   EXPECT_EQ(one({"lesson", "1-state/2.1-forces"}),
             "2 a lesson of 1-state has a number as 1.1 | did you mean `1-state/1.8-forces`?");
   EXPECT_EQ(one({"lesson", "1-state", "Kräfte"}),

@@ -42,7 +42,7 @@ TEST(Run, HelpsWithOneCommand) {
       "\n"
       "  prune          until no more than SIZE is left\n"
       "  --store DIR    where results are kept (default: the user's cache)\n"
-      "  --keep SIZE    how much that is, as 500MB (default: 2GB)\n";
+      "  --keep SIZE    how much to keep, such as 500MB (default: 2GB)\n";
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"store", "--help"}, {"store", "prune", "-h"}, {"help", "store"}}) {
     const Ran result = ran(arguments);
@@ -119,16 +119,17 @@ TEST(Run, NeedsValuesOfTheirKind) {
             "mjcourse: --port takes a port from 1 to 65535, not 65536");
   EXPECT_EQ(error_of({"preview", "--link", "vscode://"}),
             "mjcourse: --link takes an address with {file} in it, not vscode://");
-  EXPECT_EQ(error_of({"build", "--base-url", "example.org"}),
-            "mjcourse: --base-url takes the address of a site, as https://example.org/course/, "
-            "not example.org");
+  EXPECT_EQ(
+      error_of({"build", "--base-url", "example.org"}),
+      "mjcourse: --base-url takes the address of a site, such as https://example.org/course/, "
+      "not example.org");
   EXPECT_EQ(error_of({"check", "--format=xml"}),
             "mjcourse: --format takes text, json, github, sarif or junit, not xml");
   EXPECT_EQ(error_of({"check", "--format", "sarf"}),
             "mjcourse: --format takes text, json, github, sarif or junit, not sarf; did you "
             "mean `sarif`?");
   EXPECT_EQ(error_of({"store", "prune", "--keep", "much"}),
-            "mjcourse: --keep takes a size, as 2GB, not much");
+            "mjcourse: --keep takes a size, such as 2GB, not much");
   EXPECT_EQ(error_of({"accept", ""}), "mjcourse: accept takes [WHERE...], not \"\"");
 }
 

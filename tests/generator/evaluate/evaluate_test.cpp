@@ -9,6 +9,7 @@
 #include "base/sha256.h"
 #include "cache/result_codec.h"
 #include "evaluate/evaluation_of.h"
+#include "memory_store.h"
 
 namespace mjcourse {
 namespace {

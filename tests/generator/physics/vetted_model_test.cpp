@@ -169,11 +169,11 @@ TEST_F(VettedModelTest, RefusesWhatIsNoFile) {
   ASSERT_EQ(mkfifo(folder_.path("models/pipe.xml").c_str(), 0600), 0);
   ASSERT_EQ(mkfifo(folder_.path("models/pipe.stl").c_str(), 0600), 0);
   EXPECT_EQ(refused(model("<include file='pipe.xml'/>")),
-            "models/main.xml:2: the file 'pipe.xml' is not a file");
+            "models/main.xml:2: the file 'pipe.xml' is neither a file nor a folder");
   EXPECT_EQ(refused(model("<asset><mesh file='pipe.stl'/></asset>")),
-            "models/main.xml:2: the file 'pipe.stl' is not a file");
+            "models/main.xml:2: the file 'pipe.stl' is neither a file nor a folder");
   EXPECT_EQ(refused(folder_.path("models/pipe.xml")),
-            "models/pipe.xml:0: the model's file is not a file");
+            "models/pipe.xml:0: the model's file is neither a file nor a folder");
 }
 
 TEST_F(VettedModelTest, RefusesMjcfThatNobodyWrote) {

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <thread>
 
+#include "memory_store.h"
+
 namespace mjcourse {
 namespace {
 

@@ -127,7 +127,8 @@ TEST(Json, RefusesWholeNumbersOfWhichADoubleLosesDigits) {
     EXPECT_EQ(found.place.column, 7);
     EXPECT_EQ(found.place.width, static_cast<int>(number.size()));
     EXPECT_EQ(found.message, "whole numbers are exact below 2^53, and this one is not below");
-    EXPECT_EQ(found.cure, "if its last digits do not matter, write it with an exponent, as 1.2e16");
+    EXPECT_EQ(found.cure,
+              "if its last digits do not matter, write it with an exponent, such as 1.2e16");
   }
   EXPECT_TRUE(Parsed("[9007199254740991, -9007199254740991, 9.007199254740993e15]").value);
 }

@@ -17,7 +17,7 @@ TEST(MujocoCures, SayWhatIsRight) {
             "write `ctrlrange=\"0 1\"`, with the lower number first");
   EXPECT_EQ(
       cure_of_model("object 'cube': faces have inconsistent orientation: cube"),
-      "let all faces go round the same way: a program for meshes can make their normals again");
+      "let all faces go round the same way: a program for meshes can recompute their normals");
   EXPECT_EQ(cure_of_model("inertia must satisfy A + B >= C; use 'balanceinertia' to fix"),
             "write the inertia of a real body, or `<compiler balanceinertia=\"true\"/>`");
   EXPECT_EQ(cure_of_model("repeated name in geom array, position 1"),

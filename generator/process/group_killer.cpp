@@ -1,4 +1,4 @@
-#include "process/process_reaper.h"
+#include "process/group_killer.h"
 
 #include <fcntl.h>
 #include <sys/socket.h>
@@ -17,7 +17,7 @@ namespace {
 // More than there can be threads that wait for a program.
 constexpr std::size_t kMostGroups = 1 << 14;
 
-// The reaper's own, which allocates nothing: the process that it is a copy of may have had other
+// Its own, which allocates nothing: the process that it is a copy of may have had other
 // threads, one of which held the allocator's lock.
 class Groups {
  public:
@@ -40,8 +40,8 @@ class Groups {
   std::size_t count_ = 0;
 };
 
-// In a group of its own, deaf to what ends the others, and with nothing of ours open: a process
-// that waits for the end of our output must not wait for the reaper's.
+// Moves it into a group of its own, blocks the signals that end the others, and closes all that is
+// open. So a process that waits for the end of the generator's output does not wait for this one.
 void stand_apart(int socket) {
   setsid();
   sigset_t all;
@@ -69,12 +69,12 @@ void stand_apart(int socket) {
 
 }  // namespace
 
-const ProcessReaper& ProcessReaper::instance() {
-  static const ProcessReaper reaper;
-  return reaper;
+const GroupKiller& GroupKiller::instance() {
+  static const GroupKiller killer;
+  return killer;
 }
 
-ProcessReaper::ProcessReaper() {
+GroupKiller::GroupKiller() {
   int ends[2];
   // Its end is the end of the last process that has ours, and no program inherits that.
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return;
@@ -88,15 +88,15 @@ ProcessReaper::ProcessReaper() {
   }
 }
 
-void ProcessReaper::watch(pid_t group) const {
+void GroupKiller::watch(pid_t group) const {
   tell(group);
 }
 
-void ProcessReaper::forget(pid_t group) const {
+void GroupKiller::forget(pid_t group) const {
   tell(-group);
 }
 
-void ProcessReaper::tell(pid_t group) const {
+void GroupKiller::tell(pid_t group) const {
   if (socket_ < 0) return;
   while (send(socket_, &group, sizeof group, MSG_NOSIGNAL) < 0 && errno == EINTR) {
   }
