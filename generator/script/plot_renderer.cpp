@@ -12,6 +12,10 @@ using nlohmann::json;
 // Vega's memory grows with each plot, so now and then it is begun anew.
 constexpr int kPlotsOfAnEngine = 32;
 
+// Long enough that a drawing that fills its worker's memory meets that limit first, even where the
+// kernel hands out memory slowly.
+constexpr double kDrawingSeconds = 20;
+
 PlotDrawing drawing_of(const json& data) {
   return {data.at("svg"), data.at("width"), data.at("height")};
 }
@@ -34,7 +38,7 @@ tl::expected<PlotDrawings, std::vector<PlotFault>> PlotRenderer::draw(const std:
                                                                       const json& table,
                                                                       const std::string& id) {
   if (!engine_ || ++drawn_ > kPlotsOfAnEngine) {
-    engine_.emplace();
+    engine_.emplace(kDrawingSeconds);
     engine_->load(bundle_, "plot.js");
     drawn_ = 1;
   }

@@ -94,7 +94,7 @@ TEST_F(PlotLimitsTest, OfTime) {
                    loess + R"(], "mark": "line", "encoding": {
                        "x": {"field": "x", "type": "quantitative"},
                        "y": {"field": "q", "type": "quantitative"}}})"),
-            "E-plot-size [] the drawing of this plot ran for more than 10 s | let it show fewer "
+            "E-plot-size [] the drawing of this plot ran for more than 20 s | let it show fewer "
             "rows, bins or parts, or make them in the example\n");
 }
 
