@@ -1,4 +1,5 @@
-// Courses whose links, pipes and names lead out of them, and what is said of each. links.mjs runs them.
+// Courses whose links, pipes and names lead out of them, and what is said of each. links.mjs runs
+// them.
 
 import { spawnSync } from "node:child_process";
 import { mkdirSync, rmSync, symlinkSync, writeFileSync } from "node:fs";

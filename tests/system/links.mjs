@@ -1,6 +1,6 @@
-// Of courses whose links, pipes and names lead out of them, nothing of what they lead to is read, shown
-// or written, and each ends soon with a message (linked-courses.mjs). As we are, and where we are root, as an ordinary
-// user as well.
+// Of courses whose links, pipes and names lead out of them (linked-courses.mjs), nothing of what they
+// lead to is read, shown or written, and each ends soon with a message. As we are, and where we are
+// root, as an ordinary user as well.
 //
 //   node tests/system/links.mjs MJCOURSE
 

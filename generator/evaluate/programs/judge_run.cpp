@@ -77,6 +77,10 @@ Diagnostic wrong_exit(const Outcome& outcome, const ExpectedRun& expected) {
   found.message = "the " + expected.what + " exited with code " + std::to_string(outcome.code);
   if (expected.exit_code != 0) {
     found.message += ", and " + std::to_string(expected.exit_code) + " was expected";
+    found.cure = outcome.code == 0
+                     ? "mend the program, or leave `expect` out if 0 is right"
+                     : "mend the program, or write `expect=exit:" + std::to_string(outcome.code) +
+                           "` if that is right";
   }
   found.detail = tail(outcome.err);
   return found;

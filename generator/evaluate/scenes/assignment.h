@@ -6,8 +6,8 @@
 
 namespace mjcourse {
 
-// Both report what fails. At rest, with `run` as a reset leaves it: the goal is not reached yet,
-// and the tasks have numbers. False where something could not be computed.
+// Both report what fails. At the start, with `run` as a reset leaves it: the goal is not reached
+// yet, and the tasks have numbers. False where something could not be computed.
 bool check_at_start(const LabContext& context, LabRun& run);
 void evaluate_assignment(const LabContext& context, LabResult& result);
 

@@ -169,7 +169,8 @@ TEST(Example, MayExitWithAnExpectedCode) {
   EXPECT_EQ(found.mistakes(), "");
   EXPECT_EQ(found.tally().programs, 1);
   EXPECT_EQ(run_mistake("int main() {}\n", " expect=exit:3"),
-            "the program exited with code 0, and 3 was expected [E-example-exit]\n");
+            "the program exited with code 0, and 3 was expected [E-example-exit]\n"
+            "  cure: mend the program, or leave `expect` out if 0 is right\n");
 }
 
 TEST(Example, GetsItsArguments) {
