@@ -14,7 +14,7 @@ constexpr int kPlotsOfAnEngine = 32;
 
 // Long enough that a drawing that fills its worker's memory meets that limit first, even where the
 // kernel hands out memory slowly.
-constexpr double kDrawingSeconds = 20;
+constexpr double kDrawingSeconds = 30;
 
 PlotDrawing drawing_of(const json& data) {
   return {data.at("svg"), data.at("width"), data.at("height")};

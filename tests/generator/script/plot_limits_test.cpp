@@ -91,10 +91,11 @@ TEST_F(PlotLimitsTest, OfTime) {
   const std::string loess = R"({"loess": "q", "on": "x", "as": ["x", "q"]})";
   EXPECT_EQ(faults(R"j({"transform": [{"calculate": "sequence(30)", "as": "q"}, {"flatten": ["q"]},
                        {"calculate": "datum.x + datum.q / 30", "as": "x"}, )j" +
-                   loess + R"(], "mark": "line", "encoding": {
+                   loess + ", " + loess + ", " + loess + ", " + loess +
+                   R"(], "mark": "line", "encoding": {
                        "x": {"field": "x", "type": "quantitative"},
                        "y": {"field": "q", "type": "quantitative"}}})"),
-            "E-plot-size [] the drawing of this plot ran for more than 20 s | let it show fewer "
+            "E-plot-size [] the drawing of this plot ran for more than 30 s | let it show fewer "
             "rows, bins or parts, or make them in the example\n");
 }
 
