@@ -9,6 +9,7 @@
 #include "course/link_target.h"
 #include "lesson/json/json_fences.h"
 #include "page/api_page.h"
+#include "page/blocks/program_data.h"
 #include "page/blocks/themed_assets.h"
 #include "page/gallery_page.h"
 #include "page/glossary_page.h"
@@ -60,6 +61,7 @@ SitePages::SitePages(const Course& course, const Evaluation& evaluation,
       printed_(course) {
   site_.claims_of_outline = std::move(claims_of_outline);
   site_.feed = has_feed(site_);
+  site_.compiler_bytes = compiler_bytes(assets, site_.manifest);
 }
 
 void SitePages::write_lesson(std::size_t index, PageEngines& engines, bool alone) {
@@ -124,6 +126,7 @@ void SitePages::write_api(PageRenderer& renderer) {
                   "What " + site_.course.title + " uses of MuJoCo " +
                       site_.evaluation.versions.mujoco + ", as its headers declare it."},
                  body, styles);
+  out_.write("api-names.json", site_.evaluation.api_names.dump());
 }
 
 void SitePages::write_gallery(PageRenderer& renderer) {

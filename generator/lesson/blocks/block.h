@@ -50,6 +50,7 @@ struct Example {
   bool compiles = true;                  // false: the compiler's refusal is what it shows
   bool optimize = false;                 // -O2, for a program that computes much
   std::vector<std::string> arguments{};  // of its command line
+  std::string native{};                  // why no page is to run it; "" where one may
   Span span{};                           // the opening fence
   std::vector<std::size_t> outputs{};    // the blocks that state its output
 

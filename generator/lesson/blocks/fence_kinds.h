@@ -44,11 +44,14 @@ inline constexpr FenceOption kTimeout{"timeout",
 inline constexpr double kMostSeconds = 600;
 
 inline constexpr std::array kProgram{
-    kFile, kTimeout,
+    kFile,
+    kTimeout,
     FenceOption{"expect", "How it ends, if not well: `exit:1`, or `compile-error`.", false, true,
                 kProgramEnds},
     FenceOption{"args", "Its arguments, between quotes."},
-    FenceOption{"optimize", "It is compiled with `-O2`.", false, false}};
+    FenceOption{"optimize", "It is compiled with `-O2`.", false, false},
+    FenceOption{"native", "No page runs it.", false, false},
+    FenceOption{"because", "Why no page runs it, behind `native`."}};
 // How a program is built and run is said where all of it is shown.
 inline constexpr std::array kRegion{kFile};
 inline constexpr std::array kSnippet{

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "page/blocks/program_data.h"
 #include "page/html/anchors.h"
 #include "page/html/site_paths.h"
 
@@ -51,7 +52,8 @@ json listing(const std::string& code, const std::string& language, const LessonC
   const json highlighted =
       code.empty() ? json() : json(context.page.highlighter.highlight(code, language));
   return {{"id", nullptr},       {"file", nullptr},    {"download", nullptr}, {"zip", nullptr},
-          {"code", highlighted}, {"unchecked", false}, {"because", ""},       {"output", nullptr}};
+          {"code", highlighted}, {"unchecked", false}, {"because", ""},       {"output", nullptr},
+          {"run", nullptr},      {"why_not", nullptr}};
 }
 
 // Those of a program's stated outputs that do not stand somewhere else in the lesson.
@@ -81,6 +83,8 @@ json data_of(const Example& example, std::size_t index, LessonContext& context) 
   if (const std::string zip = program_zip_path(example, result); !zip.empty()) {
     data["zip"] = context.from_root(zip);
   }
+  data["run"] = run_data(example, result, context);
+  data["why_not"] = why_not_data(result);
   // Of a program's regions, those have its output that say so; and where it is stated somewhere
   // else alone, that is where a reader finds it.
   const std::vector<std::size_t> below = outputs_below(example.outputs, context);

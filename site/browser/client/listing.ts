@@ -3,7 +3,10 @@
 
 import { addCopyButtons } from "./copying.js";
 import { leadToLines, numberLines } from "./lines.js";
+import { offerPrograms, openLinked } from "./programs.js";
 
 addCopyButtons();
 numberLines();
 leadToLines();
+offerPrograms();
+openLinked();

@@ -17,7 +17,7 @@ class ProgramFolder : public testing::Test {
     course_.lessons.clear();
     course_.add(std::move(reading_of(fence).lesson.value()));
     const Lesson& lesson = course_.lessons[0];
-    const ExampleResult result{"", "", {}, 0, std::move(files)};
+    const ExampleResult result{"", printed_, {}, 0, std::move(files)};
     const SiteData site{course_, evaluation_, course_files_, assets_, {}, {}};
     return program_folder({std::get<Example>(lesson.blocks.at(0)), result, lesson}, site);
   }
@@ -31,6 +31,7 @@ class ProgramFolder : public testing::Test {
        {"models/m/x.xml", "<mujoco/>\n"}}};
   const MemoryFiles assets_{{{"examples/include/mjcourse/handlers.cpp", "// tool\n"},
                              {"examples/include/own.hpp", "// hidden\n"}}};
+  std::string printed_;
   Course course_;
   Evaluation evaluation_;
 };
@@ -49,6 +50,12 @@ TEST_F(ProgramFolder, HasWhatTheProgramWasMadeOfAndOpened) {
   EXPECT_NE(files.at("a/CMakeLists.txt")
                 .find("add_executable(program \"a.cpp\" \"include/mjcourse/handlers.cpp\")\n"),
             std::string::npos);
+}
+
+TEST_F(ProgramFolder, SaysWhatTheProgramPrints) {
+  printed_ = "1\n";
+  const auto files = folder_of("```cpp file=examples/a.cpp\n```\n", {});
+  EXPECT_EQ(files.at("a/expected-output.txt"), "1\n");
 }
 
 TEST_F(ProgramFolder, HasBesideTheProgramWhatLiesBesideIt) {

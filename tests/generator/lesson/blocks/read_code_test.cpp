@@ -35,6 +35,12 @@ TEST(ReadCode, TakesHowAProgramIsRun) {
   EXPECT_EQ(run.arguments, (std::vector<std::string>{"a", "--b=1"}));
 }
 
+TEST(ReadCode, TakesWhyNoPageRunsAProgram) {
+  EXPECT_EQ(example("").native, "");
+  EXPECT_EQ(example(" native").native, "native only");
+  EXPECT_EQ(example(" native because=\"it measures\"").native, "it measures");
+}
+
 TEST(ReadCode, TakesARegion) {
   const ReadingOf reading = reading_of("```cpp file=examples/a.cpp#the-loop\nx;\n```\n");
   EXPECT_EQ(reading.mistakes(), "");
@@ -98,6 +104,12 @@ TEST(ReadCode, RefusesWordsThatItDoesNotKnow) {
             "optimize: `optimize` takes no value; write `optimize` alone\n");
   EXPECT_EQ(code_mistake("unchecked optimize"),
             "optimize: a `cpp unchecked` fence has no option `optimize`; known: because\n");
+}
+
+TEST(ReadCode, RefusesAReasonForNothing) {
+  EXPECT_EQ(code_mistake("file=examples/a.cpp because=\"it measures\""),
+            "it measures: this program has nothing to be excused; `native because=\"…\"` says why "
+            "no page runs it\n");
 }
 
 TEST(ReadCode, RefusesASnippetOfNothing) {

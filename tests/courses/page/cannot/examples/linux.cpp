@@ -1,0 +1,3 @@
+#include <sys/epoll.h>
+
+int main() { return EPOLLIN - 1; }
