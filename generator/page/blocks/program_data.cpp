@@ -15,7 +15,7 @@ using nlohmann::json;
 constexpr std::pair<const char*, const char*> kAssets[] = {
     {"code", "program.js"},   {"style", "program.css"}, {"worker", "cpp.js"},
     {"llvm", "llvm.wasm.xz"}, {"pack", "cpp.pack.xz"},  {"engine", "engine.mjs"},
-    {"wasm", "engine.wasm"},
+    {"wasm", "engine.wasm"},  {"lab_style", "lab.css"},
 };
 
 // Of these, what is there for the compiler alone.
@@ -39,19 +39,33 @@ bool any_runs_in_page(const LessonResults& results) {
   });
 }
 
+json addresses(const LessonContext& context) {
+  json data;
+  for (const auto& [attribute, asset] : kAssets) {
+    data[attribute] = context.from_root(context.page.manifest.at(asset).get<std::string>());
+  }
+  return data;
+}
+
 }  // namespace
 
 json run_data(const Example& example, const ExampleResult* result, const LessonContext& context) {
-  const json& manifest = context.page.manifest;
-  if (program_zip_path(example, result).empty() || !has_compiler(manifest)) return nullptr;
+  if (program_zip_path(example, result).empty()) return nullptr;
+  if (!has_compiler(context.page.manifest)) return nullptr;
   if (!runs_in_page(*result)) return nullptr;
   json data{{"bytes", context.page.compiler_bytes},
             {"arguments", example.arguments.empty() ? "" : json(example.arguments).dump()},
             {"exit", example.exit_code}};
-  for (const auto& [attribute, asset] : kAssets) {
-    data[attribute] = context.from_root(manifest.at(asset).get<std::string>());
-  }
+  data.update(addresses(context));
   return data;
+}
+
+std::string lab_compiler(const LessonContext& context) {
+  if (!any_runs_in_page(context.results) || !has_compiler(context.page.manifest)) return "";
+  json data = addresses(context);
+  for (const char* own : {"engine", "wasm", "lab_style"}) data.erase(own);
+  data["bytes"] = std::to_string(context.page.compiler_bytes);
+  return data.dump();
 }
 
 json why_not_data(const ExampleResult* result) {

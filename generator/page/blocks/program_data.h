@@ -18,6 +18,10 @@ namespace mjcourse {
 nlohmann::json run_data(const Example& example, const ExampleResult* result,
                         const LessonContext& context);
 
+// For a lab, whose state its reader may open as a program: those of the data that the lab does not
+// have itself, as JSON; "" where the lesson has no program that runs in the page.
+std::string lab_compiler(const LessonContext& context);
+
 // Why no page runs the program, in a clause; null where one does, or nobody tried.
 nlohmann::json why_not_data(const ExampleResult* result);
 

@@ -144,6 +144,15 @@ export function offerPrograms(root: Document | Element = document): void {
   }
 }
 
+/** And those that the page makes of a lab's state (program/state-program.ts), which are opened at once. */
+export function offerMadePrograms(): void {
+  document.addEventListener("program-made", ({ target }) => {
+    if (!(target instanceof HTMLElement)) return;
+    offerPrograms(target);
+    void offers.get(target)?.open();
+  });
+}
+
 /** The program of a link that has a text of it (program/program-link.ts). */
 export function openLinked(): void {
   const [, file, text] = /^#run:(.+):([\w-]+)$/.exec(decodeURI(location.hash)) ?? [];

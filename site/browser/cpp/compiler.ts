@@ -20,7 +20,7 @@ import {
   variablesObject,
   variablesPath,
 } from "./link.js";
-import type { Diagnostic, End, Program } from "./messages.js";
+import type { Diagnostic, End, LoadedModel, Program } from "./messages.js";
 import { filesToCompile, filesToRun } from "./program-files.js";
 import { runTool } from "./tool.js";
 import type { Stream } from "./wasi.js";
@@ -40,6 +40,7 @@ export interface Listener {
 export interface Finished {
   readonly end: End;
   readonly records: string;
+  readonly model: LoadedModel | undefined;
   readonly seconds: { readonly compile: number; readonly link: number; readonly run: number };
 }
 
@@ -83,15 +84,17 @@ export class Compiler {
     if (code === undefined) return undefined;
 
     const files = filesToRun(program);
+    let model: LoadedModel | undefined;
     const end = await execute(this.parts.engine, {
       module: new WebAssembly.Module(code as Uint8Array<ArrayBuffer>),
       args: [nameOf(program.main), ...(program.arguments ?? [])],
       env: { MJCOURSE_MODELS: modelsFolder, MJCOURSE_RECORDS: recordsPath },
       files,
       write: listener.output,
+      loaded: (last) => (model = last),
     });
     const records = new TextDecoder().decode(files.bytes(recordsPath));
-    return { end, records, seconds: { compile, link, run: clock.lap() } };
+    return { end, records, model, seconds: { compile, link, run: clock.lap() } };
   }
 
   #compile(program: Program) {

@@ -7,7 +7,8 @@
 import { startEngine, textAt, type Engine, type EngineBinary } from "./engine.js";
 import type { Files } from "./files.js";
 import { stackSize, tableRoom } from "./link.js";
-import type { End } from "./messages.js";
+import { loadedModel } from "./loaded-model.js";
+import type { End, LoadedModel } from "./messages.js";
 import { trap } from "./trap.js";
 import type { Stream } from "./wasi.js";
 
@@ -24,6 +25,7 @@ export interface Execution {
   readonly env: Readonly<Record<string, string>>;
   readonly files: Files;
   readonly write: (stream: Stream, bytes: Uint8Array) => void;
+  readonly loaded: (model: LoadedModel) => void;
 }
 
 export async function execute(binary: EngineBinary, execution: Execution): Promise<End> {
@@ -89,6 +91,7 @@ class RunningProgram {
         memory: engine.memory,
         __indirect_function_table: engine.table,
         ...Object.fromEntries(engine.functions),
+        mj_loadXML: this.#loadXml(engine),
         mjc_no_memory: () => (this.#hasNoMemory = true),
         mjc_abort: () => this.#abort(),
         mjc_thread_waits: end("trap", threadWaits),
@@ -98,6 +101,17 @@ class RunningProgram {
         sched_yield: () =>
           ++this.#yields < mostYields ? 0 : this.stop({ how: "trap", message: threadWaits }),
       },
+    };
+  }
+
+  /** As the engine's, and tells of it. */
+  #loadXml({ functions, memory }: Engine) {
+    const load = functions.get("mj_loadXML") as (...args: number[]) => number;
+    const { files, loaded } = this.execution;
+    return (file: number, vfs: number, ...rest: number[]): number => {
+      const model = load(file, vfs, ...rest);
+      if (model !== 0) loaded(loadedModel(memory, file, vfs, files));
+      return model;
     };
   }
 

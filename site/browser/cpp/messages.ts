@@ -54,8 +54,18 @@ export type FromWorker =
       readonly end: End;
       /** JSON lines, as the program writes them to the file of MJCOURSE_RECORDS. */
       readonly records: string;
+      /** The last one that the program loaded. */
+      readonly model: LoadedModel | undefined;
       readonly seconds: { readonly compile: number; readonly link: number; readonly run: number };
     };
+
+/** What mj_loadXML made a model of. */
+export interface LoadedModel {
+  /** Of its main file: "ball.xml". */
+  readonly name: string;
+  /** The main file, and those that the program itself made for it. */
+  readonly files: Readonly<Record<string, Uint8Array>>;
+}
 
 /** Lines and columns count from 1. */
 export interface Diagnostic {

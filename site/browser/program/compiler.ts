@@ -3,7 +3,15 @@
  * hundred megabytes then, so it is opened when a program is, and runs one program at a time. A program
  * that has no end is stopped with its worker; the next run opens another, of what the browser has kept.
  */
-import type { Diagnostic, End, FromWorker, Program, Stage, ToWorker } from "../cpp/messages.js";
+import type {
+  Diagnostic,
+  End,
+  FromWorker,
+  LoadedModel,
+  Program,
+  Stage,
+  ToWorker,
+} from "../cpp/messages.js";
 
 export interface Addresses {
   readonly worker: string;
@@ -27,6 +35,7 @@ export interface Listener {
 export interface Ended {
   readonly end: End;
   readonly records: string;
+  readonly model: LoadedModel | undefined;
   readonly seconds: number;
 }
 
@@ -147,8 +156,8 @@ export class Compiler {
         run.listener.output(message.stream, message.text);
         return;
       case "ended": {
-        const { end, records, seconds } = message;
-        this.#end(run, { end, records, seconds: seconds.run });
+        const { end, records, model, seconds } = message;
+        this.#end(run, { end, records, model, seconds: seconds.run });
       }
     }
   }

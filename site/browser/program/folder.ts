@@ -3,6 +3,7 @@
  * too: the program, its headers and its models, and what the lesson's run of it printed.
  */
 import type { Program } from "../cpp/messages.js";
+import type { ModelFiles } from "../engine/engine.js";
 import { type Files, unzip } from "./unzip.js";
 import { zip } from "./zip.js";
 
@@ -12,11 +13,25 @@ const outputFile = "expected-output.txt";
 export class Folder {
   readonly #name: string;
   readonly #files: Files;
+  /** A lesson ran it. */
+  readonly isOfLesson: boolean;
 
   /** `name` is the program's, and the folder's: "l0_1_parabola". */
-  private constructor(name: string, files: Files) {
+  private constructor(name: string, files: Files, isOfLesson: boolean) {
     this.#name = name;
     this.#files = files;
+    this.isOfLesson = isOfLesson;
+  }
+
+  /** Of a program that the page has made, with the files of its models. */
+  static made(name: string, text: string, models: ModelFiles): Folder {
+    const bytes = (content: string | Uint8Array) =>
+      typeof content === "string" ? new TextEncoder().encode(content) : new Uint8Array(content);
+    const main = [`${name}/${name}.cpp`, bytes(text)] as const;
+    const others = Object.entries(models).map(
+      ([file, content]) => [`${name}/models/${file}`, bytes(content)] as const,
+    );
+    return new Folder(name, new Map([main, ...others]), false);
   }
 
   /** Throws where the archive at `address` cannot be had. */
@@ -24,7 +39,7 @@ export class Folder {
     const response = await fetch(address);
     if (!response.ok) throw new Error(`${response.status} for ${address}`);
     const files = await unzip(await response.arrayBuffer());
-    return new Folder([...files.keys()][0]!.split("/")[0]!, files);
+    return new Folder([...files.keys()][0]!.split("/")[0]!, files, true);
   }
 
   /** The program as the lesson shows it, without the marks of its regions. */
@@ -40,6 +55,13 @@ export class Folder {
   /** The text of the course's own header; "" where the program has none. */
   get helper(): string {
     return this.#read("include/mjcourse/mjcourse.hpp");
+  }
+
+  /** The files of its models, by the names by which one names another. */
+  get models(): Readonly<Record<string, Uint8Array>> {
+    const folder = `${this.#name}/models/`;
+    const files = [...this.#files].filter(([path]) => path.startsWith(folder));
+    return Object.fromEntries(files.map(([path, bytes]) => [path.slice(folder.length), bytes]));
   }
 
   /** To be run, with the reader's text in place of the lesson's. */

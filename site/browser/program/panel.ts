@@ -10,12 +10,14 @@ import { type ApiName, completionOf } from "./completion.js";
 import { type Compiler, type Ended, type Listener, NoCompiler } from "./compiler.js";
 import { lineOf } from "./diagnostics.js";
 import { sentenceOf } from "./end.js";
+import { EndedLab } from "./ended-lab.js";
 import type { Folder } from "./folder.js";
 import { keepFiles } from "./offline.js";
 import { Output } from "./output.js";
 import { encodeText } from "./program-link.js";
 import { ProgressBar } from "./progress.js";
 import { quoteLesson, quoteRun } from "./quotations.js";
+import { readSnapshots } from "./records.js";
 import { save } from "./save.js";
 
 const refusals: Readonly<Record<NoCompiler["why"], string>> = {
@@ -37,9 +39,10 @@ export class Panel {
   readonly #status = make("p", { class: "program-status", role: "status" });
   readonly #progress = new ProgressBar((text) => this.#say(text));
   readonly #output = new Output();
+  readonly #ended: EndedLab;
   readonly #run = button("Run", "primary", () => void this.run());
   readonly #stop = button("Stop", "", () => this.#compiler.stop());
-  readonly #reset = button("Reset to the lesson’s", "", () => this.reset());
+  readonly #reset: HTMLButtonElement;
   readonly #leaving = new AbortController();
   #editor!: CodeEditor;
   /** What is kept, or need not be: a link's text is not the reader's own before it is changed. */
@@ -51,20 +54,25 @@ export class Panel {
     this.#file = file;
     this.#folder = folder;
     this.#compiler = compiler;
+    this.#reset = button(`Reset to the ${this.#source}’s`, "", () => this.reset());
+    this.#ended = new EndedLab(figure, this.#name, (text) => this.#say(text));
   }
 
   /** With `linked`, a text that is not the reader's own, and that is not kept before it is changed. */
   open(linked?: string): void {
-    const link = button("Copy link", "", () => void this.#copyLink());
     const close = button("Close", "", () => this.close(true));
     const bar = make("div", { class: "program-bar" });
     this.#run.setAttribute("aria-keyshortcuts", "Control+Enter");
     this.#run.title = "Ctrl-Enter in the editor";
-    bar.append(this.#run, this.#stop, this.#reset, link, close, this.#progress.element);
+    bar.append(this.#run, this.#stop, this.#reset);
+    if (this.#folder.isOfLesson) {
+      bar.append(button("Copy link", "", () => void this.#copyLink()));
+    }
+    bar.append(close, this.#progress.element);
     this.#element.append(this.#host, bar, this.#status);
     this.#code.before(this.#element);
     this.#code.hidden = true;
-    this.#element.after(this.#output.element);
+    this.#element.after(this.#output.element, this.#ended.element);
     this.#figure.classList.add("edited");
     const lesson = this.#folder.text;
     this.#known = linked ?? keptText(this.#file) ?? lesson;
@@ -76,7 +84,7 @@ export class Panel {
       completion: completionOf(() => this.#apiNames(), this.#folder.helper),
     });
     this.#editor.scrollTo(lineOfRegion(lesson, this.#code.textContent));
-    this.#zip.addEventListener("click", (event) => this.#takeAlong(event), {
+    this.#zip?.addEventListener("click", (event) => this.#takeAlong(event), {
       signal: this.#leaving.signal,
     });
     this.#show();
@@ -92,6 +100,8 @@ export class Panel {
     this.#editor.destroy();
     this.#element.remove();
     this.#output.element.remove();
+    this.#ended.close();
+    this.#ended.element.remove();
     this.#code.hidden = false;
     this.#figure.classList.remove("edited");
     quoteLesson(this.#name);
@@ -106,7 +116,7 @@ export class Panel {
     if (this.#isBusy) return;
     const { text } = this.#editor;
     this.#changed(text);
-    this.#output.clear();
+    this.#forgetRun();
     this.#editor.showDiagnostics([]);
     await this.#whileBusy(async () => {
       this.#say("Compiling…");
@@ -125,10 +135,15 @@ export class Panel {
     this.#editor.replace(this.#known);
     this.#editor.showDiagnostics([]);
     forgetText(this.#file);
-    this.#output.clear();
+    this.#forgetRun();
     quoteLesson(this.#name);
     this.#show();
-    this.#say("This is the lesson’s program again.");
+    this.#say(`This is the ${this.#source}’s program again.`);
+  }
+
+  #forgetRun(): void {
+    this.#output.clear();
+    this.#ended.close();
   }
 
   /** While the reader reads and edits. */
@@ -177,21 +192,27 @@ export class Panel {
     for (const one of diagnostics) this.#output.complain(`${lineOf(one)}\n`);
   }
 
-  #tell({ end, records, seconds }: Ended): void {
-    const differing = this.#output.compare(this.#folder.output);
-    const values = quoteRun(this.#name, records);
+  #tell({ end, records, model, seconds }: Ended): void {
     const told = [sentenceOf(end, Number(this.#figure.dataset["exit"] ?? 0))];
-    told.push(
-      differing === 0
-        ? "It printed what the lesson’s printed."
-        : `${counted(differing, "line")} of its output ${differing === 1 ? "is" : "are"} not the lesson’s.`,
-    );
-    if (values > 0)
-      told.push(
-        `${counted(values, "value")} in the text ${values === 1 ? "is" : "are"} of your run.`,
-      );
+    if (this.#folder.isOfLesson) told.push(...this.#compareWithLesson(records));
+    const snapshots = readSnapshots(records);
+    if (model && snapshots.size > 0) {
+      this.#ended.offer({ snapshots, model, files: this.#folder.models });
+    }
     if (seconds >= 1) told.push(`It ran for ${seconds.toFixed(1)} s.`);
     this.#say(told.join(" "));
+  }
+
+  #compareWithLesson(records: string): string[] {
+    const differing = this.#output.compare(this.#folder.output);
+    const values = quoteRun(this.#name, records);
+    const [is, are] = [differing, values].map((count) => (count === 1 ? "is" : "are"));
+    return [
+      differing === 0
+        ? "It printed what the lesson’s printed."
+        : `${counted(differing, "line")} of its output ${is} not the lesson’s.`,
+      ...(values > 0 ? [`${counted(values, "value")} in the text ${are} of your run.`] : []),
+    ];
   }
 
   #changed(text: string): void {
@@ -241,8 +262,14 @@ export class Panel {
     return this.#figure.querySelector<HTMLElement>(":scope > .code")!;
   }
 
-  get #zip(): HTMLAnchorElement {
-    return this.#figure.querySelector<HTMLAnchorElement>("a.zip")!;
+  /** A program that the page has made has none. */
+  get #zip(): HTMLAnchorElement | null {
+    return this.#figure.querySelector<HTMLAnchorElement>("a.zip");
+  }
+
+  /** Whose program it was at first. */
+  get #source(): string {
+    return this.#folder.isOfLesson ? "lesson" : "lab";
   }
 
   /** As lessons quote it: "l0_1_parabola". */

@@ -8,6 +8,7 @@ import { Compiler } from "./compiler.js";
 import { Folder } from "./folder.js";
 import { Panel } from "./panel.js";
 import { decodeText } from "./program-link.js";
+import { madeFolder } from "./state-program.js";
 
 /** Of each program of the page, by its file. Several listings may show parts of one. */
 const panels = new Map<string, Panel>();
@@ -17,9 +18,8 @@ const panels = new Map<string, Panel>();
 export async function openProgram(figure: HTMLElement, linked?: string): Promise<void> {
   const { dataset } = figure;
   const address = (name: string): string => new URL(dataset[name]!, document.baseURI).href;
-  const archive = figure.querySelector<HTMLAnchorElement>("a.zip")!.href;
   const [folder, text] = await Promise.all([
-    Folder.fetch(archive),
+    madeFolder(figure) ?? Folder.fetch(figure.querySelector<HTMLAnchorElement>("a.zip")!.href),
     linked === undefined ? undefined : decodeText(linked),
     wear(address("style")),
   ]);

@@ -21,4 +21,5 @@ int main() {
   result("height", data->qpos[2]);
   result("steps", height.size());
   table("fall", {{"time", time}, {"height", height}});
+  snapshot("end", model, data);
 }
