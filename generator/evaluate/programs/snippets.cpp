@@ -33,7 +33,8 @@ constexpr const char* kPrelude = R"(#include <mujoco/mujoco.h>
 #include <vector>
 )";
 // A course may do without it.
-constexpr const char* kHelper = R"(#include <mjcourse/mjcourse.hpp>
+constexpr const char* kHelper = R"(
+#include <mjcourse/mjcourse.hpp>
 using namespace mjcourse;
 )";
 
