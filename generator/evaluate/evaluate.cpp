@@ -21,6 +21,7 @@
 #include "evaluate/snippets_task.h"
 #include "evaluate/task_store.h"
 #include "evaluate/versions.h"
+#include "findings/snippet_program.h"
 #include "physics/mujoco_api.h"
 #include "process/sandbox.h"
 
@@ -141,19 +142,26 @@ class Evaluator {
       const auto* program = dynamic_cast<const ProgramTask*>(&task);
       if (program != nullptr && !finding.results.empty()) {
         const auto& result = std::get<ExampleResult>(finding.results.at(task.block()));
-        if (!records[i].open) compare_in_page(task, result);
         programs_[program->program().file.text] = result;
       }
+      if (!records[i].open) compare_in_page(task, finding);
       results.of_block.merge(finding.results);
     }
     std::sort(evaluation_.models.begin(), evaluation_.models.end(),
               [](const ModelPage& a, const ModelPage& b) { return a.name < b.name; });
   }
 
-  // What the program printed in the page is held against what it printed natively.
-  void compare_in_page(const Task& task, const ExampleResult& result) {
-    const auto& example = std::get<Example>(task.lesson().blocks[task.block()]);
-    compare_page_run(example, result, task.lesson(), evaluation_.diagnostics);
+  // What programs printed in the page is held against what they printed natively.
+  void compare_in_page(const Task& task, const Finding& finding) {
+    const Lesson& lesson = task.lesson();
+    for (const auto& [block, result] : finding.results) {
+      const auto* printed = std::get_if<ExampleResult>(&result);
+      if (const auto* example = std::get_if<Example>(&lesson.blocks[block])) {
+        compare_page_run(*example, *printed, lesson, evaluation_.diagnostics);
+      } else if (std::holds_alternative<Snippet>(lesson.blocks[block])) {
+        compare_page_run(snippet_program(lesson, block), *printed, lesson, evaluation_.diagnostics);
+      }
+    }
   }
 
   void stand_in(const Task& task, Finding& finding) {

@@ -20,10 +20,7 @@ Dependencies ProgramTask::recipe(const RunContext& run_context) const {
                                 std::to_string(program_.seconds),
                                 std::to_string(program_.exit_code)};
   text.insert(text.end(), program_.arguments.begin(), program_.arguments.end());
-  Dependencies recipe = compiled_recipe(run_context, "program", text, program_.optimize);
-  const PageToolchain* page = run_context.page();
-  recipe.push_back({"page", page == nullptr ? kAbsent : page->version()});
-  return recipe;
+  return with_page(compiled_recipe(run_context, "program", text, program_.optimize), run_context);
 }
 
 std::vector<std::string> ProgramTask::warm_roots(const RunContext& run_context) const {

@@ -50,10 +50,10 @@ void claim_program(const Example& example, std::size_t i, const ExampleResult* r
                   context.versions().compiler, context.programs_sources(result->code)});
 }
 
-void claim_in_page(const Example& example, std::size_t i, const ExampleResult* result, Span extent,
-                   ClaimContext& context) {
+void claim_in_page(const std::string& title, std::size_t i, const ExampleResult* result,
+                   Span extent, ClaimContext& context) {
   if (result == nullptr || !result->page) return;
-  Claim made = context.begin(Kind::page, i, example.file.text + " in the page", extent);
+  Claim made = context.begin(Kind::page, i, title + " in the page", extent);
   made.seconds = 0;  // of the program's
   made.reason = result->page->why_not;
   if (made.reason.empty()) {
@@ -76,7 +76,7 @@ void claim(const Example& example, std::size_t i, ClaimContext& context) {
   const Span of_program = example.region ? Span{extent.begin, extent.begin} : extent;
   if (!example.region || context.stands.contains({context.index, i})) {
     claim_program(example, i, whole, of_program, context);
-    claim_in_page(example, i, whole, of_program, context);
+    claim_in_page(example.file.text, i, whole, of_program, context);
   }
   if (!example.region) return;
   Claim made =
@@ -90,8 +90,9 @@ void claim(const Example& example, std::size_t i, ClaimContext& context) {
 }
 
 void claim(const Snippet& snippet, std::size_t i, ClaimContext& context) {
-  Claim made = context.begin(Kind::snippet, i, "snippet: " + first_line(snippet.shown),
-                             context.fence(snippet.span));
+  const std::string title = "snippet: " + first_line(snippet.shown);
+  const Span extent = context.fence(snippet.span);
+  Claim made = context.begin(Kind::snippet, i, title, extent);
   made.how = how_run(snippet, context.versions());
   made.limits = limits_of_run(snippet.seconds);
   const auto* result = context.results.get<ExampleResult>(i);
@@ -100,6 +101,7 @@ void claim(const Snippet& snippet, std::size_t i, ClaimContext& context) {
       std::move(made), result != nullptr,
       {result == nullptr ? "" : result->output, context.versions().compiler,
        context.sources.model(snippet.model.text), context.programs_sources(snippet.code.text)});
+  claim_in_page(title, i, result, extent, context);
 }
 
 void claim(const Commands& commands, std::size_t i, ClaimContext& context) {

@@ -44,10 +44,10 @@ void read_arguments(Fence& fence, Example& example) {
 }
 
 // "native", "native because=…"
-void read_native(Fence& fence, Example& example, Reading& reading) {
+void read_native(Fence& fence, std::string& why, Reading& reading) {
   const bool native = fence.flag("native");
   const std::optional<LocatedText> because = fence.option("because");
-  if (native) example.native = because ? because->text : "native only";
+  if (native) why = because ? because->text : "native only";
   if (native || !because) return;
   reading.error("E-fence-option", because->span(), "this program has nothing to be excused",
                 "`native because=\"…\"` says why no page runs it");
@@ -93,7 +93,7 @@ std::optional<Example> read_example(Fence& fence, Reading& reading) {
   example.optimize = fence.flag("optimize");
   read_expectation(fence, example, reading);
   read_arguments(fence, example);
-  read_native(fence, example, reading);
+  read_native(fence, example.native, reading);
   fence.finish("cpp", fences::kProgram, reading);
   return example;
 }
@@ -126,6 +126,7 @@ std::optional<Snippet> read_snippet(Fence& fence, Reading& reading) {
   snippet.span = fence.span();
   snippet.seconds =
       fence.number("timeout", reading, fences::kMostSeconds).value_or(snippet.seconds);
+  read_native(fence, snippet.native, reading);
   hide_lines(snippet);
   if (snippet.shown.find_first_not_of(" \n") == std::string::npos) {
     reading.error("E-snippet-empty", fence.span(), "this snippet shows nothing",

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "findings/snippet_program.h"
 #include "page/site_data.h"
 #include "reading_of.h"
 
@@ -50,6 +51,22 @@ TEST_F(ProgramFolder, HasWhatTheProgramWasMadeOfAndOpened) {
   EXPECT_NE(files.at("a/CMakeLists.txt")
                 .find("add_executable(program \"a.cpp\" \"include/mjcourse/handlers.cpp\")\n"),
             std::string::npos);
+}
+
+TEST_F(ProgramFolder, IsOfASnippetToo) {
+  Lesson lesson =
+      std::move(reading_of("```cpp snippet model=m/x\na;\n```\n\n```cpp snippet model=m/x native\n"
+                           "b;\n```\n")
+                    .lesson.value());
+  lesson.number = "A.3";
+  const Example program = snippet_program(lesson, 1);
+  EXPECT_EQ(program.file.text, "snippets/snippet_A_3_2.cpp");
+  EXPECT_EQ(program.native, "native only");
+  const ExampleResult result{"whole\n", "", {}, 0, {"models/m/x.xml"}};
+  const SiteData site{course_, evaluation_, course_files_, assets_, {}, {}};
+  const auto files = program_folder({program, result, lesson, result.code}, site);
+  EXPECT_EQ(files.at("snippet_A_3_2/snippet_A_3_2.cpp"), "whole\n");
+  EXPECT_TRUE(files.contains("snippet_A_3_2/models/m/x.xml"));
 }
 
 TEST_F(ProgramFolder, SaysWhatTheProgramPrints) {

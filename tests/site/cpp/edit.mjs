@@ -103,6 +103,19 @@ async function edits(page, expect) {
   expect(await part.root.locator(".code").isVisible(), "the listing does not come back");
 }
 
+// Of a snippet, too: with the lines that the lesson hides, and from its own first line on.
+async function editsSnippet(page, expect) {
+  const snippet = await Program.open(page, "snippet_1_1_1");
+  const text = await snippet.text();
+  expect(text.includes("  const double seconds = 0.1;\n  while (data->time"), `it edits ${text}`);
+  const same = await snippet.run();
+  expect(same === "It ended well. It printed what the lesson’s printed.", same);
+  await snippet.replace("seconds = 0.1;", "seconds = 0.3;");
+  const other = await snippet.run();
+  expect(other === "It ended well. 1 line of its output is not the lesson’s.", other);
+  expect((await snippet.printed()) === "0.30 s\n", `it prints ${await snippet.printed()}`);
+}
+
 await testPrograms(async (visitor) => {
   await visitor.visit(fallPage, {}, async (page) => {
     const expect = (good, what) => visitor.expect(good, fallPage, what);
@@ -113,6 +126,7 @@ await testPrograms(async (visitor) => {
     await warns(page, program, expect);
     await stops(page, program, expect);
     await edits(page, expect);
+    await editsSnippet(page, expect);
   });
   await visitor.visit(wordsPage, {}, async (page) => {
     const program = await Program.open(page, "example-words");

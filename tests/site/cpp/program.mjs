@@ -8,10 +8,10 @@ export const wordsPage = "1-programs/1.2-words.html";
 export class Program {
   constructor(page, id) {
     this.page = page;
-    this.root = page.locator(`#${id}`);
+    this.root = page.locator(`#${id}, [data-program="snippets/${id}.cpp"]`);
   }
 
-  // Opens the editor of the listing `id`, and agrees to what is fetched for it where that is asked.
+  // Opens the editor of the listing `id`, or of the snippet of this name, and agrees to what is fetched for it where that is asked.
   // Until it can be run.
   static async open(page, id = "example-fall") {
     const program = new Program(page, id);

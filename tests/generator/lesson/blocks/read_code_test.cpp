@@ -63,6 +63,14 @@ TEST(ReadCode, HidesTheLinesOfASnippetThatSayIt) {
   EXPECT_EQ(snippet.seconds, 2);
 }
 
+TEST(ReadCode, LetsASnippetSayWhyNoPageRunsIt) {
+  EXPECT_EQ(reading_of("```cpp snippet model=ball native because=\"it measures\"\nx;\n```\n")
+                .only<Snippet>()
+                .native,
+            "it measures");
+  EXPECT_EQ(reading_of("```cpp snippet model=ball\nx;\n```\n").only<Snippet>().native, "");
+}
+
 TEST(ReadCode, LetsASnippetStateItsOutput) {
   const ReadingOf reading =
       reading_of("```cpp snippet model=ball\nx;\n```\n\nOutput:\n\n```text\n1\n```\n");

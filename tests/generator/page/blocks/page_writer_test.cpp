@@ -275,6 +275,7 @@ TEST_F(PageWriterTest, ShowsOfASnippetWhatIsToBeSeen) {
   const std::string html = body("```cpp snippet model=m\n//| int n = 2;\nuse(n);\n```\n");
   EXPECT_EQ(html.find("n = "), std::string::npos) << html;
   EXPECT_NE(html.find("<span>Printed by these lines</span>"), std::string::npos) << html;
+  EXPECT_NE(html.find("_1.zip\" download>Zip to build</a>"), std::string::npos) << html;
   EXPECT_NE(html.find("<samp>out\n</samp>"), std::string::npos) << html;
 }
 
