@@ -1,5 +1,7 @@
 #include "toolchain/page_toolchain.h"
 
+#include <cstring>
+
 #include <stdexcept>
 #include <utility>
 
@@ -95,8 +97,11 @@ std::string PageToolchain::make_header(const fs::path& header) {
   command.seconds = kHeaderSeconds;
   const Outcome outcome = run(command);
   if (outcome.end == Outcome::End::exited && outcome.code == 0 && fs::exists(header)) return "";
+  if (outcome.end == Outcome::End::not_started) {
+    return command.arguments.front() + ": " + strerror(outcome.code);
+  }
   const std::string& said = outcome.refused.empty() ? outcome.err : outcome.refused;
-  return said.empty() ? "no word" : said;
+  return said.empty() ? "it ended without a word" : said;
 }
 
 }  // namespace mjcourse
