@@ -1,7 +1,6 @@
 #include "toolchain/page_toolchain.h"
 
 #include <cstring>
-
 #include <stdexcept>
 #include <utility>
 
