@@ -8,7 +8,7 @@
 import { testPrograms } from "./compiler.mjs";
 import { fallPage, Program, wordsPage } from "./program.mjs";
 
-const values = (page) => page.locator(".value").allInnerTexts();
+const values = (page) => page.locator("p .value").allInnerTexts();
 
 async function runsAsTheLesson(page, expect) {
   const program = await Program.open(page);
