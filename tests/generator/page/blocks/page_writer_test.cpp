@@ -104,7 +104,7 @@ TEST_F(PageWriterTest, LetsAReaderRunAProgramWhereTheSiteHasACompiler) {
   results_.of_block[0] = ran;
   EXPECT_EQ(body(fence).find("data-program"), std::string::npos);
   for (const char* name : {"program.js", "program.css", "cpp.js", "llvm.wasm.xz", "cpp.pack.xz",
-                           "engine.mjs", "engine.wasm"}) {
+                           "engine.mjs", "engine.wasm", "lab.css"}) {
     manifest_[name] = std::string("assets/") + name;
   }
   const std::string html = body(fence);
@@ -113,8 +113,8 @@ TEST_F(PageWriterTest, LetsAReaderRunAProgramWhereTheSiteHasACompiler) {
         " data-style=\"../assets/program.css\"", " data-worker=\"../assets/cpp.js\"",
         " data-llvm=\"../assets/llvm.wasm.xz\"", " data-pack=\"../assets/cpp.pack.xz\"",
         " data-engine=\"../assets/engine.mjs\"", " data-wasm=\"../assets/engine.wasm\"",
-        " data-bytes=\"0\"", " data-arguments=\"[&quot;a&quot;,&quot;&#x27;b&#x27;&quot;]\"",
-        " data-exit=\"3\""}) {
+        " data-lab-style=\"../assets/lab.css\"", " data-bytes=\"0\"",
+        " data-arguments=\"[&quot;a&quot;,&quot;&#x27;b&#x27;&quot;]\"", " data-exit=\"3\""}) {
     EXPECT_NE(html.find(attribute), std::string::npos) << attribute << " in " << html;
   }
   EXPECT_EQ(body("```cpp file=examples/x.cpp expect=compile-error\n```\n").find("data-program"),
