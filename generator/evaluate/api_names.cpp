@@ -1,5 +1,6 @@
 #include "evaluate/api_names.h"
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 namespace mjcourse {
@@ -34,12 +35,12 @@ std::string in_one_line(std::string declaration) {
 
 }  // namespace
 
-nlohmann::json api_names(const MujocoApi& api) {
+std::string api_names(const MujocoApi& api) {
   nlohmann::json names = nlohmann::json::array();
   for (const auto& [name, found] : api) {
     names.push_back({name, kind_name(found.kind), in_one_line(found.declaration), found.comment});
   }
-  return names;
+  return names.dump();
 }
 
 }  // namespace mjcourse

@@ -127,7 +127,7 @@ void SitePages::write_api(PageRenderer& renderer) {
                   "What " + site_.course.title + " uses of MuJoCo " +
                       site_.evaluation.versions.mujoco + ", as its headers declare it."},
                  body, styles);
-  out_.write("api-names.json", site_.evaluation.api_names.dump());
+  out_.write("api-names.json", site_.evaluation.api_names);
 }
 
 void SitePages::write_gallery(PageRenderer& renderer) {

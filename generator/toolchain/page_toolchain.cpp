@@ -31,18 +31,18 @@ std::string hash_of_small_files(const fs::path& folder) {
 }  // namespace
 
 std::unique_ptr<PageToolchain> PageToolchain::find(const fs::path& folder,
-                                                   std::optional<fs::path> prepared) {
+                                                   const std::optional<fs::path>& prepared) {
   if (folder.empty()) return nullptr;
   const auto compiler = read_file(folder / "version");
   const std::string others = hash_of_small_files(folder);
   if (!compiler || others.empty() || !fs::exists(folder / "node")) return nullptr;
   std::string version = compiler->substr(0, compiler->find('\n')) + "-" + others;
-  return std::make_unique<PageToolchain>(fs::absolute(folder), std::move(version),
-                                         std::move(prepared));
+  return std::make_unique<PageToolchain>(fs::absolute(folder), std::move(version), prepared);
 }
 
-PageToolchain::PageToolchain(fs::path folder, std::string version, std::optional<fs::path> prepared)
-    : folder_(std::move(folder)), version_(std::move(version)), prepared_(std::move(prepared)) {}
+PageToolchain::PageToolchain(fs::path folder, std::string version,
+                             const std::optional<fs::path>& prepared)
+    : folder_(std::move(folder)), version_(std::move(version)), prepared_(prepared) {}
 
 Command PageToolchain::command(const fs::path& folder) {
   const fs::path header = this->header();

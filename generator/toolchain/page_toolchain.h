@@ -25,10 +25,10 @@ class PageToolchain {
   // In `folder`, the assets' cpp/; null where it was not made. `prepared` is where headers are
   // kept; without it they are made for this process alone.
   static std::unique_ptr<PageToolchain> find(const std::filesystem::path& folder,
-                                             std::optional<std::filesystem::path> prepared);
+                                             const std::optional<std::filesystem::path>& prepared);
 
   PageToolchain(std::filesystem::path folder, std::string version,
-                std::optional<std::filesystem::path> prepared);
+                const std::optional<std::filesystem::path>& prepared);
 
   // Of everything that decides what a program does in a page.
   const std::string& version() const { return version_; }

@@ -1,3 +1,5 @@
 #include <sys/epoll.h>
 
-int main() { return EPOLLIN - 1; }
+int main() {
+  return EPOLLIN - 1;
+}
