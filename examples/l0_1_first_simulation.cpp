@@ -33,7 +33,7 @@ int main() {
   }
   std::printf("height after 250 steps: %.17f\n", data->qpos[0]);
   result("height", data->qpos[0]);
-  result("kilobytes", (sizeof(mjData) + data->nbuffer) / 1000.);
+  result("kilobytes", data->nbuffer / 1000.);
 
   const Data twin = make_data(model);
   mj_copyData(twin, model, data);

@@ -4,7 +4,8 @@
 # mjcourse_with_assets), and build nothing.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 install(TARGETS mjcourse DESTINATION bin)
-install(DIRECTORY ${CMAKE_BINARY_DIR}/assets/ DESTINATION share/mjcourse)
+# One of the assets is a program: the Node that runs others as a page does.
+install(DIRECTORY ${CMAKE_BINARY_DIR}/assets/ DESTINATION share/mjcourse USE_SOURCE_PERMISSIONS)
 install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION share/doc/mjcourse RENAME copyright)
 install(FILES ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION share/doc/mjcourse)
 

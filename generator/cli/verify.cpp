@@ -89,6 +89,7 @@ EvaluationSettings evaluation_settings(const CourseOptions& options, const Files
   settings.without_landlock = options.without_landlock;
   settings.worker = {std::filesystem::read_symlink("/proc/self/exe"),
                      std::filesystem::absolute(assets_folder())};
+  settings.page = assets_folder() / "cpp";
   const std::filesystem::path folder = store_folder(options.store);
   if (store != nullptr && !folder.empty()) settings.prepared = prepared_folder(folder);
   return settings;
@@ -162,6 +163,9 @@ Verified verify_course(const VerifyOptions& options) {
   if (!sandbox.empty()) out << "sandbox: " << sandbox << '\n';
   const std::string weakness = sandbox.empty() ? "" : sandbox_level().weakness();
   if (!weakness.empty()) out << "sandbox, weaker than on the newest kernels: " << weakness << '\n';
+  if (total.programs > 0 && verified.evaluation.versions.page.empty()) {
+    out << "page: programs were run natively alone: the compiler of the page was not built\n";
+  }
   if (options.timings) out << timings_table(verified.evaluation.times);
   if (!options.trace.empty()) write_trace(verified.evaluation.times, options.trace);
   if (!options.report.empty()) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "cache/fingerprints.h"
+#include "evaluate/api_names.h"
 #include "evaluate/api_reference.h"
 #include "evaluate/claims/claims.h"
 #include "evaluate/commands_task.h"
@@ -13,12 +14,14 @@
 #include "evaluate/plan.h"
 #include "evaluate/program_task.h"
 #include "evaluate/programs/output.h"
+#include "evaluate/programs/page_output.h"
 #include "evaluate/programs/region.h"
 #include "evaluate/publish.h"
 #include "evaluate/scheduler.h"
 #include "evaluate/snippets_task.h"
 #include "evaluate/task_store.h"
 #include "evaluate/versions.h"
+#include "findings/snippet_program.h"
 #include "physics/mujoco_api.h"
 #include "process/sandbox.h"
 
@@ -67,8 +70,8 @@ void show_regions(const Lesson& lesson, const std::filesystem::path& root,
     const auto code =
         evaluate_region(*example, SourceText(file, *text), may_edit, lesson, diagnostics);
     if (code && ran) {
-      results.of_block[i] =
-          ExampleResult{*code, program->second.output, {}, 0, program->second.files};
+      results.of_block[i] = ExampleResult{*code, program->second.output, {},
+                                          0,     program->second.files,  program->second.page};
     }
   }
 }
@@ -80,7 +83,7 @@ class Evaluator {
         settings_(settings),
         progress_(progress),
         run_context_(course, settings.root, settings.assets, settings.helper, settings.prepared,
-                     settings.script_bundles, settings.without_landlock),
+                     settings.script_bundles, settings.without_landlock, settings.page),
         fingerprints_(settings.root, settings.fingerprint_cache) {
     if (settings.store != nullptr)
       task_store_.emplace(*settings.store, settings.root, fingerprints_);
@@ -91,6 +94,7 @@ class Evaluator {
     evaluation_.diagnostics = std::move(found);
     evaluation_.versions = known_versions(settings_.assets);
     const Tasks tasks = plan_tasks(course_);
+    if (run_context_.page() != nullptr) evaluation_.versions.page = run_context_.page()->version();
     const bool compiles = has_any<ProgramTask, SnippetsTask>(tasks) && run_context_.compiler();
     if (compiles) evaluation_.versions.compiler = run_context_.compiler()->version();
     if ((compiles || has_any<CommandsTask>(tasks)) && !run_context_.why_nothing_runs()) {
@@ -108,6 +112,7 @@ class Evaluator {
     const auto results_of = [&](const Lesson& page) -> const auto& {
       return evaluation_.results_of(page);
     };
+    if (const auto& api = installed_mujoco_api()) evaluation_.api_names = api_names(*api);
     evaluation_.api =
         evaluate_api(course_, results_of, installed_mujoco_api, evaluation_.diagnostics);
     ClaimSources sources(settings_.root, course_.models, run_context_.include_folders(),
@@ -136,13 +141,27 @@ class Evaluator {
       results.seconds.merge(finding.seconds);
       const auto* program = dynamic_cast<const ProgramTask*>(&task);
       if (program != nullptr && !finding.results.empty()) {
-        programs_[program->program().file.text] =
-            std::get<ExampleResult>(finding.results.at(task.block()));
+        const auto& result = std::get<ExampleResult>(finding.results.at(task.block()));
+        programs_[program->program().file.text] = result;
       }
+      if (!records[i].open) compare_in_page(task, finding);
       results.of_block.merge(finding.results);
     }
     std::sort(evaluation_.models.begin(), evaluation_.models.end(),
               [](const ModelPage& a, const ModelPage& b) { return a.name < b.name; });
+  }
+
+  // What programs printed in the page is held against what they printed natively.
+  void compare_in_page(const Task& task, const Finding& finding) {
+    const Lesson& lesson = task.lesson();
+    for (const auto& [block, result] : finding.results) {
+      const auto* printed = std::get_if<ExampleResult>(&result);
+      if (const auto* example = std::get_if<Example>(&lesson.blocks[block])) {
+        compare_page_run(*example, *printed, lesson, evaluation_.diagnostics);
+      } else if (std::holds_alternative<Snippet>(lesson.blocks[block])) {
+        compare_page_run(snippet_program(lesson, block), *printed, lesson, evaluation_.diagnostics);
+      }
+    }
   }
 
   void stand_in(const Task& task, Finding& finding) {

@@ -47,6 +47,8 @@ struct EvaluationSettings {
   bool without_landlock = false;  // run programs even where the kernel has none
   // For what is worked on in processes of their own; without it, nothing is.
   std::optional<WorkerProgram> worker = {};
+  // What a page compiles programs with (page_toolchain.h); without it, programs run natively alone.
+  std::filesystem::path page = {};
 };
 
 // Throws Cancelled when the caller's work is cancelled. The diagnostics begin with what reading the

@@ -13,7 +13,7 @@ class Explainer {
  public:
   Explainer(const Course& course, const EvaluationSettings& settings)
       : run_context_(course, settings.root, settings.assets, settings.helper, settings.prepared,
-                     settings.script_bundles),
+                     settings.script_bundles, settings.without_landlock, settings.page),
         fingerprints_(settings.root),
         task_store_(*settings.store, settings.root, fingerprints_),
         worker_context_(run_context_),

@@ -16,10 +16,11 @@ Dependencies ProgramTask::recipe(const RunContext& run_context) const {
                                 code_->text.text,
                                 program_.compiles ? "runs" : "is refused",
                                 program_.optimize ? "optimized" : "plain",
+                                program_.native,
                                 std::to_string(program_.seconds),
                                 std::to_string(program_.exit_code)};
   text.insert(text.end(), program_.arguments.begin(), program_.arguments.end());
-  return compiled_recipe(run_context, "program", text, program_.optimize);
+  return with_page(compiled_recipe(run_context, "program", text, program_.optimize), run_context);
 }
 
 std::vector<std::string> ProgramTask::warm_roots(const RunContext& run_context) const {

@@ -17,15 +17,15 @@ std::vector<std::size_t> SnippetsTask::blocks() const {
 }
 
 Dependencies SnippetsTask::recipe(const RunContext& run_context) const {
-  std::vector<std::string> text;
+  std::vector<std::string> text{lesson().number};
   for (std::size_t i = block(); i < lesson().blocks.size(); ++i) {
     const auto* snippet = std::get_if<Snippet>(&lesson().blocks[i]);
     if (snippet == nullptr) continue;
     // The place among the blocks is a part of the finding.
     text.insert(text.end(), {std::to_string(i - block()), snippet->model.text, snippet->code.text,
-                             snippet->shown, std::to_string(snippet->seconds)});
+                             snippet->shown, std::to_string(snippet->seconds), snippet->native});
   }
-  return compiled_recipe(run_context, "snippets", text, false);
+  return with_page(compiled_recipe(run_context, "snippets", text, false), run_context);
 }
 
 std::vector<std::string> SnippetsTask::warm_roots(const RunContext& run_context) const {

@@ -6,6 +6,8 @@ const char* name_of(Claim::Kind kind) {
   switch (kind) {
     case Claim::Kind::program:
       return "program";
+    case Claim::Kind::page:
+      return "page";
     case Claim::Kind::region:
       return "region";
     case Claim::Kind::snippet:

@@ -17,6 +17,7 @@ namespace mjcourse {
 struct Claim {
   enum class Kind {
     program,   // examples/x.cpp compiles and runs as it should
+    page,      // a reader's page runs it too, and it prints the same
     region,    // these are lines of it
     snippet,   // this function's body compiles and runs
     commands,  // these commands run

@@ -30,6 +30,7 @@ struct Evaluation {
   LessonResults glossary = {};         // of its page
   std::vector<ModelPage> models = {};  // that the course links to
   std::vector<ApiEntry> api = {};      // names of MuJoCo's that it uses
+  std::string api_names = "[]";  // all there are, for a reader's editor (evaluate/api_names.h)
   Diagnostics diagnostics;
   Versions versions;
   std::string sandbox = {};          // how what was run was contained; empty where nothing was

@@ -40,6 +40,14 @@ struct Records {
   std::map<std::string, State> snapshots;
 };
 
+// What came of a program in a page, where the reader's compiler made it and the page's engine ran
+// it.
+struct PageRun {
+  std::string why_not;  // in a clause for readers: why no page runs it. Then the rest is empty
+  std::optional<std::string> output;  // where it printed another text than natively
+  std::string otherwise;              // how else it came out than natively; "" where it did not
+};
+
 struct ExampleResult {
   std::string code;    // as a reader sees it
   std::string output;  // its stdout, or what the compiler says of a program that must not compile
@@ -48,6 +56,7 @@ struct ExampleResult {
   // What it was made of and opened, beside itself, as the course has it or would have it:
   // "examples/include/mjcourse/mjcourse.hpp", "models/x.xml". Sorted.
   std::vector<std::string> files = {};
+  std::optional<PageRun> page = {};  // nothing where no page's compiler is installed
 };
 
 struct ValueResult {

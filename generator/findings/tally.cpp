@@ -8,6 +8,8 @@ int Tally::*counter_of(Claim::Kind kind) {
   switch (kind) {
     case Claim::Kind::program:
       return &Tally::programs;
+    case Claim::Kind::page:
+      return &Tally::in_page;
     case Claim::Kind::snippet:
       return &Tally::snippets;
     case Claim::Kind::commands:
@@ -42,7 +44,10 @@ int Tally::*counter_of(Claim::Kind kind) {
 Tally tally_of(const Claims& claims) {
   Tally tally;
   for (const Claim& claim : claims) {
-    if (claim.status == Claim::Status::unchecked) ++tally.unchecked;
+    // A program that no page runs was run all the same.
+    if (claim.status == Claim::Status::unchecked && claim.kind != Claim::Kind::page) {
+      ++tally.unchecked;
+    }
     if (claim.status == Claim::Status::asserted && claim.kind == Claim::Kind::answer) {
       ++tally.answers_asserted;
     }
@@ -55,6 +60,7 @@ Tally tally_of(const Claims& claims) {
 Tally& Tally::operator+=(const Tally& other) {
   formulas += other.formulas;
   programs += other.programs;
+  in_page += other.in_page;
   snippets += other.snippets;
   commands += other.commands;
   outputs += other.outputs;

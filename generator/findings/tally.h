@@ -10,6 +10,7 @@ namespace mjcourse {
 struct Tally {
   int formulas = 0;
   int programs = 0;
+  int in_page = 0;  // of the programs
   int snippets = 0;
   int commands = 0;  // listings of them
   int outputs = 0;

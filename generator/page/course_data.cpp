@@ -109,6 +109,7 @@ json pages_data(const Course& course, const Evaluation& evaluation, bool asks,
 
 json verified_data(const Tally& tally, const std::string& mujoco, const std::string& href) {
   return {{"programs", tally.programs},
+          {"in_page", tally.in_page},
           {"snippets", tally.snippets},
           {"commands", tally.commands},
           {"outputs", tally.outputs},

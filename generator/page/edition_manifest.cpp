@@ -41,10 +41,21 @@ std::vector<std::string> shown_files(const fs::path& site) {
   return paths;
 }
 
-// Of the assets, what only labs, single pages and former addresses need is left for later.
+// What is so large that it is kept only where the reader asks for it: the compiler of C++.
+std::set<std::string> large_assets(const json& assets) {
+  std::set<std::string> large;
+  for (const char* name : {"llvm.wasm.xz", "cpp.pack.xz"}) {
+    if (assets.contains(name)) large.insert(assets.at(name).get<std::string>());
+  }
+  return large;
+}
+
+// Of the assets, what only labs, programs, single pages and former addresses need is left for
+// later.
 std::set<std::string> core_assets(const json& assets) {
-  static const std::set<std::string> later{"lab.js",      "lab.css",   "engine.mjs",
-                                           "engine.wasm", "review.js", "moved.js"};
+  static const std::set<std::string> later{"lab.js",    "lab.css",      "engine.mjs", "engine.wasm",
+                                           "review.js", "moved.js",     "program.js", "program.css",
+                                           "cpp.js",    "llvm.wasm.xz", "cpp.pack.xz"};
   std::set<std::string> core;
   for (const auto& [name, path] : assets.items()) {
     if (!later.contains(name)) core.insert(path.get<std::string>());
@@ -86,9 +97,11 @@ json edition_manifest(const fs::path& site, const Course& course, const json& as
     files[index] = fingerprint_of(site / paths[index]);
   });
   const std::set<std::string> of_assets = core_assets(assets);
-  json manifest{{"core", json::array()}, {"files", json::object()}};
+  const std::set<std::string> of_compiler = large_assets(assets);
+  json manifest{{"core", json::array()}, {"asked", json::array()}, {"files", json::object()}};
   for (std::size_t i = 0; i < paths.size(); ++i) {
     if (is_core(paths[i], of_assets, course)) manifest["core"].push_back(paths[i]);
+    if (of_compiler.contains(paths[i])) manifest["asked"].push_back(paths[i]);
     manifest["files"][paths[i]] = std::move(files[i]);
   }
   return manifest;

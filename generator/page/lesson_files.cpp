@@ -27,11 +27,14 @@ void write_pictures(const Lesson& lesson, const LessonResults& results, SiteFile
   }
 }
 
-void write_tables(const Lesson& lesson, const LessonResults& results, SiteFiles& directory) {
+// What a plot shows, and what draws it again of other numbers.
+void write_plots(const Lesson& lesson, const LessonResults& results, SiteFiles& directory) {
   for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
+    const auto* plot = std::get_if<Plot>(&lesson.blocks[i]);
     const auto* result = results.get<PlotResult>(i);
-    if (result == nullptr) continue;
+    if (plot == nullptr || result == nullptr) continue;
     directory.write(block_path(lesson, i) + ".csv", csv_of(result->table));
+    directory.write(block_path(lesson, i) + ".json", plot->json);
   }
 }
 
@@ -74,7 +77,7 @@ void write_lesson(const SiteData& site, std::size_t index, PageRenderer& rendere
                  page.body, styles);
   write_pictures(lesson, results, directory);
   copy_images(lesson, results, directory);
-  write_tables(lesson, results, directory);
+  write_plots(lesson, results, directory);
   write_labs(writer.lab_files(), directory);
 
   if (parts == nullptr) return;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "findings/path_in_folder.h"
 #include "lesson/syntax/linked_libraries.h"
 #include "page/site_data.h"
 
@@ -28,15 +29,8 @@ target_include_directories(program SYSTEM PRIVATE ${MUJOCO_INCLUDE_DIR})
 target_compile_definitions(program PRIVATE MJCOURSE_MODELS="${CMAKE_CURRENT_SOURCE_DIR}/models")
 set_target_properties(program PROPERTIES OUTPUT_NAME )";
 
-// `path` of the course as it is called in the folder. What lies beside the program, does so there.
-std::string path_in_folder(const std::string& path, const Example& example) {
-  const std::string& program = example.file.text;
-  for (const std::string& folder :
-       {program.substr(0, program.rfind('/') + 1), std::string("examples/")}) {
-    if (path.starts_with(folder)) return path.substr(folder.size());
-  }
-  return path;
-}
+// What it printed: of who builds it, and of the page that runs it.
+constexpr const char* kOutputFile = "expected-output.txt";
 
 std::string cmake_lists(const TakenProgram& program, const std::string& text) {
   std::string find, link;
@@ -90,10 +84,12 @@ std::string read_either(const std::string& path, const SiteData& site) {
 std::map<std::string, std::string> program_folder(const TakenProgram& program,
                                                   const SiteData& site) {
   const std::string folder = program.example.name() + "/";
-  const std::string text = read_either(program.example.file.text, site);
+  const std::string text =
+      program.text.empty() ? read_either(program.example.file.text, site) : program.text;
   std::map<std::string, std::string> files{{folder + program.example.name() + ".cpp", text},
                                            {folder + "CMakeLists.txt", cmake_lists(program, text)},
                                            {folder + "README.txt", readme(program, text, site)}};
+  if (!program.result.output.empty()) files[folder + kOutputFile] = program.result.output;
   for (const std::string& path : program.result.files) {
     files[folder + path_in_folder(path, program.example)] = read_either(path, site);
   }

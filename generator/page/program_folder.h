@@ -12,7 +12,8 @@ namespace mjcourse {
 struct TakenProgram {
   const Example& example;
   const ExampleResult& result;
-  const Lesson& lesson;  // to which it belongs
+  const Lesson& lesson;   // to which it belongs
+  std::string text = {};  // "" where it is that of the example's file
 };
 
 // The files by their paths, of which all begin with the program's name. Throws std::runtime_error

@@ -1,10 +1,14 @@
 #include "page/site.h"
 
+#include <filesystem>
 #include <memory>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/parallel.h"
+#include "page/blocks/program_data.h"
 #include "page/blocks/themed_assets.h"
 #include "page/edition_manifest.h"
 #include "page/precompressed.h"
@@ -13,6 +17,19 @@
 #include "page/site_pages.h"
 
 namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+void copy_assets(const fs::path& folder, const std::set<std::string>& unused,
+                 SiteDirectory& directory) {
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string path = entry.path().lexically_relative(folder);
+    if (entry.is_regular_file() && !unused.contains(path)) directory.copy_own(entry.path(), path);
+  }
+}
+
+}  // namespace
 
 void write_site(const Course& course, const Evaluation& evaluation, const SitePaths& paths,
                 const OutlineClaims& claims_of_outline, LastChanges changes) {
@@ -30,9 +47,7 @@ void write_site(const Course& course, const Evaluation& evaluation, const SitePa
     if (!course.lessons[index].front.draft) pages.write_lesson(index, engines_of(thread));
   });
   pages.write_others(engines_of(0));
-  for (const auto& entry : std::filesystem::directory_iterator(paths.assets / "public")) {
-    directory.copy_own(entry.path(), entry.path().filename().string());
-  }
+  copy_assets(paths.assets / "public", unused_assets(evaluation, assets), directory);
   write_edition(directory.folder(), course, assets, paths.threads);
   if (paths.compress) precompress(directory.folder(), paths.threads);
   directory.commit();

@@ -33,6 +33,7 @@ struct SiteData {
   bool feed = false;                               // it has one (page/web_files.h)
   OutlineClaims claims_of_outline = {};            // of lessons of which an outline is kept
   bool prints = true;                              // it has print.html (page/printed_course.h)
+  std::size_t compiler_bytes = 0;                  // as PageContext has it
 };
 
 // What the frame says of a page.

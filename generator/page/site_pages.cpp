@@ -7,8 +7,10 @@
 
 #include "base/content_hash.h"
 #include "course/link_target.h"
+#include "findings/snippet_program.h"
 #include "lesson/json/json_fences.h"
 #include "page/api_page.h"
+#include "page/blocks/program_data.h"
 #include "page/blocks/themed_assets.h"
 #include "page/gallery_page.h"
 #include "page/glossary_page.h"
@@ -60,6 +62,7 @@ SitePages::SitePages(const Course& course, const Evaluation& evaluation,
       printed_(course) {
   site_.claims_of_outline = std::move(claims_of_outline);
   site_.feed = has_feed(site_);
+  site_.compiler_bytes = compiler_bytes(assets, site_.manifest);
 }
 
 void SitePages::write_lesson(std::size_t index, PageEngines& engines, bool alone) {
@@ -124,6 +127,7 @@ void SitePages::write_api(PageRenderer& renderer) {
                   "What " + site_.course.title + " uses of MuJoCo " +
                       site_.evaluation.versions.mujoco + ", as its headers declare it."},
                  body, styles);
+  out_.write("api-names.json", site_.evaluation.api_names);
 }
 
 void SitePages::write_gallery(PageRenderer& renderer) {
@@ -181,21 +185,25 @@ void SitePages::write_search(PageRenderer& renderer) {
                  styles);
 }
 
-// Each program as it is, and those that run as a folder that builds.
+// Each program as it is, and those that run, as snippets do, as a folder that builds.
 void SitePages::copy_examples() {
   std::set<std::string> files, folders;
   for (std::size_t i = 0; i < site_.course.lessons.size(); ++i) {
     const Lesson& lesson = site_.course.lessons[i];
     for (std::size_t block = 0; block < lesson.blocks.size(); ++block) {
-      const auto* example = std::get_if<Example>(&lesson.blocks[block]);
-      if (example == nullptr) continue;
-      if (files.insert(example->file.text).second) {
-        out_.copy(root_ / example->file.text, example->file.text);
-      }
       const auto* result = site_.evaluation.lessons[i].get<ExampleResult>(block);
-      const std::string path = program_zip_path(*example, result);
-      if (path.empty() || !folders.insert(path).second) continue;
-      out_.write(path, zip_of(program_folder({*example, *result, lesson}, site_)));
+      if (const auto* example = std::get_if<Example>(&lesson.blocks[block])) {
+        if (files.insert(example->file.text).second) {
+          out_.copy(root_ / example->file.text, example->file.text);
+        }
+        const std::string path = program_zip_path(*example, result);
+        if (path.empty() || !folders.insert(path).second) continue;
+        out_.write(path, zip_of(program_folder({*example, *result, lesson}, site_)));
+      } else if (std::holds_alternative<Snippet>(lesson.blocks[block]) && result != nullptr) {
+        const Example program = snippet_program(lesson, block);
+        out_.write(program_zip_path(program, result),
+                   zip_of(program_folder({program, *result, lesson, result->code}, site_)));
+      }
     }
   }
 }

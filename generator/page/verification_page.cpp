@@ -23,6 +23,7 @@ struct Titled {
 // The order in which a lesson's claims are shown: what a reader doubts first.
 constexpr Titled kKinds[] = {{"answer", "Answers"},
                              {"program", "Programs"},
+                             {"page", "Programs in the page"},
                              {"region", "Parts of programs"},
                              {"snippet", "Snippets"},
                              {"commands", "Commands"},

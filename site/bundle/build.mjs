@@ -7,9 +7,11 @@
 //   OUTDIR/templates/      the Handlebars templates, as they are
 //   OUTDIR/preview/        what `mjcourse preview` adds to pages
 //   OUTDIR/worker/         the service worker, without its edition
+//   OUTDIR/cpp/            what the build runs programs with as the page does
 //   OUTDIR/script/         what runs in the generator's script engine: no DOM, no Node
 //
-// ENGINE is the folder with MuJoCo for the browser; where that was not built, labs stay pictures.
+// ENGINE is the folder with MuJoCo for the browser; where that was not built, labs stay pictures and
+// programs text.
 //
 // The same sources give the same bytes, wherever they lie and wherever OUTDIR is.
 
@@ -19,6 +21,7 @@ import path from "node:path";
 
 import { buildScripts } from "./scripts.mjs";
 import { buildLab } from "./lab.mjs";
+import { buildCpp } from "./cpp.mjs";
 import { copyLicenses } from "./licenses.mjs";
 import { plotVocabulary } from "./plot-vocabulary.mjs";
 import { buildPreview } from "./preview.mjs";
@@ -34,6 +37,7 @@ if (!out || !engine) {
 
 // What an earlier run left is removed, since its hashed names may be others.
 const produced = [
+  "cpp",
   "preview",
   "public",
   "worker",
@@ -48,9 +52,10 @@ await Promise.all(
 );
 await mkdir(path.join(out, "script"), { recursive: true });
 
-const [page, lab] = await Promise.all([
+const [page, lab, cpp] = await Promise.all([
   buildPublic(site, path.join(out, "public")),
   buildLab(site, path.join(out, "public"), engine),
+  buildCpp(site, out, engine),
   buildPreview(site, path.join(out, "preview")),
   buildWorker(site, out),
   buildScripts(site, path.join(out, "script")),
@@ -59,7 +64,7 @@ const [page, lab] = await Promise.all([
 ]);
 await writeFile(
   path.join(out, "manifest.json"),
-  JSON.stringify({ ...page, ...lab }, null, 2) + "\n",
+  JSON.stringify({ ...page, ...lab, ...cpp }, null, 2) + "\n",
 );
 const { version: katex } = createRequire(import.meta.url)("katex/package.json");
 await writeFile(path.join(out, "versions.json"), JSON.stringify({ katex }) + "\n");

@@ -1,5 +1,6 @@
 // What a lab loads once it comes near the reader: its own code, in pieces (the editor comes only
-// where one is opened), its styles, and MuJoCo for the browser where that was built.
+// where one is opened), its styles, and MuJoCo for the browser where that was built. And what a program
+// loads once its reader edits it: it is bundled with the lab, as the editor is the same.
 
 import { createHash } from "node:crypto";
 import { copyFile, cp, mkdir, readFile } from "node:fs/promises";
@@ -7,6 +8,7 @@ import path from "node:path";
 
 import { build } from "esbuild";
 
+import { computed } from "./computed.mjs";
 import { forBrowsers, manifestOf } from "./manifest.mjs";
 
 // Builds into `out` and returns its part of the manifest. `engine` is the folder with engine.mjs and
@@ -33,6 +35,8 @@ async function buildCode(site, out) {
     entryPoints: [
       { in: "browser/lab/lab.ts", out: "lab" },
       { in: "browser/styles/lab-live.css", out: "lab" },
+      { in: "browser/program/program.ts", out: "program" },
+      { in: "browser/styles/program.css", out: "program" },
     ],
     entryNames: "assets/[name]-[hash]",
     chunkNames: "assets/[name]-[hash]",
@@ -40,8 +44,14 @@ async function buildCode(site, out) {
     metafile: true,
     format: "esm",
     legalComments: "none",
+    plugins: [computed(site)],
   });
-  const entries = ["browser/lab/lab.ts", "browser/styles/lab-live.css"];
+  const entries = [
+    "browser/lab/lab.ts",
+    "browser/styles/lab-live.css",
+    "browser/program/program.ts",
+    "browser/styles/program.css",
+  ];
   return manifestOf(metafile, site, out, (output) => entries.includes(output.entryPoint));
 }
 

@@ -7,6 +7,7 @@
 //   the search, which comes at its first use  20 KB and its index
 //   what a page loads once it is shown          3 KB
 //   a lab's own code, without the engine     240 KB; its editor is loaded only where one is opened
+//   what edits a program, with its editor    240 KB; the compiler comes when its reader has agreed
 //   the engine                               450 KB
 
 import { globSync, readFileSync } from "node:fs";

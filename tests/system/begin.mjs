@@ -56,7 +56,7 @@ now: \`mjcourse check --course rigid-bodies\`, and read its README.md
   assert.match(read("rigid-bodies/README.md"), /^# Rigid bodies\n/);
   assert.match(read("rigid-bodies/content/course.yaml"), /^title: "Rigid bodies"$/m);
   assert.deepEqual(check(), [
-    "ok    1.1  A pendulum: 1 program run, 1 output compared, 2 values computed, 1 answer proved, 1 lab rehearsed, 1 picture drawn, 2 formulas set",
+    "ok    1.1  A pendulum: 1 program run, 1 in the page, 1 output compared, 2 values computed, 1 answer proved, 1 lab rehearsed, 1 picture drawn, 2 formulas set",
   ]);
 });
 

@@ -50,6 +50,11 @@ std::string how_run(const Commands& commands) {
          "; exit code 0 of each";
 }
 
+std::string how_run_in_page() {
+  return "compiled as a reader's page does it and run on the page's engine; its output and its "
+         "records are those of the native run";
+}
+
 std::string limits_of_run(double seconds) {
   return number_text(seconds) + " s, 1 MiB of output, no input, a folder of its own";
 }

@@ -50,16 +50,35 @@ void claim_program(const Example& example, std::size_t i, const ExampleResult* r
                   context.versions().compiler, context.programs_sources(result->code)});
 }
 
+void claim_in_page(const std::string& title, std::size_t i, const ExampleResult* result,
+                   Span extent, ClaimContext& context) {
+  if (result == nullptr || !result->page) return;
+  Claim made = context.begin(Kind::page, i, title + " in the page", extent);
+  made.seconds = 0;  // of the program's
+  made.reason = result->page->why_not;
+  if (made.reason.empty()) {
+    made.how = how_run_in_page();
+  } else {
+    made.status = Status::unchecked;
+  }
+  context.finish(std::move(made), true,
+                 {result->code, result->output, context.versions().page,
+                  context.programs_sources(result->code)});
+}
+
 }  // namespace
 
 void claim(const Example& example, std::size_t i, ClaimContext& context) {
   const Span extent = context.fence(example.span);
   const auto program = context.programs.find(example.file.text);
   const ExampleResult* whole = program == context.programs.end() ? nullptr : &program->second;
-  if (!example.region) return claim_program(example, i, whole, extent, context);
   // An error inside the fence is the region's own; of the program's there, none would be left.
-  if (context.stands.contains({context.index, i}))
-    claim_program(example, i, whole, {extent.begin, extent.begin}, context);
+  const Span of_program = example.region ? Span{extent.begin, extent.begin} : extent;
+  if (!example.region || context.stands.contains({context.index, i})) {
+    claim_program(example, i, whole, of_program, context);
+    claim_in_page(example.file.text, i, whole, of_program, context);
+  }
+  if (!example.region) return;
   Claim made =
       context.begin(Kind::region, i, example.file.text + "#" + example.region->text, extent);
   made.how = "compared with these lines of " + example.file.text + ", which was compiled and run";
@@ -71,8 +90,9 @@ void claim(const Example& example, std::size_t i, ClaimContext& context) {
 }
 
 void claim(const Snippet& snippet, std::size_t i, ClaimContext& context) {
-  Claim made = context.begin(Kind::snippet, i, "snippet: " + first_line(snippet.shown),
-                             context.fence(snippet.span));
+  const std::string title = "snippet: " + first_line(snippet.shown);
+  const Span extent = context.fence(snippet.span);
+  Claim made = context.begin(Kind::snippet, i, title, extent);
   made.how = how_run(snippet, context.versions());
   made.limits = limits_of_run(snippet.seconds);
   const auto* result = context.results.get<ExampleResult>(i);
@@ -81,6 +101,7 @@ void claim(const Snippet& snippet, std::size_t i, ClaimContext& context) {
       std::move(made), result != nullptr,
       {result == nullptr ? "" : result->output, context.versions().compiler,
        context.sources.model(snippet.model.text), context.programs_sources(snippet.code.text)});
+  claim_in_page(title, i, result, extent, context);
 }
 
 void claim(const Commands& commands, std::size_t i, ClaimContext& context) {

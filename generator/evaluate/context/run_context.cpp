@@ -8,7 +8,8 @@ namespace mjcourse {
 
 RunContext::RunContext(const Course& course, std::filesystem::path root, const Files& assets,
                        std::filesystem::path helper, std::optional<std::filesystem::path> prepared,
-                       std::shared_ptr<ScriptBundles> scripts, bool without_landlock)
+                       std::shared_ptr<ScriptBundles> scripts, bool without_landlock,
+                       const std::filesystem::path& page)
     : course_(course),
       root_(std::move(root)),
       assets_(assets),
@@ -16,6 +17,7 @@ RunContext::RunContext(const Course& course, std::filesystem::path root, const F
       prepared_(std::move(prepared)),
       scripts_(std::move(scripts)),
       without_landlock_(without_landlock),
+      page_(PageToolchain::find(page, prepared_)),
       shown_(shown_programs(course)) {}
 
 const std::optional<Compiler>& RunContext::compiler() const {

@@ -15,6 +15,7 @@
 #include "physics/model_cache.h"
 #include "script/script_bundles.h"
 #include "toolchain/compiler.h"
+#include "toolchain/page_toolchain.h"
 
 namespace mjcourse {
 
@@ -22,12 +23,12 @@ class RunContext {
  public:
   // `root` is the course's folder on the disk; `assets` holds script/*.js; `helper` is where the
   // helper header is for a course without one; `prepared` is where what programs share is kept, and
-  // without it nothing is. Programs run `without_landlock` only where that is true. All must
-  // outlive this.
+  // without it nothing is. Programs run `without_landlock` only where that is true. `page` has
+  // what a page compiles programs with (page_toolchain.h), or is empty. All must outlive this.
   RunContext(const Course& course, std::filesystem::path root, const Files& assets,
              std::filesystem::path helper = {}, std::optional<std::filesystem::path> prepared = {},
              std::shared_ptr<ScriptBundles> scripts = std::make_shared<ScriptBundles>(),
-             bool without_landlock = false);
+             bool without_landlock = false, const std::filesystem::path& page = {});
 
   const Course& course() const { return course_; }
   const std::filesystem::path& root() const { return root_; }
@@ -37,6 +38,9 @@ class RunContext {
 
   // Nothing when none is installed. Looked for when first asked for.
   const std::optional<Compiler>& compiler() const;
+
+  // With which programs are run a second time; null where there is none.
+  PageToolchain* page() const { return page_.get(); }
 
   // Why no program, and no command, of the course may be run or compiled here; without a place.
   std::optional<Diagnostic> why_nothing_runs() const;
@@ -60,6 +64,7 @@ class RunContext {
   std::optional<std::filesystem::path> prepared_;
   std::shared_ptr<ScriptBundles> scripts_;
   bool without_landlock_;
+  std::unique_ptr<PageToolchain> page_;
   ShownPrograms shown_;
   Reports reports_;
   mutable ModelCache models_;

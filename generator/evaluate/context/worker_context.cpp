@@ -71,6 +71,12 @@ tl::expected<Renderer*, std::string> WorkerContext::renderer() {
   return &*renderer_;
 }
 
+PageProcess* WorkerContext::page_process() {
+  if (run_context_.page() == nullptr) return nullptr;
+  if (!page_process_) page_process_.emplace(*run_context_.page());
+  return &*page_process_;
+}
+
 void WorkerContext::let_go() {
   if (renderer_) renderer_->let_go();
 }

@@ -15,6 +15,7 @@
 #include "script/plot_renderer.h"
 #include "script/script_guard.h"
 #include "script/typeset.h"
+#include "toolchain/page_process.h"
 
 namespace mjcourse {
 
@@ -39,6 +40,9 @@ class WorkerContext {
   ScriptGuard& script_guard();
   // What scripts may use of the world.
   const std::vector<std::string>& script_names();
+
+  // Runs programs as a page does; null where the build cannot (RunContext::page).
+  PageProcess* page_process();
 
   // Frees what a large model allocated.
   void let_go();
@@ -72,6 +76,7 @@ class WorkerContext {
   std::optional<ScriptGuard> script_guard_;
   std::vector<std::string> script_names_;
   std::optional<Renderer> renderer_;
+  std::optional<PageProcess> page_process_;
 };
 
 }  // namespace mjcourse

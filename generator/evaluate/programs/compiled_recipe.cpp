@@ -47,6 +47,12 @@ Dependencies compiled_recipe(const RunContext& run_context, const std::string& k
   return recipe;
 }
 
+Dependencies with_page(Dependencies recipe, const RunContext& run_context) {
+  const PageToolchain* page = run_context.page();
+  recipe.push_back({"page", page == nullptr ? kAbsent : page->version()});
+  return recipe;
+}
+
 void trace_compilation(const Compiled& compiled, const fs::path& folder,
                        WorkerContext& worker_context) {
   Trace& trace = worker_context.trace();

@@ -18,6 +18,9 @@ namespace mjcourse {
 Dependencies compiled_recipe(const RunContext& run_context, const std::string& kind,
                              const std::vector<std::string>& text, bool optimize);
 
+// With the compiler and the engine of the page, which run the program again.
+Dependencies with_page(Dependencies recipe, const RunContext& run_context);
+
 // `folder` is where both worked, of which nothing is traced.
 void trace_compilation(const Compiled& compiled, const std::filesystem::path& folder,
                        WorkerContext& worker_context);

@@ -9,6 +9,7 @@
 #include "evaluate/programs/compile_errors.h"
 #include "evaluate/programs/compiled_recipe.h"
 #include "evaluate/programs/judge_run.h"
+#include "evaluate/programs/page_run.h"
 #include "evaluate/programs/program_files.h"
 #include "evaluate/programs/quoted_includes.h"
 #include "evaluate/programs/records.h"
@@ -167,9 +168,11 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
   if (auto wrong = judge_run(outcome, {"program", example.seconds, example.exit_code})) {
     return report(*std::move(wrong));
   }
-  return ExampleResult{shown, std::move(outcome.out),
+  ExampleResult result{shown, std::move(outcome.out),
                        records_in(records, code, example, lesson, diagnostics), seconds,
                        std::move(files)};
+  result.page = run_in_page(example, code.text, result, worker_context);
+  return result;
 }
 
 }  // namespace mjcourse

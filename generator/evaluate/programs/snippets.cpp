@@ -10,6 +10,10 @@
 #include "evaluate/programs/compile_errors.h"
 #include "evaluate/programs/compiled_recipe.h"
 #include "evaluate/programs/judge_run.h"
+#include "evaluate/programs/page_run.h"
+#include "evaluate/programs/program_files.h"
+#include "evaluate/programs/snippet_text.h"
+#include "findings/snippet_program.h"
 #include "physics/vetted_model.h"
 #include "toolchain/containment.h"
 
@@ -29,7 +33,8 @@ constexpr const char* kPrelude = R"(#include <mujoco/mujoco.h>
 #include <vector>
 )";
 // A course may do without it.
-constexpr const char* kHelper = R"(#include <mjcourse/mjcourse.hpp>
+constexpr const char* kHelper = R"(
+#include <mjcourse/mjcourse.hpp>
 using namespace mjcourse;
 )";
 
@@ -180,6 +185,7 @@ std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson,
   const Compiled compiled = compiler->compile(source, binary, folder.path());
   trace_compilation(compiled, folder.path(), worker_context);
   report_messages(compiled, snippets, lesson, root, diagnostics);
+  const std::string prelude = snippets_prelude(worker_context.run_context().include_folders());
   std::map<std::size_t, ExampleResult> results;
   if (!compiled.succeeded) return results;
   for (std::size_t i = 0; i < snippets.size(); ++i) {
@@ -202,7 +208,13 @@ std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson,
       wrong->place = place_of(*lesson.source, snippet.span);
       diagnostics.push_back(*std::move(wrong));
     } else {
-      results[snippets[i].block] = {snippet.shown, std::move(outcome.out), {}, seconds};
+      ExampleResult& result = results[snippets[i].block];
+      std::vector<std::string> files =
+          program_files(compiled, outcome, worker_context.run_context());
+      result = {
+          snippet_text(snippet, prelude), std::move(outcome.out), {}, seconds, std::move(files)};
+      result.page = run_in_page(snippet_program(lesson, snippets[i].block), result.code, result,
+                                worker_context);
     }
   }
   return results;

@@ -50,6 +50,7 @@ struct Example {
   bool compiles = true;                  // false: the compiler's refusal is what it shows
   bool optimize = false;                 // -O2, for a program that computes much
   std::vector<std::string> arguments{};  // of its command line
+  std::string native{};                  // why no page is to run it; "" where one may
   Span span{};                           // the opening fence
   std::vector<std::size_t> outputs{};    // the blocks that state its output
 
@@ -70,6 +71,7 @@ struct Snippet {
   LocatedText code;                    // all that is compiled
   std::string shown;                   // without the lines that began with `//| `
   double seconds = 10;                 // wall clock of a run
+  std::string native{};                // why no page is to run it; "" where one may
   Span span{};                         // the opening fence
   std::vector<std::size_t> outputs{};  // the blocks that state its output
 };

@@ -42,17 +42,23 @@ inline constexpr FenceOption kFile{
 inline constexpr FenceOption kTimeout{"timeout",
                                       "After how many seconds, at most 600, it is stopped."};
 inline constexpr double kMostSeconds = 600;
+inline constexpr FenceOption kNative{"native", "No page runs it.", false, false};
+inline constexpr FenceOption kWhyNative{"because", "Why no page runs it, behind `native`."};
 
 inline constexpr std::array kProgram{
-    kFile, kTimeout,
+    kFile,
+    kTimeout,
     FenceOption{"expect", "How it ends, if not well: `exit:1`, or `compile-error`.", false, true,
                 kProgramEnds},
     FenceOption{"args", "Its arguments, between quotes."},
-    FenceOption{"optimize", "It is compiled with `-O2`.", false, false}};
+    FenceOption{"optimize", "It is compiled with `-O2`.", false, false},
+    kNative,
+    kWhyNative};
 // How a program is built and run is said where all of it is shown.
 inline constexpr std::array kRegion{kFile};
 inline constexpr std::array kSnippet{
-    FenceOption{"model", "The model that `m` and `d` are of.", true}, kTimeout};
+    FenceOption{"model", "The model that `m` and `d` are of.", true}, kTimeout, kNative,
+    kWhyNative};
 inline constexpr std::array kCommands{
     FenceOption{"files",
                 "What of the course they see, between quotes: files, and folders as a whole."},

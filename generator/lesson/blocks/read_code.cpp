@@ -43,6 +43,16 @@ void read_arguments(Fence& fence, Example& example) {
   for (std::string word; words >> word;) example.arguments.push_back(word);
 }
 
+// "native", "native because=…"
+void read_native(Fence& fence, std::string& why, Reading& reading) {
+  const bool native = fence.flag("native");
+  const std::optional<LocatedText> because = fence.option("because");
+  if (native) why = because ? because->text : "native only";
+  if (native || !because) return;
+  reading.error("E-fence-option", because->span(), "this program has nothing to be excused",
+                "`native because=\"…\"` says why no page runs it");
+}
+
 // Cut `#name` off the end of `file`.
 std::optional<LocatedText> take_region(LocatedText& file) {
   const std::size_t mark = file.text.rfind('#');
@@ -83,6 +93,7 @@ std::optional<Example> read_example(Fence& fence, Reading& reading) {
   example.optimize = fence.flag("optimize");
   read_expectation(fence, example, reading);
   read_arguments(fence, example);
+  read_native(fence, example.native, reading);
   fence.finish("cpp", fences::kProgram, reading);
   return example;
 }
@@ -115,6 +126,7 @@ std::optional<Snippet> read_snippet(Fence& fence, Reading& reading) {
   snippet.span = fence.span();
   snippet.seconds =
       fence.number("timeout", reading, fences::kMostSeconds).value_or(snippet.seconds);
+  read_native(fence, snippet.native, reading);
   hide_lines(snippet);
   if (snippet.shown.find_first_not_of(" \n") == std::string::npos) {
     reading.error("E-snippet-empty", fence.span(), "this snippet shows nothing",

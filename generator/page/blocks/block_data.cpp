@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "findings/snippet_program.h"
+#include "page/blocks/program_data.h"
 #include "page/html/anchors.h"
 #include "page/html/site_paths.h"
 
@@ -50,8 +52,20 @@ json output_data(const std::string& text, bool proved, const std::string& label)
 json listing(const std::string& code, const std::string& language, const LessonContext& context) {
   const json highlighted =
       code.empty() ? json() : json(context.page.highlighter.highlight(code, language));
-  return {{"id", nullptr},       {"file", nullptr},    {"download", nullptr}, {"zip", nullptr},
-          {"code", highlighted}, {"unchecked", false}, {"because", ""},       {"output", nullptr}};
+  return {{"id", nullptr},     {"program", nullptr},  {"file", nullptr},    {"download", nullptr},
+          {"zip", nullptr},    {"code", highlighted}, {"unchecked", false}, {"because", ""},
+          {"output", nullptr}, {"run", nullptr},      {"why_not", nullptr}};
+}
+
+// What a reader can do with the program beside reading it.
+void offer_program(const Example& program, const ExampleResult* result,
+                   const LessonContext& context, json& data) {
+  data["program"] = program.file.text;
+  if (const std::string zip = program_zip_path(program, result); !zip.empty()) {
+    data["zip"] = context.from_root(zip);
+  }
+  data["run"] = run_data(program, result, context);
+  data["why_not"] = why_not_data(result);
 }
 
 // Those of a program's stated outputs that do not stand somewhere else in the lesson.
@@ -78,9 +92,7 @@ json data_of(const Example& example, std::size_t index, LessonContext& context) 
   data["id"] = context.unique_id(example_anchor(example));
   data["file"] = example.file.text;
   data["download"] = context.from_root(example.file.text);
-  if (const std::string zip = program_zip_path(example, result); !zip.empty()) {
-    data["zip"] = context.from_root(zip);
-  }
+  offer_program(example, result, context, data);
   // Of a program's regions, those have its output that say so; and where it is stated somewhere
   // else alone, that is where a reader finds it.
   const std::vector<std::size_t> below = outputs_below(example.outputs, context);
@@ -113,6 +125,7 @@ json data_of(const Unchecked& unchecked, const LessonContext& context) {
 json data_of(const Snippet& snippet, std::size_t index, const LessonContext& context) {
   json data = listing(snippet.shown, "cpp", context);
   const auto* result = context.results.get<ExampleResult>(index);
+  offer_program(snippet_program(context.lesson, index), result, context, data);
   if (result != nullptr && !result->output.empty()) {
     data["output"] =
         output_data(result->output, are_proved(outputs_below(snippet.outputs, context), context),

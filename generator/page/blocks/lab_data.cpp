@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "page/blocks/lab_module.h"
+#include "page/blocks/program_data.h"
 #include "page/html/fixed_number.h"
 #include "page/html/lesson_pictures.h"
 #include "page/html/site_paths.h"
@@ -55,6 +56,7 @@ json live_data(const Lab& lab, const LabResult& result, std::size_t index, Lesso
                                       {"wasm", "engine.wasm"}}) {
       data[name] = context.from_root(context.page.manifest.at(asset).get<std::string>());
     }
+    data["compiler"] = lab_compiler(context);
     data["large"] = result.memory > kMostUnasked;
   }
   context.lab_files.push_back(std::move(files));

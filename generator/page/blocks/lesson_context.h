@@ -33,6 +33,7 @@ struct PageContext {
   // What each term of the glossary means, by its key (page/glossary_page.h).
   const std::map<std::string, std::string>* definitions = nullptr;
   bool places = false;  // a lesson's text has its lines in comments (page/html/place_marks.h)
+  std::size_t compiler_bytes = 0;  // of the site's compiler of C++ (page/blocks/program_data.h)
 };
 
 // What stands on the site beside a lab's page, by path below the root.

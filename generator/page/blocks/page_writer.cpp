@@ -256,11 +256,23 @@ std::string PageWriter::write_math(cmark_node* node, const Math& math, std::size
   return "<span class=\"math" + std::string(how) + "\">" + markup + "</span>";
 }
 
+// What a program reports, the page's script quotes anew when a reader runs it.
+std::string PageWriter::quotation(const InlineValue& value) const {
+  const std::string& name = value.source.text;
+  const std::vector<std::string>& models = context_.course.models;
+  if (std::ranges::find(models, name) != models.end()) return "";
+  std::string attributes = " data-quotes=\"" + escape_html(name) + "\" data-result=\"" +
+                           escape_html(value.expression.text) + "\"";
+  if (!value.format.text.empty()) attributes += " data-format=\"" + value.format.text + "\"";
+  return attributes;
+}
+
 std::string PageWriter::write_value(const InlineValue& value, std::size_t index) const {
   const auto* result = context_.results.get<ValueResult>(index);
   if (result == nullptr) return "<code>" + escape_html(value.expression.text) + "</code>";
-  return "<span class=\"value\" title=\"computed: " + escape_html(result->origin) + "\">" +
-         escape_html(result->text) + "</span>";
+  return "<span class=\"value\"" + quotation(value) +
+         " title=\"computed: " + escape_html(result->origin) + "\">" + escape_html(result->text) +
+         "</span>";
 }
 
 std::string PageWriter::write_listing(nlohmann::json data) {

@@ -49,6 +49,7 @@ class PageWriter {
   void tell_later(const Callout& callout, const nlohmann::json& data);
   std::string write_link(cmark_node* node, const std::string& inner) const;
   std::string write_math(cmark_node* node, const Math& math, std::size_t index) const;
+  std::string quotation(const InlineValue& value) const;
   std::string write_value(const InlineValue& value, std::size_t index) const;
   std::string write_term(const TermUse& term, const std::string& inner) const;
   // `i` is the block's index.

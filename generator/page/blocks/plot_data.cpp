@@ -50,13 +50,17 @@ json plot_data(const Plot& plot, std::size_t index, const LessonContext& context
   data["wide"] = drawing_data(drawings.wide);
   if (drawings.narrow) data["narrow"] = drawing_data(*drawings.narrow);
   data["program"] = {{"name", plot.example.text + ".cpp"},
+                     {"quotes", plot.example.text},
                      {"href", "../" + site_address(result->file)}};
+  const std::string address = "../" + site_address(block_path(context.lesson, index));
+  data["spec"] = address + ".json";
   json columns = json::array();
   for (const Column& column : result->table) columns.push_back(column.name);
-  data["table"] = {{"columns", std::move(columns)},
+  data["table"] = {{"name", plot.table.text},
+                   {"columns", std::move(columns)},
                    {"rows", rows_of(result->table)},
                    {"count", result->table.front().values.size()},
-                   {"href", "../" + site_address(block_path(context.lesson, index)) + ".csv"}};
+                   {"href", address + ".csv"}};
   return data;
 }
 

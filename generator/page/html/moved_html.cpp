@@ -16,8 +16,10 @@ bool is_one_of(std::string_view name, const std::array<std::string_view, Count>&
 constexpr std::array<std::string_view, 5> kNamesIds{"id", "for", "aria-labelledby",
                                                     "aria-describedby", "popovertarget"};
 constexpr std::array<std::string_view, 4> kAddresses{"href", "src", "srcset", "poster"};
-constexpr std::array<std::string_view, 5> kLively{"loading", "data-module", "data-code",
-                                                  "data-engine", "data-wasm"};
+constexpr std::array<std::string_view, 13> kLively{
+    "loading",      "data-module",    "data-code",   "data-engine", "data-wasm",
+    "data-program", "data-style",     "data-worker", "data-llvm",   "data-pack",
+    "data-bytes",   "data-arguments", "data-exit"};
 
 // A list of ids, with spaces between them.
 std::string prefixed(std::string_view ids, const std::string& prefix) {

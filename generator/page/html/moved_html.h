@@ -16,7 +16,7 @@ struct HtmlMove {
   // What an address becomes; none: each stays as it is.
   std::function<std::string(std::string_view)> address = {};
   bool deeper = false;  // a heading becomes one of the next lower level
-  bool still = false;   // pictures are loaded at once, and labs stay pictures
+  bool still = false;   // pictures are loaded at once, and labs and programs are only read
 };
 
 std::string moved_html(const std::string& html, const HtmlMove& move);

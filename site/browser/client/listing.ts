@@ -3,7 +3,11 @@
 
 import { addCopyButtons } from "./copying.js";
 import { leadToLines, numberLines } from "./lines.js";
+import { offerMadePrograms, offerPrograms, openLinked } from "./programs.js";
 
 addCopyButtons();
 numberLines();
 leadToLines();
+offerPrograms();
+offerMadePrograms();
+openLinked();

@@ -11,6 +11,8 @@ export const keys = {
   answer: (path: string, question: string) => `mjcourse.answer.v2:${path}#${question}`,
   /** reading/readings.ts */
   reading: (path: string) => `mjcourse.reading.v1:${path}`,
+  /** program-text.ts; `root` is the path of the course, `file` "examples/x.cpp". */
+  program: (root: string, file: string) => `mjcourse.program.v1:${root}#${file}`,
   /** The path of the lesson that was read last in the course at `root`. */
   last: (root: string) => `mjcourse.last.v1:${root}`,
 } as const;

@@ -15,6 +15,12 @@ export interface LabHandle {
   play(): void;
 }
 
+/** What a script of the page makes a lab of. */
+export interface MadeLab {
+  readonly module: LabModule;
+  readonly files: ModelFiles;
+}
+
 /** Says to the reader why there is no live lab. The loader knows it by its name. */
 class Refusal extends Error {
   override readonly name: string = "Refusal";
@@ -38,9 +44,32 @@ export async function openLab(lab: HTMLElement): Promise<LabHandle> {
     arrive("The lab’s stylesheet", wear(address("style"))),
   ]).catch(refuse);
   const files = await fetchFiles(module, described.lab.model).catch(refuse);
-  const live = new LiveLab(lab, start(engine, described, files), opened);
-  liveLabs.push(live);
+  const live = show(lab, start(engine, described, files), opened);
   await live.restoreLink();
+  return live;
+}
+
+/**
+ * Of no module of the site: `make` has the engine, to look at a model first, and may throw what it
+ * throws. `lab` has the elements of lab.hbs, and the addresses of engine and stylesheet.
+ */
+export async function openMadeLab(
+  lab: HTMLElement,
+  make: (engine: Engine) => MadeLab,
+): Promise<LabHandle & { close(): void }> {
+  const opened = openStage();
+  const address = (name: string): string => new URL(lab.dataset[name]!, document.baseURI).href;
+  const [engine] = await Promise.all([
+    openEngine({ glue: address("engine"), wasm: address("wasm") }),
+    arrive("The lab’s stylesheet", wear(address("style"))),
+  ]).catch(refuse);
+  const { module, files } = make(engine);
+  return show(lab, start(engine, module, files), opened);
+}
+
+function show(lab: HTMLElement, run: Run, opened: Stage): LiveLab {
+  const live = new LiveLab(lab, run, opened, () => liveLabs.splice(liveLabs.indexOf(live), 1));
+  liveLabs.push(live);
   return live;
 }
 

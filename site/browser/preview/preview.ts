@@ -6,6 +6,7 @@
 import { followContents } from "../client/contents.js";
 import { addCopyButtons } from "../client/copying.js";
 import { numberLines } from "../client/lines.js";
+import { offerPrograms } from "../client/programs.js";
 import { upgradeQuizzes } from "../client/quiz/quiz.js";
 import { reachScrollers } from "../client/scrollers.js";
 import { markParts } from "./marks.js";
@@ -77,6 +78,7 @@ class Preview {
       upgradeQuizzes(element);
       addCopyButtons(element);
       numberLines(element);
+      offerPrograms(element);
       reachScrollers(element);
     }
     if (elements.some((element) => element.matches(".contents, .prose > *"))) followContents();

@@ -7,6 +7,8 @@
 interface Manifest {
   /** What a reader needs first, wherever he goes then. */
   readonly core: readonly string[];
+  /** What is large and kept only where the reader has asked for it: no lesson needs it to be read. */
+  readonly asked: readonly string[];
   /** SHA-256, its first 16 digits. */
   readonly files: Readonly<Record<string, readonly [hash: string, bytes: number]>>;
 }
@@ -74,8 +76,17 @@ export class Edition {
     return this.manifest.core;
   }
 
+  /** All but what is asked for by itself. */
   get paths(): string[] {
-    return Object.keys(this.manifest.files);
+    return Object.keys(this.manifest.files).filter((path) => !this.isAsked(path));
+  }
+
+  get asked(): readonly string[] {
+    return this.manifest.asked;
+  }
+
+  isAsked(path: string): boolean {
+    return this.manifest.asked.includes(path);
   }
 
   sizes(): Record<string, number> {
@@ -116,6 +127,13 @@ export class Edition {
     const bytes = await response.arrayBuffer();
     const own = response.ok && (await hashOf(bytes)) === this.manifest.files[path]?.[0];
     return { response: whole(response, bytes), own };
+  }
+
+  /** Keeps it where it is the file of this edition. */
+  async putOwn(path: string, response: Response): Promise<void> {
+    const bytes = await response.arrayBuffer();
+    if ((await hashOf(bytes)) !== this.manifest.files[path]?.[0]) return;
+    await this.put(path, whole(response, bytes));
   }
 
   /** Throws where there is no room. `response` is still whole afterwards. */

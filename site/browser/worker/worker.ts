@@ -12,6 +12,7 @@
 // refused. In both cases the browser is asked to look for the newer worker.
 
 import type { Answers, Keeping, Message } from "../client/offline/messages.js";
+import { forgetHeader } from "../cpp/kept-header.js";
 import { cachesOf, Edition } from "./edition.js";
 import { ranged } from "./ranged.js";
 
@@ -98,9 +99,21 @@ async function isOwn(own: Edition, asking: string): Promise<boolean> {
   return path !== undefined && (await own.kept(path)) !== undefined;
 }
 
-async function answerOwn(own: Edition, path: string, request: Request): Promise<Response> {
+/**
+ * It comes as it goes on to who asks, so that he sees how far it is; whether it is of this edition shows
+ * at its end, and only then is it kept.
+ */
+async function answerLarge(own: Edition, path: string, event: FetchEvent): Promise<Response> {
+  const response = await fetch(event.request);
+  if (response.ok) event.waitUntil(own.putOwn(path, response.clone()).catch(() => undefined));
+  return response;
+}
+
+async function answerOwn(own: Edition, path: string, event: FetchEvent): Promise<Response> {
+  const { request } = event;
   const kept = await own.kept(path);
   if (kept) return ranged(kept, request);
+  if (own.isAsked(path)) return answerLarge(own, path, event);
   const found = await own.fetch(path);
   if (found.own) {
     // Before the page has it, as only what is kept may ask for more. Without room it goes as it is.
@@ -111,13 +124,14 @@ async function answerOwn(own: Edition, path: string, request: Request): Promise<
   return request.mode === "navigate" ? found.response : Response.error();
 }
 
-async function answer(request: Request): Promise<Response> {
+async function answer(event: FetchEvent): Promise<Response> {
+  const { request } = event;
   const navigates = request.mode === "navigate";
   try {
     const own = await edition();
     const path = own.pathOf(request.url);
     const ours = path !== undefined && (navigates || (await isOwn(own, request.referrer)));
-    return await (ours ? answerOwn(own, path, request) : fetch(request));
+    return await (ours ? answerOwn(own, path, event) : fetch(request));
   } catch {
     return navigates ? toOfflinePage(request.url) : Response.error();
   }
@@ -127,7 +141,7 @@ async function obey({ kind, path }: Message): Promise<Answers[keyof Answers]> {
   const own = await edition();
   switch (kind) {
     case "inventory":
-      return { files: own.sizes(), kept: await own.keptPaths() };
+      return { files: own.sizes(), asked: own.asked, kept: await own.keptPaths() };
     case "keep": {
       const known = path === undefined ? undefined : own.pathOf(root + path);
       return known === undefined ? "changed" : keep(known);
@@ -138,7 +152,7 @@ async function obey({ kind, path }: Message): Promise<Answers[keyof Answers]> {
     case "forget": {
       await own.wantAll(false);
       const spare = (await own.keptPaths()).filter((one) => !own.core.includes(one));
-      await Promise.all(spare.map((one) => own.drop(one)));
+      await Promise.all([...spare.map((one) => own.drop(one)), forgetHeader()]);
       return true;
     }
     case "take over":
@@ -151,7 +165,7 @@ self.addEventListener("install", (event) => event.waitUntil(install()));
 self.addEventListener("activate", (event) => event.waitUntil(activate()));
 self.addEventListener("fetch", (event) => {
   const { method, url } = event.request;
-  if (method === "GET" && url.startsWith(root)) event.respondWith(answer(event.request));
+  if (method === "GET" && url.startsWith(root)) event.respondWith(answer(event));
 });
 self.addEventListener("message", (event) => {
   const reply = obey(event.data as Message).then((said) => event.ports[0]?.postMessage(said));

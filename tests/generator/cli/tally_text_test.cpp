@@ -9,9 +9,11 @@ TEST(TallyText, NamesWhatThereIs) {
   Tally tally;
   EXPECT_EQ(tally_text(tally), "");
   tally.programs = 1;
+  tally.in_page = 1;
   tally.outputs = 2;
   tally.unchecked = 1;
-  EXPECT_EQ(tally_text(tally), "1 program run, 2 outputs compared, 1 listing unchecked");
+  EXPECT_EQ(tally_text(tally),
+            "1 program run, 1 in the page, 2 outputs compared, 1 listing unchecked");
   EXPECT_EQ(outcome_text(tally, 3), tally_text(tally));
 }
 

@@ -34,11 +34,11 @@ inline constexpr const char* kBall = R"(<mujoco>
 class EvaluationOf {
  public:
   // The lesson's body begins in line 4; `files` are path → bytes, beside models/ball.xml. What is
-  // found is kept in `store`, where there is one.
+  // found is kept in `store`, where there is one; `page` has a page's compiler, where that is.
   explicit EvaluationOf(const std::string& body,
                         const std::map<std::string, std::string>& files = {},
-                        Store* store = nullptr)
-      : store_(store) {
+                        Store* store = nullptr, std::filesystem::path page = {})
+      : store_(store), page_(std::move(page)) {
     write("content/course.yaml", "title: C\nlevels: [{folder: 1-a, title: A, lessons: [1.1-x]}]\n");
     write(kLessonPath, "---\ntitle: T\n---\n" + body);
     write("models/ball.xml", kBall);
@@ -52,7 +52,9 @@ class EvaluationOf {
   void again() {
     NoProgress progress;
     const DiskFiles assets(MJCOURSE_ASSETS);
-    evaluation_ = evaluate(course_.value(), {folder_.path(), assets, store_}, progress);
+    EvaluationSettings settings{folder_.path(), assets, store_};
+    settings.page = page_;
+    evaluation_ = evaluate(course_.value(), settings, progress);
     claim_prose(*course_, DiskFiles(folder_.path()), evaluation_);
   }
 
@@ -78,6 +80,7 @@ class EvaluationOf {
   }
 
   Store* store_;
+  std::filesystem::path page_;
   TemporaryFolder folder_;
   std::optional<Course> course_;
   Evaluation evaluation_;

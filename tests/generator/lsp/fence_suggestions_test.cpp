@@ -43,7 +43,8 @@ TEST(FenceSuggestions, AreTheWordsAndOptionsOfAKind) {
 }
 
 TEST(FenceSuggestions, AreNotWhatIsThereAlready) {
-  EXPECT_EQ(options("cpp file=examples/a.cpp optimize "), "timeout=|expect=|args=|");
+  EXPECT_EQ(options("cpp file=examples/a.cpp optimize "),
+            "timeout=|expect=|args=|native|because=|");
   EXPECT_EQ(options("cpp file=examples/a.cpp#part "), "");
 }
 

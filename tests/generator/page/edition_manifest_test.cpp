@@ -16,7 +16,9 @@ class EditionManifest : public testing::Test {
   }
   json manifest(std::size_t threads = 1) const {
     return edition_manifest(folder_.path(), course_,
-                            {{"site.css", "assets/site-1.css"}, {"lab.js", "assets/lab-1.js"}},
+                            {{"site.css", "assets/site-1.css"},
+                             {"lab.js", "assets/lab-1.js"},
+                             {"llvm.wasm.xz", "assets/llvm-1.wasm.xz"}},
                             threads);
   }
 
@@ -28,6 +30,7 @@ TEST_F(EditionManifest, HasHashAndSizeOfEachFile) {
   write("1-a/1.1-b.html", "abc");
   EXPECT_EQ(manifest(),
             (json{{"core", json::array()},
+                  {"asked", json::array()},
                   {"files", {{"1-a/1.1-b.html", json::array({"ba7816bf8f01cfea", 3})}}}}));
 }
 
@@ -50,6 +53,12 @@ TEST_F(EditionManifest, HasInItsCoreWhatEveryReaderNeeds) {
   }
   EXPECT_EQ(manifest()["core"], json({"assets/site-1.css", "assets/theme-1.css", "index.html",
                                       "offline.html", "search-1.js", "search.html", "search.js"}));
+}
+
+TEST_F(EditionManifest, LeavesToItsReadersWhatIsLarge) {
+  for (const char* path : {"assets/llvm-1.wasm.xz", "assets/lab-1.js"}) write(path, "");
+  EXPECT_EQ(manifest()["asked"], json({"assets/llvm-1.wasm.xz"}));
+  EXPECT_EQ(manifest()["core"], json::array());
 }
 
 TEST_F(EditionManifest, DoesNotDependOnThreads) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "findings/snippet_program.h"
 #include "page/site_data.h"
 #include "reading_of.h"
 
@@ -17,7 +18,7 @@ class ProgramFolder : public testing::Test {
     course_.lessons.clear();
     course_.add(std::move(reading_of(fence).lesson.value()));
     const Lesson& lesson = course_.lessons[0];
-    const ExampleResult result{"", "", {}, 0, std::move(files)};
+    const ExampleResult result{"", printed_, {}, 0, std::move(files)};
     const SiteData site{course_, evaluation_, course_files_, assets_, {}, {}};
     return program_folder({std::get<Example>(lesson.blocks.at(0)), result, lesson}, site);
   }
@@ -31,6 +32,7 @@ class ProgramFolder : public testing::Test {
        {"models/m/x.xml", "<mujoco/>\n"}}};
   const MemoryFiles assets_{{{"examples/include/mjcourse/handlers.cpp", "// tool\n"},
                              {"examples/include/own.hpp", "// hidden\n"}}};
+  std::string printed_;
   Course course_;
   Evaluation evaluation_;
 };
@@ -49,6 +51,28 @@ TEST_F(ProgramFolder, HasWhatTheProgramWasMadeOfAndOpened) {
   EXPECT_NE(files.at("a/CMakeLists.txt")
                 .find("add_executable(program \"a.cpp\" \"include/mjcourse/handlers.cpp\")\n"),
             std::string::npos);
+}
+
+TEST_F(ProgramFolder, IsOfASnippetToo) {
+  Lesson lesson =
+      std::move(reading_of("```cpp snippet model=m/x\na;\n```\n\n```cpp snippet model=m/x native\n"
+                           "b;\n```\n")
+                    .lesson.value());
+  lesson.number = "A.3";
+  const Example program = snippet_program(lesson, 1);
+  EXPECT_EQ(program.file.text, "snippets/snippet_A_3_2.cpp");
+  EXPECT_EQ(program.native, "native only");
+  const ExampleResult result{"whole\n", "", {}, 0, {"models/m/x.xml"}};
+  const SiteData site{course_, evaluation_, course_files_, assets_, {}, {}};
+  const auto files = program_folder({program, result, lesson, result.code}, site);
+  EXPECT_EQ(files.at("snippet_A_3_2/snippet_A_3_2.cpp"), "whole\n");
+  EXPECT_TRUE(files.contains("snippet_A_3_2/models/m/x.xml"));
+}
+
+TEST_F(ProgramFolder, SaysWhatTheProgramPrints) {
+  printed_ = "1\n";
+  const auto files = folder_of("```cpp file=examples/a.cpp\n```\n", {});
+  EXPECT_EQ(files.at("a/expected-output.txt"), "1\n");
 }
 
 TEST_F(ProgramFolder, HasBesideTheProgramWhatLiesBesideIt) {

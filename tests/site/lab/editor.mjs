@@ -20,10 +20,10 @@ const page = `<!doctype html><html lang="en"><meta charset="utf-8"><title>Editor
 <main><h1>Editor</h1><button>before</button><div id="host"></div><button>after</button></main>
 <script type="module" src="page.js"></script></html>`;
 
-const script = `import { openEditor } from "./browser/lab/editor/editor.ts";
+const script = `import { openModelEditor } from "./browser/lab/editor/model-editor.ts";
 import { LoadError } from "./browser/engine/errors.ts";
 window.changes = [];
-window.editor = openEditor(document.getElementById("host"), {
+window.editor = openModelEditor(document.getElementById("host"), {
   text: "<mujoco>\\n  <worldbody>\\n    <geom sizze='1'/>\\n  </worldbody>\\n</mujoco>\\n",
   label: "MJCF of model.xml",
   onChange: (text) => window.changes.push(text),

@@ -4,9 +4,9 @@
 import { make } from "../element.js";
 import { nameOf } from "../search/pages.js";
 import { addressOf, run } from "../search/scripts.js";
-import { ask } from "./messages.js";
+import { ask, type Inventory } from "./messages.js";
 import { register } from "./register.js";
-import { keepWhole, missing, sizeOf } from "./whole.js";
+import { keepFiles, keepWhole, missing, missingAsked, sizeOf } from "./whole.js";
 
 const article = document.querySelector<HTMLElement>("article.kept")!;
 const told = article.querySelector<HTMLElement>(".told")!;
@@ -28,31 +28,51 @@ async function listPages(kept: readonly string[]): Promise<void> {
 async function show(worker: ServiceWorker): Promise<void> {
   const inventory = await ask(worker, "inventory");
   const open = missing(inventory);
-  const megabytes = Math.max(sizeOf(inventory, open) / 1e6, 0.1).toFixed(1);
-  button("keep-all").textContent = `Keep the whole course on this device (${megabytes} MB)`;
+  const compiler = missingAsked(inventory);
+  const megabytes = (paths: readonly string[]) =>
+    `${Math.max(sizeOf(inventory, paths) / 1e6, 0.1).toFixed(1)} MB`;
+  button("keep-all").textContent = `Keep the whole course on this device (${megabytes(open)})`;
   button("keep-all").hidden = open.length === 0;
+  button("keep-compiler").textContent =
+    `Keep the C++ compiler, which runs the programs (${megabytes(compiler)})`;
+  button("keep-compiler").hidden = compiler.length === 0;
   button("forget-kept").hidden = false;
   if (open.length === 0) told.textContent = "The whole course is kept on this device.";
   await listPages(inventory.kept);
 }
 
-async function keepAll(worker: ServiceWorker): Promise<void> {
+/** As keepWhole() of `what`, in front of the reader. */
+async function keep(
+  worker: ServiceWorker,
+  what: string,
+  work: (signal: AbortSignal, tell: (share: number) => void) => Promise<string>,
+): Promise<void> {
   const stop = new AbortController();
   const cancel = button("cancel");
   cancel.onclick = () => stop.abort();
   bar.value = 0;
   bar.hidden = cancel.hidden = false;
-  button("keep-all").hidden = button("forget-kept").hidden = true;
-  told.textContent = "Keeping the whole course.";
+  for (const name of ["keep-all", "keep-compiler", "forget-kept"]) button(name).hidden = true;
+  told.textContent = `Keeping ${what}.`;
   cancel.focus();
   void navigator.storage.persist(); // else the browser may forget it when it wants room
-  const reason = await keepWhole(worker, stop.signal, (share) => {
+  const reason = await work(stop.signal, (share) => {
     bar.value = share;
   });
   bar.hidden = cancel.hidden = true;
+  told.textContent = "";
   if (reason !== "") told.textContent = `Not all is kept: ${reason}. What has come stays.`;
   await show(worker);
 }
+
+const keepAll = (worker: ServiceWorker) =>
+  keep(worker, "the whole course", (signal, tell) => keepWhole(worker, signal, tell));
+
+const keepCompiler = (worker: ServiceWorker) =>
+  keep(worker, "the C++ compiler", async (signal, tell) => {
+    const inventory: Inventory = await ask(worker, "inventory");
+    return keepFiles(worker, inventory, missingAsked(inventory), signal, tell);
+  });
 
 async function forget(worker: ServiceWorker): Promise<void> {
   await ask(worker, "forget");
@@ -98,6 +118,7 @@ async function begin(): Promise<void> {
   const worker = (await navigator.serviceWorker.ready).active!;
   told.textContent = "";
   button("keep-all").onclick = () => void keepAll(worker);
+  button("keep-compiler").onclick = () => void keepCompiler(worker);
   button("forget-kept").onclick = () => void forget(worker);
   await show(worker);
 }

@@ -8,6 +8,8 @@ export type Keeping = "kept" | "changed" | "no room" | "no network";
 export interface Inventory {
   /** How many bytes each file of this edition has. */
   readonly files: Readonly<Record<string, number>>;
+  /** Those that are kept only when they are asked for by themselves. */
+  readonly asked: readonly string[];
   readonly kept: readonly string[];
 }
 

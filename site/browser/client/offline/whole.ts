@@ -1,4 +1,4 @@
-// Keeps the whole course, file by file: in front of the reader, who can stop it.
+// Keeps the whole course, or the compiler, file by file: in front of the reader, who can stop it.
 
 import { ask, type Inventory, type Keeping } from "./messages.js";
 
@@ -9,9 +9,15 @@ const reasons: Readonly<Record<Exclude<Keeping, "kept">, string>> = {
   changed: "a newer version of the course has come meanwhile",
 };
 
-export function missing({ files, kept }: Inventory): string[] {
-  const known = new Set(kept);
+/** Of the course as it is read. */
+export function missing({ files, asked, kept }: Inventory): string[] {
+  const known = new Set([...kept, ...asked]);
   return Object.keys(files).filter((path) => !known.has(path));
+}
+
+/** Of what is asked for by itself: the compiler of C++. */
+export function missingAsked({ asked, kept }: Inventory): string[] {
+  return asked.filter((path) => !kept.includes(path));
 }
 
 export function sizeOf({ files }: Inventory, paths: readonly string[]): number {
@@ -25,7 +31,20 @@ export async function keepWhole(
   tell: (share: number) => void,
 ): Promise<string> {
   const inventory = await ask(worker, "inventory");
-  const waiting = missing(inventory);
+  const reason = await keepFiles(worker, inventory, missing(inventory), signal, tell);
+  if (reason === "") await ask(worker, "has all");
+  return reason;
+}
+
+/** The same of the files at `paths`. */
+export async function keepFiles(
+  worker: ServiceWorker,
+  inventory: Inventory,
+  paths: readonly string[],
+  signal: AbortSignal,
+  tell: (share: number) => void,
+): Promise<string> {
+  const waiting = [...paths];
   const whole = sizeOf(inventory, waiting);
   let done = 0;
   let reason = "";
@@ -40,6 +59,5 @@ export async function keepWhole(
     }
   };
   await Promise.all(Array.from({ length: atOnce }, work));
-  if (reason === "") await ask(worker, "has all");
   return reason;
 }

@@ -27,10 +27,13 @@ export class LiveLab implements Follower {
   readonly #trouble = new TroubleBox();
   readonly #panel: Panel;
   readonly #address: LabAddress;
+  readonly #closed: () => void;
 
-  constructor(lab: HTMLElement, run: Run, stage: Stage) {
+  /** `closed` is called when it has left the page. */
+  constructor(lab: HTMLElement, run: Run, stage: Stage, closed: () => void) {
     const place = lab.querySelector<HTMLElement>(".lab-view")!;
     this.#lab = lab;
+    this.#closed = closed;
     this.#player = new Player(run, place, this);
     this.#view = new ViewPanel(place, stage, this.#player);
     this.#transport = new Transport(this.#player);
@@ -47,6 +50,15 @@ export class LiveLab implements Follower {
   play(): void {
     this.#transport.playButton.focus();
     this.#player.play();
+  }
+
+  /** Gives back what it has, and leaves the page. */
+  close(): void {
+    this.#player.close();
+    this.#view.close();
+    this.#player.run.free();
+    this.#lab.remove();
+    this.#closed();
   }
 
   /** The browser took the 3D view away, or gave it back. */
@@ -107,7 +119,9 @@ export class LiveLab implements Follower {
       "camera",
       new Map(presets.map((preset) => [preset, () => this.#view.lookFrom(preset)])),
     );
-    const copy = copyMenu(run, () => this.#address.href(this.#panel.edit?.edited === true));
+    const copy = copyMenu(this.#lab, run, () =>
+      this.#address.href(this.#panel.edit?.edited === true),
+    );
     const title = "State, controls, camera, overlays, speed and model as they were at first";
     const back = make("button", { type: "button", class: "menu-opener", title }, "reset all");
     back.addEventListener("click", () => void this.restoreLesson());

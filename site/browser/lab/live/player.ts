@@ -27,6 +27,7 @@ export class Player {
   readonly #follower: Follower;
   /** The reader had it playing. */
   #wanted = false;
+  #isClosed = false;
   #lastRefresh = 0;
 
   constructor(run: Run, view: Element, follower: Follower) {
@@ -106,7 +107,14 @@ export class Player {
     askFrame(this.#frame);
   }
 
+  /** Nothing is drawn any more. */
+  close(): void {
+    this.#isClosed = true;
+    this.#presence.close();
+  }
+
   readonly #frame = (now: number): void => {
+    if (this.#isClosed) return;
     const { playing } = this;
     if (playing) this.#playback.play();
     else this.#playback.pause();

@@ -20,6 +20,11 @@ export class Presence {
     for (const part of parts) this.#observer.observe(part);
   }
 
+  close(): void {
+    this.#observer.disconnect();
+    document.removeEventListener("visibilitychange", this.#changed);
+  }
+
   get seen(): boolean {
     return this.#inWindow.size > 0 && document.visibilityState === "visible";
   }

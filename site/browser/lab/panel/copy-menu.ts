@@ -9,7 +9,12 @@ export interface CopyMenu extends Menu {
   readonly answer: HTMLElement;
 }
 
-export function copyMenu(run: Run, link: () => Promise<string | undefined>): CopyMenu {
+/** `lab` has `data-compiler` where the site can run what its reader writes. */
+export function copyMenu(
+  lab: HTMLElement,
+  run: Run,
+  link: () => Promise<string | undefined>,
+): CopyMenu {
   const answer = make("div", { class: "lab-copied", role: "status" });
   const copy = async (what: string, text: string): Promise<void> => {
     try {
@@ -25,6 +30,16 @@ export function copyMenu(run: Run, link: () => Promise<string | undefined>): Cop
     const save = (): void => download(`${ylabel}.csv`, run.samples[i]!.csv());
     return [`Download the curves of “${ylabel}” (CSV)`, save] as const;
   });
+  const openProgram = [
+    "Open the state as a program",
+    async () => {
+      const { showStateProgram } = await import("../../program/state-program.js");
+      const { time, files, lab: description } = run;
+      const code = cppState(run.simulation);
+      const state = { title: description.title, time, code, model: description.model.name, files };
+      showStateProgram(lab, state);
+    },
+  ] as const;
   const entries = new Map([
     [
       "Copy a link to this state",
@@ -35,6 +50,7 @@ export function copyMenu(run: Run, link: () => Promise<string | undefined>): Cop
       },
     ],
     ["Copy the state as C++", async () => copy("C++", cppState(run.simulation))],
+    ...("compiler" in lab.dataset ? [openProgram] : []),
     ...curves,
   ]);
   return { ...menu("copy", entries), answer };

@@ -1,7 +1,7 @@
 /** The reader edits the MJCF: it is compiled as they type, and where it does not compile the last
  * model that did goes on. The editor itself is loaded when it is opened. */
 import type { LoadError } from "../../engine/errors.js";
-import type { Editor } from "../editor/editor.js";
+import type { ModelEditor } from "../editor/model-editor.js";
 import { make } from "../markup/element.js";
 import type { Run } from "../run/run.js";
 
@@ -12,7 +12,7 @@ export class EditPanel {
   readonly #host = make("div", { class: "lab-editor" });
   readonly #status = make("p", { class: "lab-edit-status", role: "status" });
   readonly #rebuilt: () => void;
-  #editor: Promise<Editor> | undefined;
+  #editor: Promise<ModelEditor> | undefined;
 
   /** `rebuilt` is called when there is another model, or another visualization of the same. */
   constructor(run: Run, tasks: readonly HTMLElement[], rebuilt: () => void) {
@@ -57,9 +57,9 @@ export class EditPanel {
     }
   }
 
-  async #load(): Promise<Editor> {
-    const { openEditor } = await import("../editor/editor.js");
-    return openEditor(this.#host, {
+  async #load(): Promise<ModelEditor> {
+    const { openModelEditor } = await import("../editor/model-editor.js");
+    return openModelEditor(this.#host, {
       text: this.#run.mjcf,
       label: `MJCF of ${this.#run.lab.model.name}`,
       file: this.#run.lab.model.name,

@@ -276,6 +276,11 @@ export class Run {
 
   // The edited model.
 
+  /** Of the model, as it is edited. */
+  get files(): ModelFiles {
+    return this.#files;
+  }
+
   /** The MJCF of the model's main file. */
   get mjcf(): string {
     return this.#files[this.lab.model.name] as string;

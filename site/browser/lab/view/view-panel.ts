@@ -22,6 +22,7 @@ export class ViewPanel implements PointerTarget {
   pulls: () => boolean = () => false;
   readonly #player: Player;
   readonly #view: View;
+  readonly #leaving = new AbortController();
   readonly #hint = make("p", { class: "lab-hint", "aria-hidden": "true" });
   #preset: Preset = presets[0];
   #playsForPull = false;
@@ -44,7 +45,15 @@ export class ViewPanel implements PointerTarget {
     this.#view = new View(stage, this.canvas, simulation, scene);
     new Pointer(this.canvas, this);
     new ResizeObserver(() => player.changed()).observe(this.canvas);
-    addEventListener("wheel", () => (this.#lastWheel = performance.now()), { passive: true });
+    const { signal } = this.#leaving;
+    const turned = (): void => void (this.#lastWheel = performance.now());
+    addEventListener("wheel", turned, { passive: true, signal });
+  }
+
+  /** Gives back what the graphics card has of it. */
+  close(): void {
+    this.#leaving.abort();
+    this.#view.dispose();
   }
 
   draw(): void {

@@ -14,7 +14,8 @@ import { findUnfitDomains } from "../plot/domains.js";
 import { findUnknownColumns } from "../plot/columns.js";
 import { drawForPage, type Drawings } from "../plot/frames.js";
 import type { JsonObject } from "../plot/json.js";
-import { besideSpec, findUnknown } from "../plot/vocabulary.js";
+import { rowsOf, specOf, type Columns } from "../plot/written.js";
+import { findUnknown } from "../plot/vocabulary.js";
 
 type Answer = Partial<Drawings> & { readonly faults?: readonly Fault[] };
 let answer: Answer | undefined;
@@ -26,19 +27,13 @@ let answer: Answer | undefined;
 function draw(json: string, table: string, id: string): string {
   answer = undefined;
   const spec = specOf(json);
-  const columns = table === "" ? [] : (JSON.parse(table) as [string, number[]][]);
+  const columns = table === "" ? [] : (JSON.parse(table) as Columns);
   const names = columns.map(([name]) => name);
   const ofTable = table === "" ? [] : findUnknownColumns(spec, names);
   const faults = [...findUnknown(spec), ...findExcess(spec), ...findUnfitDomains(spec), ...ofTable];
   if (table === "" || faults.length > 0) answer = { faults };
   else void drawKnown(spec, rowsOf(columns), id).then((found) => (answer = found));
   return "";
-}
-
-/** Without what stands beside the spec, which was read before. */
-function specOf(json: string): JsonObject {
-  const members = Object.entries(JSON.parse(json) as JsonObject);
-  return Object.fromEntries(members.filter(([key]) => !besideSpec.includes(key)));
 }
 
 async function drawKnown(spec: JsonObject, rows: readonly Row[], id: string): Promise<Answer> {
@@ -75,13 +70,6 @@ async function failsToDraw(spec: JsonObject, rows: readonly Row[]): Promise<bool
   } catch {
     return true;
   }
-}
-
-function rowsOf(columns: readonly (readonly [string, readonly number[]])[]): Row[] {
-  const [, first] = columns[0]!;
-  return first.map((_, i) =>
-    Object.fromEntries(columns.map(([name, values]) => [name, values[i]!])),
-  );
 }
 
 function drawn(): string {

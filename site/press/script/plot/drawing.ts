@@ -1,6 +1,7 @@
 /** One drawing of a spec: what Vega makes of it, and what is wrong with that. */
 import { compile, type TopLevelSpec } from "vega-lite";
 import { parse, randomLCG, resetSVGDefIds, setRandom, textMetrics, View, type Spec } from "vega";
+import { expressionInterpreter } from "vega-interpreter";
 
 import "./bounded-vega.js";
 import { listener } from "./complaint.js";
@@ -79,7 +80,8 @@ export async function draw(
   resetSVGDefIds();
   setRandom(randomLCG(seed));
   beginCounting(spec);
-  const view = new View(parse(compiled), { renderer: "none", logger });
+  const runtime = parse(compiled, undefined, { ast: true });
+  const view = new View(runtime, { renderer: "none", logger, expr: expressionInterpreter });
   try {
     await view.runAsync();
     endCounting();

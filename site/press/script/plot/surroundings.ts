@@ -15,4 +15,9 @@ function structuredClone(value: unknown): unknown {
   );
 }
 
-Object.assign(globalThis, { structuredClone });
+/** Vega's interpreter names the timers, to forbid them to expressions. */
+function noTimer(): never {
+  throw new Error("a drawing waits for nothing");
+}
+
+Object.assign(globalThis, { structuredClone, setTimeout: noTimer, setInterval: noTimer });

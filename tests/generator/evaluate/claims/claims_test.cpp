@@ -5,6 +5,7 @@
 
 #include "evaluate/claims/strict.h"
 #include "evaluate/evaluation_of.h"
+#include "toolchain/scripted_page.h"
 
 namespace mjcourse {
 namespace {
@@ -71,6 +72,30 @@ TEST(Claims, OfAProgramAndItsOutput) {
   EXPECT_EQ(found.versions().compiler.find("clang "), 0u) << found.versions().compiler;
   EXPECT_GT(found.claims()[0].seconds, found.claims()[0].run_seconds);
   EXPECT_GT(found.claims()[0].run_seconds, 0);
+}
+
+TEST(Claims, OfAProgramInThePage) {
+  const ScriptedPage page(R"({"ok": true, "out": "ball.xml 1.50\n", "records": "",
+                              "end": {"how": "exit", "code": 0}})");
+  const std::map<std::string, std::string> files{{"examples/a.cpp", kHello}};
+  const std::string fence = "```cpp file=examples/a.cpp";
+  const EvaluationOf found(fence + "\n```\n", files, nullptr, page.folder());
+  EXPECT_NE(told(found).find(
+                "4 page proved: examples/a.cpp in the page\n"
+                "    compiled as a reader's page does it and run on the page's engine; its output "
+                "and its records are those of the native run\n"),
+            std::string::npos)
+      << told(found);
+  EXPECT_EQ(found.tally().in_page, 1);
+  const EvaluationOf native(fence + " native\n```\n", files, nullptr, page.folder());
+  EXPECT_NE(told(native).find("4 page unchecked: examples/a.cpp in the page\n    native only\n"),
+            std::string::npos)
+      << told(native);
+  EXPECT_EQ(native.tally().in_page, 0);
+  EXPECT_EQ(native.tally().unchecked, 0);
+  page.answers(R"({"ok": true, "out": "", "records": "", "end": {"how": "exit", "code": 0}})");
+  const EvaluationOf other(fence + "\n```\n", files, nullptr, page.folder());
+  EXPECT_NE(told(other).find("4 page failed: examples/a.cpp in the page\n"), std::string::npos);
 }
 
 TEST(Claims, OfAProgramThatMustNotCompile) {

@@ -27,6 +27,41 @@ TEST(Snippets, SeeTheirModelAndFreshData) {
   EXPECT_EQ(found.tally().outputs, 2);
 }
 
+TEST(Snippets, AreProgramsOfTheirOwnForAReader) {
+  const EvaluationOf found(
+      snippet("  //| const int n = 1;\n//| if (n > 0)\n  std::printf(\"%d\\n\", n);\n"));
+  EXPECT_EQ(found.mistakes(), "");
+  const ExampleResult& result = found.result<ExampleResult>();
+  EXPECT_EQ(result.code.substr(result.code.find("\nvoid ")), R"(
+void snippet([[maybe_unused]] mjModel* model, [[maybe_unused]] mjData* data) {
+    const int n = 1;
+  if (n > 0)
+    std::printf("%d\n", n);
+}
+
+int main() {
+  char error[1000] = "";
+  mjModel* model = mj_loadXML(MJCOURSE_MODELS "/ball.xml", nullptr, error, sizeof error);
+  if (model == nullptr) {
+    std::fprintf(stderr, "%s\n", error);
+    return 1;
+  }
+  mjData* data = mj_makeData(model);
+  snippet(model, data);
+  mj_deleteData(data);
+  mj_deleteModel(model);
+}
+)");
+  EXPECT_EQ(result.files, std::vector<std::string>{"models/ball.xml"});
+}
+
+TEST(Snippets, KeepTheirRawStringsToTheByte) {
+  const EvaluationOf found(snippet("std::puts(R\"(a\nb)\");\n"));
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_NE(found.result<ExampleResult>().code.find("\nstd::puts(R\"(a\nb)\");\n}"),
+            std::string::npos);
+}
+
 TEST(Snippets, SeeAModelInAFolder) {
   const EvaluationOf found(
       snippet("std::printf(\"%d\\n\", model->nbody);\n", "model=robot/scene"),

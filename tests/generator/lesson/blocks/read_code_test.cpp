@@ -35,6 +35,12 @@ TEST(ReadCode, TakesHowAProgramIsRun) {
   EXPECT_EQ(run.arguments, (std::vector<std::string>{"a", "--b=1"}));
 }
 
+TEST(ReadCode, TakesWhyNoPageRunsAProgram) {
+  EXPECT_EQ(example("").native, "");
+  EXPECT_EQ(example(" native").native, "native only");
+  EXPECT_EQ(example(" native because=\"it measures\"").native, "it measures");
+}
+
 TEST(ReadCode, TakesARegion) {
   const ReadingOf reading = reading_of("```cpp file=examples/a.cpp#the-loop\nx;\n```\n");
   EXPECT_EQ(reading.mistakes(), "");
@@ -55,6 +61,14 @@ TEST(ReadCode, HidesTheLinesOfASnippetThatSayIt) {
   EXPECT_EQ(snippet.code.text, "    int n = 2;\nuse(n);\n      }\n   \n");
   EXPECT_EQ(snippet.shown, "use(n);\n");
   EXPECT_EQ(snippet.seconds, 2);
+}
+
+TEST(ReadCode, LetsASnippetSayWhyNoPageRunsIt) {
+  EXPECT_EQ(reading_of("```cpp snippet model=ball native because=\"it measures\"\nx;\n```\n")
+                .only<Snippet>()
+                .native,
+            "it measures");
+  EXPECT_EQ(reading_of("```cpp snippet model=ball\nx;\n```\n").only<Snippet>().native, "");
 }
 
 TEST(ReadCode, LetsASnippetStateItsOutput) {
@@ -98,6 +112,12 @@ TEST(ReadCode, RefusesWordsThatItDoesNotKnow) {
             "optimize: `optimize` takes no value; write `optimize` alone\n");
   EXPECT_EQ(code_mistake("unchecked optimize"),
             "optimize: a `cpp unchecked` fence has no option `optimize`; known: because\n");
+}
+
+TEST(ReadCode, RefusesAReasonForNothing) {
+  EXPECT_EQ(code_mistake("file=examples/a.cpp because=\"it measures\""),
+            "it measures: this program has nothing to be excused; `native because=\"…\"` says why "
+            "no page runs it\n");
 }
 
 TEST(ReadCode, RefusesASnippetOfNothing) {

@@ -97,7 +97,38 @@ TEST_F(PageWriterTest, PutsAFormulasMarkupInItsPlace) {
       << table;
 }
 
+TEST_F(PageWriterTest, LetsAReaderRunAProgramWhereTheSiteHasACompiler) {
+  const std::string fence = "```cpp file=examples/x.cpp args=\"a 'b'\" expect=exit:3\n```\n";
+  ExampleResult ran{"int main() {}\n", ""};
+  ran.page = PageRun{};
+  results_.of_block[0] = ran;
+  EXPECT_EQ(body(fence).find("data-program"), std::string::npos);
+  for (const char* name : {"program.js", "program.css", "cpp.js", "llvm.wasm.xz", "cpp.pack.xz",
+                           "engine.mjs", "engine.wasm", "lab.css"}) {
+    manifest_[name] = std::string("assets/") + name;
+  }
+  const std::string html = body(fence);
+  for (const char* attribute :
+       {" data-program=\"examples/x.cpp\"", " data-code=\"../assets/program.js\"",
+        " data-style=\"../assets/program.css\"", " data-worker=\"../assets/cpp.js\"",
+        " data-llvm=\"../assets/llvm.wasm.xz\"", " data-pack=\"../assets/cpp.pack.xz\"",
+        " data-engine=\"../assets/engine.mjs\"", " data-wasm=\"../assets/engine.wasm\"",
+        " data-lab-style=\"../assets/lab.css\"", " data-bytes=\"0\"",
+        " data-arguments=\"[&quot;a&quot;,&quot;&#x27;b&#x27;&quot;]\"", " data-exit=\"3\""}) {
+    EXPECT_NE(html.find(attribute), std::string::npos) << attribute << " in " << html;
+  }
+  EXPECT_EQ(body("```cpp file=examples/x.cpp expect=compile-error\n```\n").find("data-program"),
+            std::string::npos)
+      << "it cannot be run";
+  ran.page->why_not = "it waits";
+  results_.of_block[0] = ran;
+  const std::string without = body(fence);
+  EXPECT_EQ(without.find("data-program"), std::string::npos);
+  EXPECT_NE(without.find("Not in the page: it waits"), std::string::npos) << without;
+}
+
 TEST_F(PageWriterTest, WritesAValueAsTextThatKnowsItsOrigin) {
+  course_.models = {"zoo"};
   results_.of_block[0] = ValueResult{"a < b", "x[\"y\"] of zoo.xml"};
   const std::string value =
       "<span class=\"value\" title=\"computed: x[&quot;y&quot;] of zoo.xml\">a &lt; b</span>";
@@ -109,7 +140,15 @@ TEST_F(PageWriterTest, WritesAValueAsTextThatKnowsItsOrigin) {
   EXPECT_NE(callout.find("Of " + value), std::string::npos) << callout;
 }
 
+TEST_F(PageWriterTest, NamesTheResultThatAValueQuotes) {
+  results_.of_block[0] = ValueResult{"8.0", "depth of fall.cpp"};
+  EXPECT_EQ(body("`{fall} depth :.1f`\n"),
+            "<p><span class=\"value\" data-quotes=\"fall\" data-result=\"depth\" "
+            "data-format=\".1f\" title=\"computed: depth of fall.cpp\">8.0</span></p>\n");
+}
+
 TEST_F(PageWriterTest, KeepsTogetherWhatALinesEndMayNotPart) {
+  course_.models = {"zoo"};
   results_.of_block[0] = ValueResult{"8", "x"};
   const std::string value = "<span class=\"value\" title=\"computed: x\">8</span>";
   EXPECT_EQ(body("`{zoo} x` mm, & so\n"),
@@ -124,6 +163,7 @@ TEST_F(PageWriterTest, KeepsTogetherWhatALinesEndMayNotPart) {
 }
 
 TEST_F(PageWriterTest, SaysThatAProgramProvedAnAnswer) {
+  course_.models = {"zoo"};
   QuestionResult question;
   question.proved = question.by_program = true;
   question.proofs = {{"tell.cpp", "ratio", "0.5"}};
@@ -235,6 +275,7 @@ TEST_F(PageWriterTest, ShowsOfASnippetWhatIsToBeSeen) {
   const std::string html = body("```cpp snippet model=m\n//| int n = 2;\nuse(n);\n```\n");
   EXPECT_EQ(html.find("n = "), std::string::npos) << html;
   EXPECT_NE(html.find("<span>Printed by these lines</span>"), std::string::npos) << html;
+  EXPECT_NE(html.find("_1.zip\" download>Zip to build</a>"), std::string::npos) << html;
   EXPECT_NE(html.find("<samp>out\n</samp>"), std::string::npos) << html;
 }
 

@@ -26,7 +26,9 @@ class PlotDataTest : public PageWriterTest {
 };
 
 TEST_F(PlotDataTest, HasBothDrawingsAndTheNumbersBehindThem) {
-  EXPECT_EQ(page(), R"(<div class="plot" id="plot-1">
+  EXPECT_EQ(
+      page(),
+      R"(<div class="plot" id="plot-1" data-quotes="fall" data-table="energy" data-spec="../1-a/1.1-x/plot-1.json">
 <figure>
 <div class="plot-wide">
 <svg role="img" aria-label="A &quot;line&quot;." viewBox="0 0 640 320" width="640" height="320"><path d="M0"/></svg>

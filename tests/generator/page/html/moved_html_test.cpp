@@ -32,6 +32,9 @@ TEST(MovedHtml, OnPaperNothingWaits) {
   move.still = true;
   EXPECT_EQ(moved_html("<sim-lab class=\"lab\" data-module=\"m.js\"><img loading=\"lazy\">", move),
             "<sim-lab class=\"lab\"><img>");
+  EXPECT_EQ(
+      moved_html("<figure class=\"example\" data-program=\"a.cpp\" data-code=\"p.js\">", move),
+      "<figure class=\"example\">");
 }
 
 }  // namespace

@@ -1,17 +1,14 @@
 /**
- * The editor of a lab's MJCF: CodeMirror, in a shadow root. There its styles are sheets that scripts
+ * The editor of a lab's MJCF and of a lesson's C++: CodeMirror, in a shadow root. There its styles are sheets that scripts
  * adopt, which the page's policy allows, and not <style> elements, which it does not. It is large:
  * import it when it is opened.
  */
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
-import { xml } from "@codemirror/lang-xml";
 import { bracketMatching, indentOnInput, indentUnit } from "@codemirror/language";
-import { lintKeymap, setDiagnostics } from "@codemirror/lint";
+import { type Diagnostic, lintKeymap, setDiagnostics } from "@codemirror/lint";
 import { highlightSelectionMatches, search, searchKeymap } from "@codemirror/search";
 import { Annotation, EditorState, type Extension } from "@codemirror/state";
-import { EditorView, keymap, lineNumbers } from "@codemirror/view";
-import type { LoadError } from "../../engine/errors.js";
-import { diagnosticOf } from "./diagnostic.js";
+import { EditorView, type KeyBinding, keymap, lineNumbers } from "@codemirror/view";
 import { editorTheme } from "./theme.js";
 
 export interface EditorOptions {
@@ -20,14 +17,17 @@ export interface EditorOptions {
   readonly label: string;
   /** The text, 300 ms after the reader's last change. */
   readonly onChange: (text: string) => void;
-  /** The file that is edited: errors in another one have no place here. */
-  readonly file?: string;
+  readonly language: Extension;
+  /** Before all other keys. */
+  readonly keys?: readonly KeyBinding[];
 }
 
 export interface Editor {
   readonly text: string;
-  /** Marks the place of the error; undefined takes the mark away. */
-  showError(error: LoadError | undefined): void;
+  /** Marks the places that `find` gives for the text as it is, instead of those before. */
+  mark(find: (state: EditorState) => readonly Diagnostic[]): void;
+  /** Makes the line, of which the first is 1, the one in the middle. */
+  scrollTo(line: number): void;
   /** Another text, which undo can take back; onChange is not called. */
   replace(text: string): void;
   focus(): void;
@@ -57,7 +57,8 @@ export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
     // It is in the keyboard's way anyhow; said so, checkers know that what scrolls can be reached.
     tabindex: "0",
   });
-  const extensions = [leaving, features, accessible, changes];
+  const own = keymap.of(options.keys ?? []);
+  const extensions = [leaving, own, features, options.language, accessible, changes];
   const state = EditorState.create({ doc: options.text, extensions });
   const view = new EditorView({ state, parent: root, root });
   root.append(hint);
@@ -66,9 +67,13 @@ export function openEditor(host: HTMLElement, options: EditorOptions): Editor {
     get text() {
       return view.state.doc.toString();
     },
-    showError(error) {
-      const marks = error === undefined ? [] : [diagnosticOf(error, view.state, options.file)];
-      view.dispatch(setDiagnostics(view.state, marks));
+    mark(find) {
+      view.dispatch(setDiagnostics(view.state, find(view.state)));
+    },
+    scrollTo(line) {
+      const { doc } = view.state;
+      const { from } = doc.line(Math.min(Math.max(line, 1), doc.lines));
+      view.dispatch({ effects: EditorView.scrollIntoView(from, { y: "center" }) });
     },
     replace(text) {
       const changes = { from: 0, to: view.state.doc.length, insert: text };
@@ -89,7 +94,6 @@ const features: Extension = [
   indentUnit.of("  "),
   indentOnInput(),
   bracketMatching(),
-  xml(),
   search({ top: true }),
   highlightSelectionMatches(),
   EditorView.lineWrapping,

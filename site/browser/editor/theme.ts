@@ -35,7 +35,13 @@ const look = EditorView.theme({
     textDecoration: "underline wavy var(--wrong)",
     textDecorationSkipInk: "none",
   },
+  ".cm-lintRange-warning": {
+    background: "none",
+    textDecoration: "underline wavy var(--asserted)",
+    textDecorationSkipInk: "none",
+  },
   ".cm-lintPoint-error:after": { borderBottomColor: "var(--wrong)" },
+  ".cm-lintPoint-warning:after": { borderBottomColor: "var(--asserted)" },
 
   ".cm-tooltip, .cm-panels": {
     border: "1px solid var(--edge)",
@@ -45,6 +51,7 @@ const look = EditorView.theme({
   },
   ".cm-panels": { border: "0", borderBlockEnd: "1px solid var(--edge)" },
   ".cm-diagnostic-error": { borderInlineStart: "3px solid var(--wrong)" },
+  ".cm-diagnostic-warning": { borderInlineStart: "3px solid var(--asserted)" },
   ".cm-panel.cm-panel-lint ul [aria-selected]": { background: "var(--selection)" },
   ".cm-textfield, .cm-button": {
     border: "1px solid var(--edge)",
@@ -66,12 +73,17 @@ const hint = EditorView.baseTheme({
   },
 });
 
-/** As styles/highlight.css has it for XML. */
+/** As styles/highlight.css has it for XML and C++. */
 const colours = HighlightStyle.define([
   { tag: tags.comment, color: "var(--code-comment)" },
-  { tag: [tags.tagName, tags.processingInstruction], color: "var(--code-keyword)" },
-  { tag: tags.attributeName, color: "var(--code-type)" },
-  { tag: [tags.attributeValue, tags.character], color: "var(--code-string)" },
+  {
+    tag: [tags.tagName, tags.processingInstruction, tags.keyword, tags.modifier],
+    color: "var(--code-keyword)",
+  },
+  { tag: [tags.attributeName, tags.typeName], color: "var(--code-type)" },
+  { tag: [tags.attributeValue, tags.character, tags.string], color: "var(--code-string)" },
+  { tag: [tags.number, tags.bool, tags.null], color: "var(--code-number)" },
+  { tag: tags.function(tags.definition(tags.variableName)), color: "var(--code-name)" },
   { tag: tags.invalid, color: "var(--wrong)" },
 ]);
 

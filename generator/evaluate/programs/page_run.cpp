@@ -1,0 +1,146 @@
+#include "evaluate/programs/page_run.h"
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "base/base64.h"
+#include "base/files.h"
+#include "base/running_text.h"
+#include "base/utf8.h"
+#include "evaluate/programs/record_diff.h"
+#include "evaluate/programs/records.h"
+#include "findings/path_in_folder.h"
+#include "lesson/syntax/linked_libraries.h"
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+
+// Wall clock: of a compiler that begins cold, on a machine that has more to do; and of the run.
+constexpr double kCompileSeconds = 90, kTimesAsLong = 5;
+// With which a program ends that MuJoCo stopped (examples/include/mjcourse/handlers.cpp).
+constexpr int kMujocoError = 70;
+// How the page begins to say that it runs one thread after the other
+// (site/browser/cpp/execution.ts).
+constexpr const char* kThreadWaits = "a thread waits";
+// What a message quotes of the compiler, and of a program.
+constexpr std::size_t kMostQuoted = 120;
+
+// A file of the course, or of the tool where the course has none under the name.
+std::string read_either(const std::string& path, const RunContext& run_context) {
+  const DiskFiles course(run_context.root());
+  const std::string include = "examples/include/";
+  if (auto bytes = course.read(path)) return *std::move(bytes);
+  if (path.starts_with(include)) {
+    const std::string name = path.substr(include.size());
+    const auto folder = folder_with(name, run_context.include_folders());
+    if (auto bytes = read_file(folder / name)) return *std::move(bytes);
+  }
+  throw LostFile(path + ": was read, and is gone");
+}
+
+json content(std::string bytes) {
+  if (find_invalid_utf8(bytes)) return {{"base64", base64(bytes)}};
+  return {{"text", std::move(bytes)}};
+}
+
+std::string question(const Example& example, const std::string& code,
+                     const std::vector<std::string>& files, const RunContext& run_context) {
+  const std::string main = example.name() + ".cpp";
+  json contents{{main, content(code)}};
+  for (const std::string& path : files) {
+    contents[path_in_folder(path, example)] = content(read_either(path, run_context));
+  }
+  return json{{"main", main},
+              {"files", std::move(contents)},
+              {"models", "models"},
+              {"arguments", example.arguments}}
+      .dump();
+}
+
+// Of a process that gave no answer.
+std::string why_no_answer(const Outcome& outcome) {
+  switch (outcome.end) {
+    case Outcome::End::timed_out:
+      return "it does not come to an end there, or takes too long";
+    case Outcome::End::exhausted:
+      return "it takes more memory than a page has";
+    case Outcome::End::killed_by_signal:
+      return std::string("it ends the page's engine: ") + strsignal(outcome.code);
+    case Outcome::End::refused:
+      throw std::runtime_error("the page's compiler tried to " + outcome.refused);
+    default:
+      throw std::runtime_error("the page's compiler gave no answer: " +
+                               outcome.err.substr(0, outcome.err.find('\n')));
+  }
+}
+
+std::string quoted(const std::string& words) {
+  const std::string line = readable(words.substr(0, words.find('\n')));
+  return line.size() <= kMostQuoted ? line : beginning_of(line, kMostQuoted) + " …";
+}
+
+std::string first_error(const json& diagnostics) {
+  for (const json& diagnostic : diagnostics) {
+    if (diagnostic.value("severity", "") == "error") return quoted(diagnostic.value("message", ""));
+  }
+  return "no word";
+}
+
+// Where the program ended in another way than natively; "" where it did not.
+std::string other_end(const json& end, int expected) {
+  const std::string how = end.at("how");
+  const std::string said = quoted(end.value("message", ""));
+  if (how == "exit") {
+    const int code = end.at("code");
+    if (code == expected) return "";
+    return "exits with code " + std::to_string(code) + ", and natively with " +
+           std::to_string(expected);
+  }
+  if (how == "error") return expected == kMujocoError ? "" : "is stopped by MuJoCo: " + said;
+  if (how == "uncaught") return "throws " + said;
+  return "ends with: " + said;
+}
+
+PageRun judge(const json& answer, const Example& example, const ExampleResult& native) {
+  if (!answer.at("ok").get<bool>()) {
+    return {"the page's compiler says: " + first_error(answer.at("diagnostics")), {}, ""};
+  }
+  const json& end = answer.at("end");
+  if (end.at("how") == "memory") return {"it takes more memory than a page has", {}, ""};
+  const std::string said = end.value("message", "");
+  if (said.starts_with(kThreadWaits)) return {quoted(said), {}, ""};
+  PageRun run;
+  run.otherwise = other_end(end, example.exit_code);
+  auto output = answer.at("out").get<std::string>();
+  if (output != native.output) run.output = std::move(output);
+  if (!run.otherwise.empty()) return run;
+  std::vector<RecordFault> faults;  // natively, there were none
+  const Records records = read_records(answer.at("records").get<std::string>(), faults);
+  if (const std::string differs = record_diff(native.records, records); !differs.empty()) {
+    run.otherwise = "reports otherwise: " + differs;
+  }
+  return run;
+}
+
+}  // namespace
+
+std::optional<PageRun> run_in_page(const Example& example, const std::string& code,
+                                   const ExampleResult& native, WorkerContext& worker_context) {
+  PageProcess* const process = worker_context.page_process();
+  if (process == nullptr) return std::nullopt;
+  if (!example.native.empty()) return PageRun{example.native, {}, ""};
+  if (draws(code)) return PageRun{"it draws, and the page's engine only simulates", {}, ""};
+  const auto said =
+      process->ask(question(example, code, native.files, worker_context.run_context()),
+                   kCompileSeconds + kTimesAsLong * native.run_seconds);
+  if (said) return judge(json::parse(*said), example, native);
+  worker_context.trace().unknown();  // another machine may do better
+  return PageRun{why_no_answer(said.error()), {}, ""};
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,26 @@
+#include "findings/snippet_program.h"
+
+#include <string>
+#include <variant>
+
+#include "base/utf8.h"
+
+namespace mjcourse {
+
+Example snippet_program(const Lesson& lesson, std::size_t block) {
+  const auto& snippet = std::get<Snippet>(lesson.blocks[block]);
+  std::string number = lesson.number.empty() ? "glossary" : lesson.number;
+  for (char& c : number) {
+    if (!is_word_character(c)) c = '_';
+  }
+  Example program;
+  program.file.text =
+      "snippets/snippet_" + number + "_" + std::to_string(block_number(lesson, block)) + ".cpp";
+  program.seconds = snippet.seconds;
+  program.native = snippet.native;
+  program.span = snippet.span;
+  program.outputs = snippet.outputs;
+  return program;
+}
+
+}  // namespace mjcourse

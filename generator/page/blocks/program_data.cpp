@@ -1,0 +1,95 @@
+#include "page/blocks/program_data.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "page/html/site_paths.h"
+
+namespace mjcourse {
+namespace {
+
+using nlohmann::json;
+
+// Attributes of the listing, and the assets that they lead to.
+constexpr std::pair<const char*, const char*> kAssets[] = {
+    {"code", "program.js"},   {"style", "program.css"}, {"worker", "cpp.js"},
+    {"llvm", "llvm.wasm.xz"}, {"pack", "cpp.pack.xz"},  {"engine", "engine.mjs"},
+    {"wasm", "engine.wasm"},  {"lab_style", "lab.css"},
+};
+
+// Of these, what is there for the compiler alone.
+constexpr const char* kCompiler[] = {"cpp.js", "llvm.wasm.xz", "cpp.pack.xz"};
+
+bool has_compiler(const json& manifest) {
+  for (const auto& [attribute, asset] : kAssets) {
+    if (!manifest.contains(asset)) return false;
+  }
+  return true;
+}
+
+bool runs_in_page(const ExampleResult& result) {
+  return result.page && result.page->why_not.empty();
+}
+
+bool any_runs_in_page(const LessonResults& results) {
+  return std::ranges::any_of(results.of_block, [](const auto& block) {
+    const auto* result = std::get_if<ExampleResult>(&block.second);
+    return result != nullptr && runs_in_page(*result);
+  });
+}
+
+json addresses(const LessonContext& context) {
+  json data;
+  for (const auto& [attribute, asset] : kAssets) {
+    data[attribute] = context.from_root(context.page.manifest.at(asset).get<std::string>());
+  }
+  return data;
+}
+
+}  // namespace
+
+json run_data(const Example& example, const ExampleResult* result, const LessonContext& context) {
+  if (program_zip_path(example, result).empty()) return nullptr;
+  if (!has_compiler(context.page.manifest)) return nullptr;
+  if (!runs_in_page(*result)) return nullptr;
+  json data{{"bytes", context.page.compiler_bytes},
+            {"arguments", example.arguments.empty() ? "" : json(example.arguments).dump()},
+            {"exit", example.exit_code}};
+  data.update(addresses(context));
+  return data;
+}
+
+std::string lab_compiler(const LessonContext& context) {
+  if (!any_runs_in_page(context.results) || !has_compiler(context.page.manifest)) return "";
+  json data = addresses(context);
+  for (const char* own : {"engine", "wasm", "lab_style"}) data.erase(own);
+  data["bytes"] = std::to_string(context.page.compiler_bytes);
+  return data.dump();
+}
+
+json why_not_data(const ExampleResult* result) {
+  if (result == nullptr || !result->page || result->page->why_not.empty()) return nullptr;
+  return result->page->why_not;
+}
+
+std::set<std::string> unused_assets(const Evaluation& evaluation, const Files& assets) {
+  if (std::ranges::any_of(evaluation.lessons, any_runs_in_page)) return {};
+  const json manifest = json::parse(assets.read("manifest.json").value());
+  std::set<std::string> unused;
+  for (const char* asset : kCompiler) {
+    if (manifest.contains(asset)) unused.insert(manifest.at(asset).get<std::string>());
+  }
+  return unused;
+}
+
+std::size_t compiler_bytes(const Files& assets, const json& manifest) {
+  if (!has_compiler(manifest)) return 0;
+  std::size_t bytes = 0;
+  for (const char* asset : kCompiler) {
+    bytes += assets.read("public/" + manifest.at(asset).get<std::string>()).value().size();
+  }
+  return bytes;
+}
+
+}  // namespace mjcourse

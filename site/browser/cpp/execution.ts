@@ -1,0 +1,181 @@
+/**
+ * Runs a linked program on an engine and says how it ended. Enter with execute().
+ *
+ * The program exports its stack pointer, what throws and mjc_uncaught() (runtime/uncaught.cpp). What
+ * it imports besides MuJoCo are the functions of runtime/*.c that end it.
+ */
+import { startEngine, textAt, type Engine, type EngineBinary } from "./engine.js";
+import type { Files } from "./files.js";
+import { stackSize, tableRoom } from "./link.js";
+import { loadedModel } from "./loaded-model.js";
+import type { End, LoadedModel } from "./messages.js";
+import { trap } from "./trap.js";
+import type { Stream } from "./wasi.js";
+
+/** As natively: of each stream. */
+const mostOutput = 1 << 20;
+/** What engine and program may have together, in pages of 64 KiB. */
+const mostPages = (1 << 30) >> 16;
+/** How often a program may yield to other threads, of which a page has none. */
+const mostYields = 1_000_000;
+
+export interface Execution {
+  readonly module: WebAssembly.Module;
+  readonly args: readonly string[];
+  readonly env: Readonly<Record<string, string>>;
+  readonly files: Files;
+  readonly write: (stream: Stream, bytes: Uint8Array) => void;
+  readonly loaded: (model: LoadedModel) => void;
+}
+
+export async function execute(binary: EngineBinary, execution: Execution): Promise<End> {
+  const run = new RunningProgram(execution);
+  const engine = await startEngine(binary, {
+    args: execution.args,
+    env: execution.env,
+    files: execution.files,
+    write: (stream, bytes) => run.write(stream, bytes),
+    exit: (code) => run.stop({ how: "exit", code }),
+  });
+  return run.on(engine);
+}
+
+class RunningProgram {
+  /** What a function said that ends the program, before it trapped. */
+  #end: End | undefined;
+  #hasNoMemory = false;
+  #yields = 0;
+  readonly #written = { out: 0, err: 0 };
+  #lastError = "";
+
+  constructor(private readonly execution: Execution) {}
+
+  on(engine: Engine): End {
+    capMemory(engine.memory, () => (this.#hasNoMemory = true));
+    let program: WebAssembly.Instance;
+    try {
+      engine.table.grow(tableRoom);
+      program = new WebAssembly.Instance(this.execution.module, this.#imports(engine));
+    } catch (error) {
+      return { how: "memory", message: messageOf(error) };
+    }
+    const { value: dataEnd } = program.exports["__data_end"] as WebAssembly.Global<"i32">;
+    if (dataEnd > engine.room) {
+      return { how: "memory", message: "its global variables take more than 4 MiB" };
+    }
+    try {
+      (program.exports["_start"] as () => void)();
+      return { how: "exit", code: 0 };
+    } catch (error) {
+      return this.#classify(this.#end ?? endOf(error, program, engine));
+    }
+  }
+
+  stop(end: End): never {
+    this.#end ??= end;
+    return trap();
+  }
+
+  write(stream: Stream, bytes: Uint8Array): void {
+    const room = mostOutput - this.#written[stream];
+    this.#written[stream] += bytes.length;
+    this.execution.write(stream, bytes.subarray(0, room));
+    if (stream === "err") this.#lastError = (this.#lastError + decode(bytes)).slice(-4096);
+    if (bytes.length > room) this.stop({ how: "output", message: "It printed more than 1 MiB." });
+  }
+
+  #imports(engine: Engine): WebAssembly.Imports {
+    const end = (how: "trap", message: string) => () => this.stop({ how, message });
+    return {
+      env: {
+        memory: engine.memory,
+        __indirect_function_table: engine.table,
+        ...Object.fromEntries(engine.functions),
+        mj_loadXML: this.#loadXml(engine),
+        mjc_no_memory: () => (this.#hasNoMemory = true),
+        mjc_abort: () => this.#abort(),
+        mjc_thread_waits: end("trap", threadWaits),
+      },
+      wasi_snapshot_preview1: {
+        ...(engine.system as WebAssembly.ModuleImports),
+        sched_yield: () =>
+          ++this.#yields < mostYields ? 0 : this.stop({ how: "trap", message: threadWaits }),
+      },
+    };
+  }
+
+  /** As the engine's, and tells of it. */
+  #loadXml({ functions, memory }: Engine) {
+    const load = functions.get("mj_loadXML") as (...args: number[]) => number;
+    const { files, loaded } = this.execution;
+    return (file: number, vfs: number, ...rest: number[]): number => {
+      const model = load(file, vfs, ...rest);
+      if (model !== 0) loaded(loadedModel(memory, file, vfs, files));
+      return model;
+    };
+  }
+
+  /** What is at fault says so before, as assert() does. */
+  #abort(): never {
+    const said = lastLine(this.#lastError);
+    return this.stop({ how: "trap", message: said || "it called abort()" });
+  }
+
+  /** The end of a program that could have no more memory is told by that, whatever came of it. */
+  #classify(end: End): End {
+    if (end.how === "exit") {
+      const [, message] = /^MuJoCo error: (.*)$/m.exec(lastLine(this.#lastError)) ?? [];
+      if (end.code !== mujocoErrorCode || message === undefined) return end;
+      return this.#hasNoMemory ? { how: "memory", message } : { how: "error", message };
+    }
+    if (end.how === "output" || !this.#hasNoMemory) return end;
+    return { how: "memory", message: end.message };
+  }
+}
+
+/** With which mjcourse/handlers.cpp ends a program, after a line that says why. */
+const mujocoErrorCode = 70;
+
+const threadWaits = "a thread waits for another, and a page runs one after the other";
+
+/** Of what came out of the program. */
+function endOf(error: unknown, program: WebAssembly.Instance, engine: Engine): End {
+  const { exports } = program;
+  const tag = exports["__cpp_exception"] as unknown as WebAssembly.Tag;
+  if (error instanceof WebAssembly.Exception && error.is(tag)) {
+    const describe = exports["mjc_uncaught"] as (thrown: number) => number;
+    return {
+      how: "uncaught",
+      message: textAt(engine.memory, describe(error.getArg(tag, 0) as number)),
+    };
+  }
+  // emscripten throws C++'s exceptions as numbers
+  if (typeof error === "number") return { how: "uncaught", message: engine.exceptionText(error) };
+  if (error instanceof RangeError || hasOverflown(program)) {
+    return { how: "stack-overflow", message: "the stack is full" };
+  }
+  if (error instanceof WebAssembly.RuntimeError) return { how: "trap", message: error.message };
+  const { status } = error as { readonly status?: number }; // emscripten's ExitStatus
+  if (typeof status === "number") return { how: "exit", code: status };
+  throw error;
+}
+
+/** The stack grows down to address 0 and, as numbers of 32 bits do, on from the last one. */
+function hasOverflown({ exports }: WebAssembly.Instance): boolean {
+  const pointer = exports["__stack_pointer"] as WebAssembly.Global<"i32">;
+  return pointer.value >>> 0 > stackSize;
+}
+
+function capMemory(memory: WebAssembly.Memory, refused: () => void): void {
+  memory.grow = (pages) => {
+    if (memory.buffer.byteLength / 65536 + pages > mostPages) {
+      refused();
+      throw new RangeError("a program may have 1 GiB");
+    }
+    return WebAssembly.Memory.prototype.grow.call(memory, pages);
+  };
+}
+
+const decode = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
+const lastLine = (text: string) => text.trimEnd().split("\n").at(-1) ?? "";
+const messageOf = (error: unknown) => (error instanceof Error ? error.message : String(error));

@@ -1,0 +1,74 @@
+/**
+ * The worker that compiles and runs its reader's C++, one program after the other; messages.ts has what
+ * it is told and tells. It holds some hundred megabytes, so a page has one.
+ */
+import { Compiler } from "./compiler.js";
+import { Downloads, NoNetwork } from "./download.js";
+import type { EngineFactory } from "./engine.js";
+import { makeHeader } from "./header.js";
+import { keepHeader, keptHeader } from "./kept-header.js";
+import type { FromWorker, Program, Stage, ToWorker } from "./messages.js";
+import { OutputText } from "./output-text.js";
+import { unpack } from "./pack.js";
+
+type Addresses = Extract<ToWorker, { readonly kind: "open" }>;
+
+let compiler: Compiler | undefined;
+
+onmessage = ({ data }: MessageEvent<ToWorker>) => {
+  void (data.kind === "open" ? open(data) : run(data.id, data.program)).catch(fail);
+};
+
+async function open(addresses: Addresses): Promise<void> {
+  const parts = await load(addresses);
+  compiler = await Compiler.of(parts);
+
+  tell("header", 0);
+  const version = `${addresses.pack}?${new URLSearchParams({ llvm: addresses.llvm }).toString()}`;
+  const kept = await keptHeader(version);
+  const header = kept ?? makeHeader(parts.llvm, parts.pack);
+  if (!kept) await keepHeader(version, header);
+  compiler.useHeader(header);
+  tell("header", 1);
+  say({ kind: "ready" });
+}
+
+async function load({ llvm, pack, engineGlue, engineWasm }: Addresses) {
+  const downloads = new Downloads((done, total) => tell("download", done, total));
+  const [packStream, llvmStream] = await downloads.start([pack, llvm]);
+  const packed = unpack(new Uint8Array(await new Response(packStream).arrayBuffer()));
+  tell("compile-tools", 0);
+  const wasm = { headers: { "Content-Type": "application/wasm" } };
+  const [llvmModule, engineModule, glue] = await Promise.all([
+    WebAssembly.compileStreaming(new Response(llvmStream, wasm)),
+    WebAssembly.compileStreaming(fetch(engineWasm)),
+    import(engineGlue) as Promise<{ readonly default: EngineFactory }>,
+  ]);
+  tell("compile-tools", 1);
+  const engine = { factory: glue.default, module: engineModule };
+  return { llvm: llvmModule, pack: packed, engine };
+}
+
+async function run(id: number, program: Program): Promise<void> {
+  const output = new OutputText((stream, text) => say({ kind: "output", id, stream, text }));
+  const finished = await compiler!.run(program, {
+    compiled: (ok, diagnostics) => say({ kind: "compiled", id, diagnostics, ok }),
+    output: (stream, bytes) => output.add(stream, bytes),
+  });
+  output.end();
+  if (finished) say({ kind: "ended", id, ...finished });
+}
+
+function fail(error: unknown): void {
+  const isOutOfMemory = error instanceof RangeError || /memory/i.test(String(error));
+  const why = error instanceof NoNetwork ? "network" : isOutOfMemory ? "memory" : "unknown";
+  say({ kind: "failed", why, message: String(error) });
+}
+
+function tell(stage: Stage, done: number, total = 1): void {
+  say({ kind: "progress", stage, done, total });
+}
+
+function say(message: FromWorker): void {
+  postMessage(message);
+}

@@ -1,0 +1,72 @@
+/** What the reader's run prints, as it comes, beside what the lesson's printed. */
+import { make } from "../client/element.js";
+import { newLines } from "./line-diff.js";
+
+export class Output {
+  readonly element: HTMLElement;
+  readonly #printed = make("samp");
+  readonly #complaints = make("samp");
+  readonly #scrolled: HTMLElement;
+  readonly #complained: HTMLElement;
+  #waiting = "";
+  #text = "";
+
+  constructor() {
+    // What scrolls is in the keyboard's way.
+    const attributes = { tabindex: "0", role: "group", "aria-label": "What your run printed" };
+    this.#scrolled = make("pre", attributes, this.#printed);
+    this.#complained = make("pre", { class: "complaints" }, this.#complaints);
+    const label = make("p", { class: "output-label" }, make("span", {}, "Printed by your run"));
+    this.element = make(
+      "div",
+      { class: "output yours", hidden: "" },
+      label,
+      this.#scrolled,
+      this.#complained,
+    );
+    this.clear();
+  }
+
+  clear(): void {
+    this.#waiting = this.#text = "";
+    this.#printed.textContent = this.#complaints.textContent = "";
+    this.#scrolled.hidden = this.#complained.hidden = true;
+    this.element.hidden = true;
+  }
+
+  /** A program may print a million pieces: the page has them once a frame. */
+  print(text: string): void {
+    if (this.#waiting === "") requestAnimationFrame(() => this.#flush());
+    this.#waiting += text;
+    this.#text += text;
+  }
+
+  /** What goes to stderr, and what the compiler says. */
+  complain(text: string): void {
+    this.#complaints.append(text);
+    this.#complained.hidden = this.element.hidden = false;
+  }
+
+  /** Marks the lines that the lesson's run did not print, and gives their number. */
+  compare(lesson: string): number {
+    this.#flush();
+    if (this.#text === lesson) return 0;
+    const mine = linesOf(this.#text);
+    const isNew = newLines(mine, linesOf(lesson));
+    const shown = mine.map((line, i) => (isNew[i] ? make("mark", {}, line) : line));
+    this.#printed.replaceChildren(...shown);
+    return isNew.filter(Boolean).length;
+  }
+
+  #flush(): void {
+    if (this.#waiting === "") return;
+    this.#printed.append(this.#waiting);
+    this.#waiting = "";
+    this.#scrolled.hidden = this.element.hidden = false;
+  }
+}
+
+/** Each with its end. */
+function linesOf(text: string): string[] {
+  return text.match(/[^\n]*\n|[^\n]+$/g) ?? [];
+}

@@ -1,0 +1,314 @@
+/**
+ * A listing that is edited: the editor in the place of the code, what can be done with it, and what the
+ * reader's run printed above what the lesson's printed.
+ */
+import { make } from "../client/element.js";
+import { forgetText, keepText, keptText } from "../client/program-text.js";
+import type { Diagnostic } from "../cpp/messages.js";
+import { type CodeEditor, openCodeEditor } from "./code-editor.js";
+import { type ApiName, completionOf } from "./completion.js";
+import { type Compiler, type Ended, type Listener, NoCompiler } from "./compiler.js";
+import { lineOf } from "./diagnostics.js";
+import { sentenceOf } from "./end.js";
+import { EndedLab } from "./ended-lab.js";
+import type { Folder } from "./folder.js";
+import { keepFiles } from "./offline.js";
+import { Output } from "./output.js";
+import { encodeText } from "./program-link.js";
+import { ProgressBar } from "./progress.js";
+import { quoteLesson, quoteRun } from "./quotations.js";
+import { readSnapshots } from "./records.js";
+import { save } from "./save.js";
+
+const refusals: Readonly<Record<NoCompiler["why"], string>> = {
+  network: "The compiler could not be loaded. Check the connection, then press Run.",
+  memory:
+    "There is no memory for the compiler: close other pages and press Run, or open this page on a " +
+    "larger device.",
+  unknown: "The compiler could not be started, and the browser’s console tells why.",
+  stopped: "Stopped.",
+};
+
+export class Panel {
+  readonly #figure: HTMLElement;
+  readonly #file: string;
+  readonly #folder: Folder;
+  readonly #compiler: Compiler;
+  readonly #element = make("div", { class: "program" });
+  readonly #host = make("div", { class: "program-editor" });
+  readonly #status = make("p", { class: "program-status", role: "status" });
+  readonly #progress = new ProgressBar((text) => this.#say(text));
+  readonly #output = new Output();
+  readonly #ended: EndedLab;
+  readonly #run = button("Run", "primary", () => void this.run());
+  readonly #stop = button("Stop", "", () => this.#compiler.stop());
+  readonly #reset: HTMLButtonElement;
+  readonly #leaving = new AbortController();
+  #editor!: CodeEditor;
+  /** What is kept, or need not be: a link's text is not the reader's own before it is changed. */
+  #known = "";
+  #isBusy = false;
+
+  constructor(figure: HTMLElement, file: string, folder: Folder, compiler: Compiler) {
+    this.#figure = figure;
+    this.#file = file;
+    this.#folder = folder;
+    this.#compiler = compiler;
+    this.#reset = button(`Reset to the ${this.#source}’s`, "", () => this.reset());
+    this.#ended = new EndedLab(figure, this.#name, (text) => this.#say(text));
+  }
+
+  /** With `linked`, a text that is not the reader's own, and that is not kept before it is changed. */
+  open(linked?: string): void {
+    const close = button("Close", "", () => this.close(true));
+    const bar = make("div", { class: "program-bar" });
+    this.#run.setAttribute("aria-keyshortcuts", "Control+Enter");
+    this.#run.title = "Ctrl-Enter in the editor";
+    bar.append(this.#run, this.#stop, this.#reset);
+    if (this.#folder.isOfLesson) {
+      bar.append(button("Copy link", "", () => void this.#copyLink()));
+    }
+    bar.append(close, this.#progress.element);
+    this.#element.append(this.#host, bar, this.#status);
+    this.#code.before(this.#element);
+    this.#code.hidden = true;
+    this.#element.after(this.#output.element, this.#ended.element);
+    this.#figure.classList.add("edited");
+    const lesson = this.#folder.text;
+    this.#known = linked ?? keptText(this.#file) ?? lesson;
+    this.#editor = openCodeEditor(this.#host, {
+      text: this.#known,
+      file: this.#main,
+      onChange: (text) => this.#changed(text),
+      run: () => void this.run(),
+      completion: completionOf(() => this.#apiNames(), this.#folder.helper),
+    });
+    this.#editor.scrollTo(lineOfRegion(lesson, this.#code.textContent));
+    this.#zip?.addEventListener("click", (event) => this.#takeAlong(event), {
+      signal: this.#leaving.signal,
+    });
+    this.#show();
+    this.#editor.focus();
+    void this.#prepare();
+  }
+
+  /** The listing is as it was; the reader's text stays kept. */
+  close(focuses = false): void {
+    if (this.#isBusy) this.#compiler.stop();
+    this.#changed(this.#editor.text);
+    this.#leaving.abort();
+    this.#editor.destroy();
+    this.#element.remove();
+    this.#output.element.remove();
+    this.#ended.close();
+    this.#ended.element.remove();
+    this.#code.hidden = false;
+    this.#figure.classList.remove("edited");
+    quoteLesson(this.#name);
+    this.#figure.dispatchEvent(new CustomEvent("program-closed", { detail: focuses }));
+  }
+
+  async run(): Promise<void> {
+    if (this.#compiler.isRunning) {
+      this.#say("A program of this page runs already. Stop it first.");
+      return;
+    }
+    if (this.#isBusy) return;
+    const { text } = this.#editor;
+    this.#changed(text);
+    this.#forgetRun();
+    this.#editor.showDiagnostics([]);
+    await this.#whileBusy(async () => {
+      this.#say("Compiling…");
+      await this.#compiler.open(this.#progress.show);
+      this.#progress.hide();
+      this.#say("Compiling…"); // opening may have said what it did
+      const program = this.#folder.program(text, this.#arguments);
+      const ended = await this.#compiler.run(program, this.#listener());
+      if (ended) this.#tell(ended);
+    });
+  }
+
+  reset(): void {
+    if (this.#isBusy) this.#compiler.stop();
+    this.#known = this.#folder.text;
+    this.#editor.replace(this.#known);
+    this.#editor.showDiagnostics([]);
+    forgetText(this.#file);
+    this.#forgetRun();
+    quoteLesson(this.#name);
+    this.#show();
+    this.#say(`This is the ${this.#source}’s program again.`);
+  }
+
+  #forgetRun(): void {
+    this.#output.clear();
+    this.#ended.close();
+  }
+
+  /** While the reader reads and edits. */
+  #prepare(): Promise<void> {
+    return this.#whileBusy(async () => {
+      await this.#compiler.open(this.#progress.show);
+      this.#say("Ready to run.");
+      const { worker, llvm, pack, engine, wasm } = this.#figure.dataset;
+      void keepFiles([worker!, llvm!, pack!, engine!, wasm!]);
+    });
+  }
+
+  async #whileBusy(work: () => Promise<void>): Promise<void> {
+    this.#isBusy = true;
+    this.#show();
+    try {
+      await work();
+    } catch (error) {
+      this.#refuse(error);
+    } finally {
+      this.#isBusy = false;
+      this.#progress.hide();
+      this.#show();
+    }
+  }
+
+  #refuse(error: unknown): void {
+    const why = error instanceof NoCompiler ? error.why : "unknown";
+    if (why === "unknown") reportError(error);
+    this.#say(refusals[why]);
+  }
+
+  #listener(): Listener {
+    return {
+      compiled: ({ diagnostics, ok }) => {
+        this.#showDiagnostics(diagnostics);
+        this.#say(ok ? "Running…" : `It does not compile: ${countOf(diagnostics)}.`);
+      },
+      output: (stream, text) =>
+        stream === "out" ? this.#output.print(text) : this.#output.complain(text),
+    };
+  }
+
+  #showDiagnostics(diagnostics: readonly Diagnostic[]): void {
+    this.#editor.showDiagnostics(diagnostics);
+    for (const one of diagnostics) this.#output.complain(`${lineOf(one)}\n`);
+  }
+
+  #tell({ end, records, model, seconds }: Ended): void {
+    const told = [sentenceOf(end, Number(this.#figure.dataset["exit"] ?? 0))];
+    if (this.#folder.isOfLesson) told.push(...this.#compareWithLesson(records));
+    const snapshots = readSnapshots(records);
+    if (model && snapshots.size > 0) {
+      this.#ended.offer({ snapshots, model, files: this.#folder.models });
+    }
+    if (seconds >= 1) told.push(`It ran for ${seconds.toFixed(1)} s.`);
+    this.#say(told.join(" "));
+  }
+
+  #compareWithLesson(records: string): string[] {
+    const differing = this.#output.compare(this.#folder.output);
+    const values = quoteRun(this.#name, records);
+    const [is, are] = [differing, values].map((count) => (count === 1 ? "is" : "are"));
+    return [
+      differing === 0
+        ? "It printed what the lesson’s printed."
+        : `${counted(differing, "line")} of its output ${is} not the lesson’s.`,
+      ...(values > 0 ? [`${counted(values, "value")} in the text ${are} of your run.`] : []),
+    ];
+  }
+
+  #changed(text: string): void {
+    if (text === this.#known) return;
+    this.#known = text;
+    if (text === this.#folder.text) forgetText(this.#file);
+    else keepText(this.#file, text);
+    this.#show();
+  }
+
+  /** What can be pressed now. */
+  #show(): void {
+    this.#run.disabled = this.#isBusy;
+    this.#stop.disabled = !this.#isBusy;
+    this.#reset.disabled = this.#editor.text === this.#folder.text;
+  }
+
+  async #copyLink(): Promise<void> {
+    const value = await encodeText(this.#editor.text);
+    if (value === undefined) {
+      this.#say("The program is too long for a link. “Zip to build” takes it along.");
+      return;
+    }
+    const link = new URL(location.href);
+    link.hash = `run:${this.#file}:${value}`;
+    try {
+      await navigator.clipboard.writeText(link.href);
+      this.#say("The link is copied. Who opens it has this text, and runs it if they like.");
+    } catch {
+      location.hash = link.hash;
+      this.#say("The link is this page’s address now: copy it from there.");
+    }
+  }
+
+  #takeAlong(event: Event): void {
+    const { text } = this.#editor;
+    if (text === this.#folder.text) return;
+    event.preventDefault();
+    void this.#folder.zip(text).then((archive) => save(archive, `${this.#name}.zip`));
+  }
+
+  #say(text: string): void {
+    this.#status.textContent = text;
+  }
+
+  get #code(): HTMLElement {
+    return this.#figure.querySelector<HTMLElement>(":scope > .code")!;
+  }
+
+  /** A program that the page has made has none. */
+  get #zip(): HTMLAnchorElement | null {
+    return this.#figure.querySelector<HTMLAnchorElement>("a.zip");
+  }
+
+  /** Whose program it was at first. */
+  get #source(): string {
+    return this.#folder.isOfLesson ? "lesson" : "lab";
+  }
+
+  /** As lessons quote it: "l0_1_parabola". */
+  get #name(): string {
+    return this.#main.replace(/\.cpp$/, "");
+  }
+
+  get #main(): string {
+    return this.#file.slice(this.#file.lastIndexOf("/") + 1);
+  }
+
+  /** The site's index of MuJoCo's names. */
+  async #apiNames(): Promise<readonly ApiName[]> {
+    const code = new URL(this.#figure.dataset["code"]!, document.baseURI);
+    const response = await fetch(new URL("../api-names.json", code));
+    return (await response.json()) as readonly ApiName[];
+  }
+
+  get #arguments(): readonly string[] {
+    return JSON.parse(this.#figure.dataset["arguments"] ?? "[]") as string[];
+  }
+}
+
+function button(name: string, kind: string, act: () => void): HTMLButtonElement {
+  const made = make("button", { type: "button", class: `plain-button ${kind}`.trim() }, name);
+  made.addEventListener("click", act);
+  return made;
+}
+
+function counted(count: number, noun: string): string {
+  return `${count} ${noun}${count === 1 ? "" : "s"}`;
+}
+
+function countOf(diagnostics: readonly Diagnostic[]): string {
+  return counted(diagnostics.filter(({ severity }) => severity === "error").length, "error");
+}
+
+/** A listing may show a part of the program: where that begins. */
+function lineOfRegion(program: string, shown: string): number {
+  const first = shown.split("\n").find((line) => line.trim() !== "") ?? "";
+  return program.split("\n").findIndex((line) => line.endsWith(first)) + 1;
+}

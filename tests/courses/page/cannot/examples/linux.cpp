@@ -1,0 +1,5 @@
+#include <sys/epoll.h>
+
+int main() {
+  return EPOLLIN - 1;
+}

@@ -1,0 +1,3 @@
+int main() {
+  return sizeof(long) == 8 ? 0 : 3;
+}

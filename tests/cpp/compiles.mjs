@@ -1,0 +1,77 @@
+// What the page's compiler says of programs, and which headers it takes:
+// node --test tests/cpp/compiles.mjs
+
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+
+import { helpers, Runner } from "./runner.mjs";
+
+const runner = new Runner();
+after(() => runner.close());
+
+async function diagnosticsOf(program, files = helpers) {
+  const { ok, end, diagnostics } = await runner.ask("a/p.cpp", { ...files, "a/p.cpp": program });
+  return { ok, end, diagnostics };
+}
+
+test("an error has its place", async () => {
+  const { ok, end, diagnostics } = await diagnosticsOf("int main() {\n  return añil + none;\n}\n");
+  assert.equal(ok, false);
+  assert.equal(end, null);
+  assert.deepEqual(diagnostics, [
+    {
+      file: "a/p.cpp",
+      ...{ line: 2, column: 10, endLine: 2, endColumn: 15 },
+      severity: "error",
+      message: "use of undeclared identifier 'añil'",
+    },
+    {
+      file: "a/p.cpp",
+      ...{ line: 2, column: 18, endLine: 2, endColumn: 22 },
+      severity: "error",
+      message: "use of undeclared identifier 'none'",
+    },
+  ]);
+});
+
+test("a warning keeps nobody from running", async () => {
+  const { ok, end, diagnostics } = await diagnosticsOf("int main() { int unused; }\n");
+  assert.equal(ok, true);
+  assert.deepEqual(end, { how: "exit", code: 0 });
+  assert.deepEqual(
+    diagnostics.map(({ severity, message }) => `${severity}: ${message}`),
+    ["warning: unused variable 'unused' [-Wunused-variable]"],
+  );
+});
+
+test("what is defined nowhere is named, and what draws says why", async () => {
+  const { ok, diagnostics } = await diagnosticsOf(
+    "#include <mujoco/mujoco.h>\nvoid f(int);\n" +
+      "int main() { f(1); mjrContext c; mjr_defaultContext(&c); }\n",
+  );
+  assert.equal(ok, false);
+  assert.deepEqual(
+    diagnostics.map(({ line, message }) => `${line}: ${message}`),
+    [
+      "0: f(int) is declared and used, but defined nowhere",
+      "0: mjr_defaultContext: a page has no OpenGL to draw with",
+    ],
+  );
+});
+
+test("a program's own header comes before the pack's, with the sources beside it", async () => {
+  const files = {
+    "a/include/mjcourse/mjcourse.hpp": "#pragma once\n#define OWN 5\nint other();\n",
+    "a/include/mjcourse/handlers.cpp": "int handled = 1;\n",
+    "a/other.cpp": "int other() { return 2; }\n",
+  };
+  const program = "#include <mjcourse/mjcourse.hpp>\nint main() { return OWN + other(); }\n";
+  assert.deepEqual((await diagnosticsOf(program, files)).end, { how: "exit", code: 7 });
+});
+
+test("a macro before an include is heeded", async () => {
+  const program =
+    "#define EIGEN_STACK_ALLOCATION_LIMIT 7\n#include <Eigen/Core>\n" +
+    "int main() { return EIGEN_STACK_ALLOCATION_LIMIT; }\n";
+  assert.deepEqual((await diagnosticsOf(program)).end, { how: "exit", code: 7 });
+});

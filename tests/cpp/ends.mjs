@@ -1,0 +1,154 @@
+// How a reader's program ends in the page, and what it leaves: node --test tests/cpp/ends.mjs
+
+import assert from "node:assert/strict";
+import { after, test } from "node:test";
+
+import { helpers, Runner } from "./runner.mjs";
+
+const runner = new Runner();
+after(() => runner.close());
+
+const head = `
+#include <mjcourse/mjcourse.hpp>
+#include <atomic>
+#include <cassert>
+#include <chrono>
+#include <condition_variable>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <mutex>
+#include <thread>
+using namespace mjcourse;
+`;
+
+// Runs a program with this main.
+async function run(body, files = {}, more = {}) {
+  const program = `${head}int main(int argc, char** argv) {\n(void)argc; (void)argv;\n${body}\n}\n`;
+  const answer = await runner.ask("p.cpp", { ...helpers, ...files, "p.cpp": program }, more);
+  assert.deepEqual(
+    answer.diagnostics.filter(({ severity }) => severity === "error"),
+    [],
+  );
+  return answer;
+}
+
+async function endOf(body) {
+  return (await run(body)).end;
+}
+
+test("it says what it prints, and with which code it ends", async () => {
+  const { out, err, end } = await run(
+    `std::puts(argv[1]); std::fputs("é\\n", stderr); return 3;`,
+    {},
+    { arguments: ["two words"] },
+  );
+  assert.deepEqual(
+    { out, err, end },
+    { out: "two words\n", err: "é\n", end: { how: "exit", code: 3 } },
+  );
+});
+
+test("it loads a model, and records what it found", async () => {
+  const model = `<mujoco><worldbody><body><joint/><geom size="1"/></body></worldbody></mujoco>`;
+  const { out, records } = await run(
+    `const Model m = load_model("top"); const Data d = make_data(m);
+     mj_step(m, d); std::printf("%d %g\\n", m->nv, d->time); result("time", d->time);`,
+    { "models/top.xml": model },
+  );
+  assert.equal(out, "1 0.002\n");
+  assert.equal(records, '{"result": "time", "value": 0.002}\n');
+});
+
+test("MuJoCo's callbacks, variables and files are the program's", async () => {
+  const { out } = await run(`
+    mjcb_control = [](const mjModel*, mjData* data) { data->ctrl[0] = 2; };
+    const Model m = load_model_xml("<mujoco><worldbody><body><joint name='j'/><geom size='1'/></body>"
+        "</worldbody><actuator><motor joint='j'/></actuator></mujoco>");
+    const Data d = make_data(m);
+    mj_step(m, d);
+    std::printf("%g %s\\n", d->ctrl[0], mjDISABLESTRING[0]);
+    mj_saveModel(m, "top.mjb", nullptr, 0);
+    mjModel* again = mj_loadModel("top.mjb", nullptr);
+    std::printf("%d\\n", again->nu);`);
+  assert.equal(out, "2 Constraint\n1\n");
+});
+
+test("an exception is caught, and one that is not says what it was", async () => {
+  const { out } = await run(`
+    try { load_model("none"); } catch (const std::exception& error) { std::puts(error.what()); }
+    try { (void)new char[2000000000]; } catch (const std::bad_alloc&) { std::puts("no room"); }`);
+  assert.equal(out, "no model 'none': /models/none.xml is not there\nno room\n");
+  assert.deepEqual(await endOf(`throw std::runtime_error("so it is");`), {
+    how: "uncaught",
+    message: "std::runtime_error: so it is",
+  });
+});
+
+test("MuJoCo's error ends it with what MuJoCo said", async () => {
+  assert.deepEqual(await endOf(`mju_error_s("no %s", "air");`), {
+    how: "error",
+    message: "no air",
+  });
+});
+
+test("a trap says which", async () => {
+  const endings = {
+    [`volatile int none = 0; std::printf("%d", 1 / none);`]: "divide by zero",
+    [`*(volatile int*)0xfffffff0 = 1;`]: "memory access out of bounds",
+    [`std::abort();`]: "it called abort()",
+    [`assert(argc == 5);`]: "Assertion failed: argc == 5 (p.cpp: main: 15)",
+  };
+  for (const [body, message] of Object.entries(endings)) {
+    assert.deepEqual(await endOf(body), { how: "trap", message });
+  }
+});
+
+test("it may fill neither stack, memory nor page", async () => {
+  const endings = {
+    [`std::function<int(int)> f = [&](int n) { return n + f(n + 1); }; return f(0);`]:
+      "stack-overflow",
+    [`std::vector<double> all; for (;;) all.resize(all.size() + 100000000);`]: "memory",
+    [`static double large[3000000]; large[argc] = 1; return large[0] > 1;`]: "memory",
+    [`for (;;) std::puts("again and again");`]: "output",
+  };
+  for (const [body, how] of Object.entries(endings))
+    assert.equal((await endOf(body)).how, how, body);
+});
+
+test("threads run one after the other, and none may wait", async () => {
+  const { out } = await run(`
+    int sum = 0;
+    std::vector<std::thread> all;
+    for (int i = 1; i < 4; ++i) all.emplace_back([i, &sum] { sum += i; });
+    for (std::thread& one : all) one.join();
+    std::printf("%d\\n", sum);`);
+  assert.equal(out, "6\n");
+
+  const message = "a thread waits for another, and a page runs one after the other";
+  const waits = `std::mutex m; std::condition_variable told; bool go = false;
+    std::thread([&] { std::unique_lock lock(m); told.wait(lock, [&] { return go; }); }).join();`;
+  const spins = `std::atomic<bool> go = false;
+    std::thread([&] { while (!go) std::this_thread::yield(); }).join();`;
+  for (const body of [waits, spins]) assert.deepEqual(await endOf(body), { how: "trap", message });
+});
+
+test("sleeping takes no time, but moves the clock", async () => {
+  const began = performance.now();
+  const { out } = await run(`
+    const auto before = std::chrono::steady_clock::now();
+    std::this_thread::sleep_for(std::chrono::hours(1));
+    std::printf("%d\\n", std::chrono::steady_clock::now() - before >= std::chrono::hours(1));`);
+  assert.equal(out, "1\n");
+  assert.ok(performance.now() - began < 600_000);
+});
+
+test("what one program leaves, no other finds", async () => {
+  const body = `
+    static int runs = 0;
+    std::ifstream before("left");
+    std::printf("%d %d\\n", ++runs, before.good());
+    std::ofstream("left") << 1;`;
+  assert.equal((await run(body)).out, "1 0\n");
+  assert.equal((await run(body)).out, "1 0\n");
+});
