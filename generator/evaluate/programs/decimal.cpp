@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <iterator>
 #include <utility>
 
@@ -12,16 +15,18 @@ namespace mjcourse {
 Decimal::Decimal(bool negative, std::string digits, int whole, int exponent)
     : negative_(negative), digits_(std::move(digits)), first_(whole - 1 + exponent) {}
 
+// Not by to_chars, which the standard library of the page's engine does not have for a double.
 Decimal::Decimal(double value) : negative_(value < 0) {
-  char buffer[32];
-  const auto written =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific);
-  const std::string_view text(buffer, static_cast<std::size_t>(written.ptr - buffer));
-  const std::size_t e = text.find('e');  // d.ddde±XX, or de±XX
-  std::copy_if(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(e),
-               std::back_inserter(digits_), is_digit);
-  const std::string_view exponent = text.substr(e + (text[e + 1] == '+' ? 2 : 1));
-  std::from_chars(exponent.data(), exponent.data() + exponent.size(), first_);
+  char text[32];  // d.ddde±XX
+  for (int digits = 0; digits < 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*e", digits, std::abs(value));
+    if (std::strtod(text, nullptr) == std::abs(value)) break;
+  }
+  const std::string_view written(text), significand = written.substr(0, written.find('e'));
+  std::copy_if(significand.begin(), significand.end(), std::back_inserter(digits_), is_digit);
+  const std::string_view exponent = written.substr(significand.size() + 1);
+  const std::size_t sign = exponent.starts_with('+') ? 1 : 0;
+  std::from_chars(exponent.data() + sign, exponent.data() + exponent.size(), first_);
 }
 
 Decimal Decimal::unit_of(const Decimal& other) {

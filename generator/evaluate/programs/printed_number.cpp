@@ -62,7 +62,8 @@ bool is_version(std::string_view line, std::size_t begin) {
   const std::string_view before = line.substr(0, last + 1 - word.size());
   const std::string_view written = line.substr(before.size(), word.size());
   return (before.empty() || !is_word_character(before.back())) &&
-         std::ranges::equal(written, word, [](char a, char b) { return (a | 0x20) == b; });
+         std::equal(written.begin(), written.end(), word.begin(), word.end(),
+                    [](char a, char b) { return (a | 0x20) == b; });
 }
 
 // Is what begins at `begin` a part of what stands before it? x1, 2.2.2, l-1.5, lib/1.5, 12:30.5.
@@ -160,7 +161,7 @@ bool PrintedNumber::agrees_with(const PrintedNumber& real,
                                 const std::optional<Decimal>& tolerance) const {
   if (tolerance || shows_place() || real.shows_place()) {
     const Decimal stated = value();
-    const Decimal unit = shows_place() ? Decimal::unit_of(stated) : Decimal(0.0);
+    const Decimal unit = shows_place() ? Decimal::unit_of(stated) : Decimal(false, "0", 1, 0);
     return Decimal::within(stated, real.value(), tolerance.value_or(unit));
   }
   // 007 is not 7, and 0e1 not 0e2: what leaves no room is the same text, but for the sign of 0.

@@ -47,6 +47,20 @@ json addresses(const LessonContext& context) {
   return data;
 }
 
+// What its outputs say besides the letters that it printed, as JSON; "" where they do not. The page
+// compares with them.
+std::string stated_outputs(const Example& example, const std::string& printed,
+                           const Lesson& lesson) {
+  json stated;
+  for (const std::size_t index : example.outputs) {
+    const auto& output = std::get<Output>(lesson.blocks[index]);
+    if (!output.tolerance && output.text.text == printed) continue;
+    const json tolerance = output.tolerance ? json(*output.tolerance) : json(nullptr);
+    stated.push_back({{"text", output.text.text}, {"tolerance", tolerance}});
+  }
+  return stated.empty() ? "" : stated.dump();
+}
+
 }  // namespace
 
 json run_data(const Example& example, const ExampleResult* result, const LessonContext& context) {
@@ -55,6 +69,7 @@ json run_data(const Example& example, const ExampleResult* result, const LessonC
   if (!runs_in_page(*result)) return nullptr;
   json data{{"bytes", context.page.compiler_bytes},
             {"arguments", example.arguments.empty() ? "" : json(example.arguments).dump()},
+            {"outputs", stated_outputs(example, result->output, context.lesson)},
             {"exit", example.exit_code}};
   data.update(addresses(context));
   return data;

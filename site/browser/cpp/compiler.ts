@@ -20,7 +20,15 @@ import {
   variablesObject,
   variablesPath,
 } from "./link.js";
-import type { Diagnostic, End, LoadedModel, Program } from "./messages.js";
+import type {
+  Diagnostic,
+  End,
+  LoadedModel,
+  OutputChanges,
+  Program,
+  StatedOutput,
+} from "./messages.js";
+import { outputChanges } from "./output-changes.js";
 import { filesToCompile, filesToRun } from "./program-files.js";
 import { runTool } from "./tool.js";
 import type { Stream } from "./wasi.js";
@@ -95,6 +103,11 @@ export class Compiler {
     });
     const records = new TextDecoder().decode(files.bytes(recordsPath));
     return { end, records, model, seconds: { compile, link, run: clock.lap() } };
+  }
+
+  /** What a run has printed with what it is to print. */
+  compare(printed: string, stated: readonly StatedOutput[]): Promise<OutputChanges> {
+    return outputChanges(this.parts.engine, printed, stated);
   }
 
   #compile(program: Program) {

@@ -11,6 +11,8 @@ interface Glue {
   readonly _mjc_variables: () => number;
   readonly _mjc_program_room: () => number;
   readonly _mjc_exception_text: (exception: number) => number;
+  readonly _mjc_output_changes: (...texts: number[]) => number;
+  readonly _malloc: (size: number) => number;
   readonly stackSave: () => number;
 }
 
@@ -34,6 +36,8 @@ export interface Engine {
   readonly system: ReturnType<typeof wasi>;
   /** What a C++ exception of the engine's says. */
   readonly exceptionText: (exception: number) => string;
+  /** What wasm/output_changes.h says of two texts; a tolerance below 0 is none. */
+  readonly outputChanges: (stated: string, real: string, tolerance: number) => string;
 }
 
 /** `System` without the memory, which is the engine's. */
@@ -72,7 +76,25 @@ export async function startEngine(
     room: glue._mjc_program_room(),
     system,
     exceptionText: (exception) => textAt(memory!, glue._mjc_exception_text(exception)),
+    outputChanges: (...texts) => outputChanges(memory!, glue, ...texts),
   };
+}
+
+/** The copies of the texts go with the engine. */
+function outputChanges(
+  memory: WebAssembly.Memory,
+  glue: Glue,
+  stated: string,
+  real: string,
+  tolerance: number,
+): string {
+  const copies = [stated, real].flatMap((text) => {
+    const bytes = new TextEncoder().encode(text);
+    const copy = glue._malloc(bytes.length);
+    new Uint8Array(memory.buffer).set(bytes, copy);
+    return [copy, bytes.length];
+  });
+  return textAt(memory, glue._mjc_output_changes(...copies, tolerance));
 }
 
 /** C's open(), of path_open: gives a descriptor or an error below 0. */

@@ -19,7 +19,27 @@ export type ToWorker =
       readonly engineGlue: string;
       readonly engineWasm: string;
     }
-  | { readonly kind: "run"; readonly id: number; readonly program: Program };
+  | {
+      readonly kind: "run";
+      readonly id: number;
+      readonly program: Program;
+      /** What it is to print; none where nobody knows. */
+      readonly stated: readonly StatedOutput[];
+    };
+
+export interface StatedOutput {
+  readonly text: string;
+  /** Absolute; without one, the unit of the last place that the text has. */
+  readonly tolerance: number | null;
+}
+
+/** Between a text that is stated and what was printed. */
+export interface OutputChanges {
+  /** How many lines are stated and were not printed. */
+  readonly gone: number;
+  /** Which lines were printed that are not stated; they count from 1. */
+  readonly come: readonly number[];
+}
 
 export type Stage = "download" | "unpack" | "compile-tools" | "header";
 
@@ -56,6 +76,8 @@ export type FromWorker =
       readonly records: string;
       /** The last one that the program loaded. */
       readonly model: LoadedModel | undefined;
+      /** Nothing where no output was stated. */
+      readonly changes: OutputChanges | undefined;
       readonly seconds: { readonly compile: number; readonly link: number; readonly run: number };
     };
 

@@ -7,16 +7,17 @@ import { Downloads, NoNetwork } from "./download.js";
 import type { EngineFactory } from "./engine.js";
 import { makeHeader } from "./header.js";
 import { keepHeader, keptHeader } from "./kept-header.js";
-import type { FromWorker, Program, Stage, ToWorker } from "./messages.js";
+import type { FromWorker, Stage, ToWorker } from "./messages.js";
 import { OutputText } from "./output-text.js";
 import { unpack } from "./pack.js";
 
 type Addresses = Extract<ToWorker, { readonly kind: "open" }>;
+type Run = Extract<ToWorker, { readonly kind: "run" }>;
 
 let compiler: Compiler | undefined;
 
 onmessage = ({ data }: MessageEvent<ToWorker>) => {
-  void (data.kind === "open" ? open(data) : run(data.id, data.program)).catch(fail);
+  void (data.kind === "open" ? open(data) : run(data)).catch(fail);
 };
 
 async function open(addresses: Addresses): Promise<void> {
@@ -49,14 +50,20 @@ async function load({ llvm, pack, engineGlue, engineWasm }: Addresses) {
   return { llvm: llvmModule, pack: packed, engine };
 }
 
-async function run(id: number, program: Program): Promise<void> {
-  const output = new OutputText((stream, text) => say({ kind: "output", id, stream, text }));
+async function run({ id, program, stated }: Run): Promise<void> {
+  let printed = "";
+  const output = new OutputText((stream, text) => {
+    if (stream === "out") printed += text;
+    say({ kind: "output", id, stream, text });
+  });
   const finished = await compiler!.run(program, {
     compiled: (ok, diagnostics) => say({ kind: "compiled", id, diagnostics, ok }),
     output: (stream, bytes) => output.add(stream, bytes),
   });
   output.end();
-  if (finished) say({ kind: "ended", id, ...finished });
+  if (!finished) return;
+  const changes = stated.length > 0 ? await compiler!.compare(printed, stated) : undefined;
+  say({ kind: "ended", id, ...finished, changes });
 }
 
 function fail(error: unknown): void {

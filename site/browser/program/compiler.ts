@@ -8,8 +8,10 @@ import type {
   End,
   FromWorker,
   LoadedModel,
+  OutputChanges,
   Program,
   Stage,
+  StatedOutput,
   ToWorker,
 } from "../cpp/messages.js";
 
@@ -36,6 +38,7 @@ export interface Ended {
   readonly end: End;
   readonly records: string;
   readonly model: LoadedModel | undefined;
+  readonly changes: OutputChanges | undefined;
   readonly seconds: number;
 }
 
@@ -93,12 +96,16 @@ export class Compiler {
   }
 
   /** Nothing for a program that does not compile. It must be open, and not running. */
-  run(program: Program, listener: Listener): Promise<Ended | undefined> {
+  run(
+    program: Program,
+    stated: readonly StatedOutput[],
+    listener: Listener,
+  ): Promise<Ended | undefined> {
     const id = ++this.#runs;
     return new Promise((resolve, reject) => {
       this.#run = { id, listener, resolve };
       this.#refuse = reject;
-      this.#send({ kind: "run", id, program });
+      this.#send({ kind: "run", id, program, stated });
     });
   }
 
@@ -156,8 +163,8 @@ export class Compiler {
         run.listener.output(message.stream, message.text);
         return;
       case "ended": {
-        const { end, records, model, seconds } = message;
-        this.#end(run, { end, records, model, seconds: seconds.run });
+        const { end, records, model, changes, seconds } = message;
+        this.#end(run, { end, records, model, changes, seconds: seconds.run });
       }
     }
   }

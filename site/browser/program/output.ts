@@ -1,6 +1,5 @@
 /** What the reader's run prints, as it comes, beside what the lesson's printed. */
 import { make } from "../client/element.js";
-import { newLines } from "./line-diff.js";
 
 export class Output {
   readonly element: HTMLElement;
@@ -47,15 +46,14 @@ export class Output {
     this.#complained.hidden = this.element.hidden = false;
   }
 
-  /** Marks the lines that the lesson's run did not print, and gives their number. */
-  compare(lesson: string): number {
+  /** Marks lines, which count from 1. */
+  mark(numbers: readonly number[]): void {
     this.#flush();
-    if (this.#text === lesson) return 0;
-    const mine = linesOf(this.#text);
-    const isNew = newLines(mine, linesOf(lesson));
-    const shown = mine.map((line, i) => (isNew[i] ? make("mark", {}, line) : line));
+    if (numbers.length === 0) return;
+    const marked = new Set(numbers);
+    const lines = this.#text.match(/[^\n]*\n|[^\n]+$/g) ?? [];
+    const shown = lines.map((line, i) => (marked.has(i + 1) ? make("mark", {}, line) : line));
     this.#printed.replaceChildren(...shown);
-    return isNew.filter(Boolean).length;
   }
 
   #flush(): void {
@@ -64,9 +62,4 @@ export class Output {
     this.#waiting = "";
     this.#scrolled.hidden = this.element.hidden = false;
   }
-}
-
-/** Each with its end. */
-function linesOf(text: string): string[] {
-  return text.match(/[^\n]*\n|[^\n]+$/g) ?? [];
 }

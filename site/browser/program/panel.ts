@@ -4,12 +4,11 @@
  */
 import { make } from "../client/element.js";
 import { forgetText, keepText, keptText } from "../client/program-text.js";
-import type { Diagnostic } from "../cpp/messages.js";
+import type { Diagnostic, OutputChanges, StatedOutput } from "../cpp/messages.js";
 import { type CodeEditor, openCodeEditor } from "./code-editor.js";
 import { type ApiName, completionOf } from "./completion.js";
 import { type Compiler, type Ended, type Listener, NoCompiler } from "./compiler.js";
 import { lineOf } from "./diagnostics.js";
-import { sentenceOf } from "./end.js";
 import { EndedLab } from "./ended-lab.js";
 import type { Folder } from "./folder.js";
 import { keepFiles } from "./offline.js";
@@ -19,6 +18,7 @@ import { ProgressBar } from "./progress.js";
 import { quoteLesson, quoteRun } from "./quotations.js";
 import { readSnapshots } from "./records.js";
 import { save } from "./save.js";
+import { comparisonSentence, counted, sentenceOf } from "./sentences.js";
 
 const refusals: Readonly<Record<NoCompiler["why"], string>> = {
   network: "The compiler could not be loaded. Check the connection, then press Run.",
@@ -124,7 +124,7 @@ export class Panel {
       this.#progress.hide();
       this.#say("Compiling…"); // opening may have said what it did
       const program = this.#folder.program(text, this.#arguments);
-      const ended = await this.#compiler.run(program, this.#listener());
+      const ended = await this.#compiler.run(program, this.#stated, this.#listener());
       if (ended) this.#tell(ended);
     });
   }
@@ -192,9 +192,9 @@ export class Panel {
     for (const one of diagnostics) this.#output.complain(`${lineOf(one)}\n`);
   }
 
-  #tell({ end, records, model, seconds }: Ended): void {
+  #tell({ end, records, model, changes, seconds }: Ended): void {
     const told = [sentenceOf(end, Number(this.#figure.dataset["exit"] ?? 0))];
-    if (this.#folder.isOfLesson) told.push(...this.#compareWithLesson(records));
+    if (changes) told.push(...this.#compareWithLesson(changes, records));
     const snapshots = readSnapshots(records);
     if (model && snapshots.size > 0) {
       this.#ended.offer({ snapshots, model, files: this.#folder.models });
@@ -203,16 +203,21 @@ export class Panel {
     this.#say(told.join(" "));
   }
 
-  #compareWithLesson(records: string): string[] {
-    const differing = this.#output.compare(this.#folder.output);
+  #compareWithLesson(changes: OutputChanges, records: string): string[] {
+    this.#output.mark(changes.come);
     const values = quoteRun(this.#name, records);
-    const [is, are] = [differing, values].map((count) => (count === 1 ? "is" : "are"));
+    const are = values === 1 ? "is" : "are";
     return [
-      differing === 0
-        ? "It printed what the lesson’s printed."
-        : `${counted(differing, "line")} of its output ${is} not the lesson’s.`,
+      comparisonSentence(changes),
       ...(values > 0 ? [`${counted(values, "value")} in the text ${are} of your run.`] : []),
     ];
+  }
+
+  /** What the lesson says of the output comes first, then what its run printed. */
+  get #stated(): readonly StatedOutput[] {
+    if (!this.#folder.isOfLesson) return [];
+    const stated = JSON.parse(this.#figure.dataset["outputs"] ?? "[]") as StatedOutput[];
+    return [...stated, { text: this.#folder.output, tolerance: null }];
   }
 
   #changed(text: string): void {
@@ -297,10 +302,6 @@ function button(name: string, kind: string, act: () => void): HTMLButtonElement 
   const made = make("button", { type: "button", class: `plain-button ${kind}`.trim() }, name);
   made.addEventListener("click", act);
   return made;
-}
-
-function counted(count: number, noun: string): string {
-  return `${count} ${noun}${count === 1 ? "" : "s"}`;
 }
 
 function countOf(diagnostics: readonly Diagnostic[]): string {

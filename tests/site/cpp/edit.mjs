@@ -114,6 +114,18 @@ async function editsSnippet(page, expect) {
   const other = await snippet.run();
   expect(other === "It ended well. 1 line of its output is not the lesson’s.", other);
   expect((await snippet.printed()) === "0.30 s\n", `it prints ${await snippet.printed()}`);
+  await comparesAsTheBuild(snippet, expect);
+}
+
+// With what stands for any text, and a unit of the last place; and a line may be missing.
+async function comparesAsTheBuild(snippet, expect) {
+  await snippet.replace("seconds = 0.3;", "seconds = 0.11;");
+  const same = await snippet.run();
+  expect((await snippet.printed()) === "0.11 s\n", `it prints ${await snippet.printed()}`);
+  expect(same === "It ended well. It printed what the lesson’s printed.", same);
+  await snippet.replace('std::printf("%.2f s\\n", data->time);', "");
+  const none = await snippet.run();
+  expect(none === "It ended well. 1 line of the lesson’s output is missing.", none);
 }
 
 await testPrograms(async (visitor) => {

@@ -1,5 +1,5 @@
-// The parts of a program's panel that need no page: numbers as the generator prints them, lines that
-// differ, archives, links, what a run reported.
+// The parts of a program's panel that need no page: numbers as the generator prints them, archives,
+// links, sentences, what a run reported.
 //
 //   node --test tests/site/cpp/parts.mjs
 
@@ -13,16 +13,7 @@ import { test } from "node:test";
 
 const site = path.resolve(import.meta.dirname, "../../../site");
 const require = createRequire(path.join(site, "package.json"));
-const names = [
-  "completion",
-  "end",
-  "line-diff",
-  "printf",
-  "program-link",
-  "records",
-  "unzip",
-  "zip",
-];
+const names = ["completion", "printf", "program-link", "records", "sentences", "unzip", "zip"];
 const { outputFiles } = await require("esbuild").build({
   stdin: {
     contents: [
@@ -63,21 +54,6 @@ test("a number is printed as C prints it, and nothing has no sign", () => {
   for (const [value, format, text] of printed) {
     assert.equal(parts.inText(value, format), text, `${value} as ${format}`);
   }
-});
-
-test("lines that the other text lacks are new, those that moved along are not", () => {
-  const isNew = (mine, theirs) =>
-    parts
-      .newLines([...mine], [...theirs])
-      .map(Number)
-      .join("");
-  assert.equal(isNew("abc", "abc"), "000");
-  assert.equal(isNew("xabc", "abc"), "1000");
-  assert.equal(isNew("ac", "abc"), "00");
-  assert.equal(isNew("abxc", "abyc"), "0010");
-  assert.equal(isNew("ba", "ab"), "01");
-  assert.equal(isNew("", "abc"), "");
-  assert.equal(isNew("aab", "b"), "110");
 });
 
 test("what was zipped is unzipped, here and by others", async () => {
@@ -146,6 +122,15 @@ test("each end has its sentence", () => {
     said({ how: "trap", message: "division by zero", line: 7 }),
     "It crashed (line 7): division by zero",
   );
+});
+
+test("lines that are not the lesson's are counted, and else those of the lesson that are missing", () => {
+  const said = (gone, ...come) => parts.comparisonSentence({ gone, come });
+  assert.equal(said(0), "It printed what the lesson’s printed.");
+  assert.equal(said(1, 4), "1 line of its output is not the lesson’s.");
+  assert.equal(said(3, 4, 5), "2 lines of its output are not the lesson’s.");
+  assert.equal(said(1), "1 line of the lesson’s output is missing.");
+  assert.equal(said(2), "2 lines of the lesson’s output are missing.");
 });
 
 const apiNames = [

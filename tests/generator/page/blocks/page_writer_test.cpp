@@ -99,7 +99,8 @@ TEST_F(PageWriterTest, PutsAFormulasMarkupInItsPlace) {
 
 TEST_F(PageWriterTest, LetsAReaderRunAProgramWhereTheSiteHasACompiler) {
   const std::string fence = "```cpp file=examples/x.cpp args=\"a 'b'\" expect=exit:3\n```\n";
-  ExampleResult ran{"int main() {}\n", ""};
+  const std::string same = "```text\n0.5\n```\n", gap = "```text tol=1\n0[..]\n```\n";
+  ExampleResult ran{"int main() {}\n", "0.5\n"};
   ran.page = PageRun{};
   results_.of_block[0] = ran;
   EXPECT_EQ(body(fence).find("data-program"), std::string::npos);
@@ -107,14 +108,16 @@ TEST_F(PageWriterTest, LetsAReaderRunAProgramWhereTheSiteHasACompiler) {
                            "engine.mjs", "engine.wasm", "lab.css"}) {
     manifest_[name] = std::string("assets/") + name;
   }
-  const std::string html = body(fence);
+  EXPECT_EQ(body(fence + same).find("data-outputs"), std::string::npos);
+  const std::string html = body(fence + same + gap);
   for (const char* attribute :
        {" data-program=\"examples/x.cpp\"", " data-code=\"../assets/program.js\"",
         " data-style=\"../assets/program.css\"", " data-worker=\"../assets/cpp.js\"",
         " data-llvm=\"../assets/llvm.wasm.xz\"", " data-pack=\"../assets/cpp.pack.xz\"",
         " data-engine=\"../assets/engine.mjs\"", " data-wasm=\"../assets/engine.wasm\"",
         " data-lab-style=\"../assets/lab.css\"", " data-bytes=\"0\"",
-        " data-arguments=\"[&quot;a&quot;,&quot;&#x27;b&#x27;&quot;]\"", " data-exit=\"3\""}) {
+        " data-arguments=\"[&quot;a&quot;,&quot;&#x27;b&#x27;&quot;]\"", " data-exit=\"3\"",
+        " data-outputs=\"[{&quot;text&quot;:&quot;0[..]\\n&quot;,&quot;tolerance&quot;:1.0}]\""}) {
     EXPECT_NE(html.find(attribute), std::string::npos) << attribute << " in " << html;
   }
   EXPECT_EQ(body("```cpp file=examples/x.cpp expect=compile-error\n```\n").find("data-program"),

@@ -1,7 +1,7 @@
-/** How a run ended, in a sentence for its reader. */
-import type { End } from "../cpp/messages.js";
+/** What a run came to, in sentences for its reader. */
+import type { End, OutputChanges } from "../cpp/messages.js";
 
-/** `expected` is the exit code of the lesson's run. */
+/** How it ended. `expected` is the exit code of the lesson's run. */
 export function sentenceOf(end: End, expected: number): string {
   if (end.how === "exit") return exit(end.code, expected);
   const place = end.line === undefined ? "" : ` (line ${end.line})`;
@@ -19,6 +19,20 @@ export function sentenceOf(end: End, expected: number): string {
     case "trap":
       return `It crashed${place}: ${end.message}`;
   }
+}
+
+/** What it printed beside what the lesson's run did. */
+export function comparisonSentence({ gone, come }: OutputChanges): string {
+  const are = (count: number) => (count === 1 ? "is" : "are");
+  const [others, missing] = [come.length, gone].map((count) => counted(count, "line"));
+  if (come.length > 0) return `${others} of its output ${are(come.length)} not the lesson’s.`;
+  if (gone > 0) return `${missing} of the lesson’s output ${are(gone)} missing.`;
+  return "It printed what the lesson’s printed.";
+}
+
+/** "1 line", "2 lines" */
+export function counted(count: number, noun: string): string {
+  return `${count} ${noun}${count === 1 ? "" : "s"}`;
 }
 
 function exit(code: number, expected: number): string {
