@@ -37,7 +37,7 @@ TEST(FenceSuggestions, AreKindsWithWhatTheyNeed) {
 TEST(FenceSuggestions, AreTheWordsAndOptionsOfAKind) {
   EXPECT_EQ(options("lab "), "simlab|");
   EXPECT_EQ(options("xml "), "mjcf|unchecked|model=|");
-  EXPECT_EQ(options("cpp snippet "), "model=|timeout=|");
+  EXPECT_EQ(options("cpp snippet "), "model=|timeout=|native|because=|");
   EXPECT_EQ(options("python unchecked "), "because=|");
   EXPECT_EQ(options("poem "), "");
 }
