@@ -14,7 +14,7 @@ import { readFileSync, readSync, writeFileSync, writeSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
-import { Compiler } from "../browser/cpp/compiler.js";
+import { Compiler, type Finished } from "../browser/cpp/compiler.js";
 import type { EngineBinary, EngineFactory } from "../browser/cpp/engine.js";
 import type { Diagnostic, End, Program } from "../browser/cpp/messages.js";
 import type { Files } from "../browser/cpp/files.js";
@@ -69,8 +69,16 @@ async function answer(compiler: Compiler, program: Program): Promise<Answer> {
     output: (stream, bytes) => streams[stream].push(bytes),
   });
   const text = (pieces: readonly Uint8Array[]) => Buffer.concat(pieces).toString("utf8");
-  const { end = null, records = "", seconds = null } = finished ?? {};
+  const { records = "", seconds = null } = finished ?? {};
+  const end = finished ? placedEnd(compiler, finished, program) : null;
   return { ...told, out: text(streams.out), err: text(streams.err), end, records, seconds };
+}
+
+/** With its line where somebody will look for that: a code is most often what the author expects. */
+function placedEnd(compiler: Compiler, { end, offsets }: Finished, program: Program): End {
+  if (end.how === "exit") return end;
+  const line = compiler.lineOf(offsets, program);
+  return line === undefined ? end : { ...end, line };
 }
 
 function decoded(files: Question["files"]): Program["files"] {

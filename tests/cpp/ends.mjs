@@ -10,6 +10,7 @@ after(() => runner.close());
 
 const head = `
 #include <mjcourse/mjcourse.hpp>
+#include <array>
 #include <atomic>
 #include <cassert>
 #include <chrono>
@@ -17,10 +18,16 @@ const head = `
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <mutex>
+#include <stdexcept>
+#include <string>
 #include <thread>
 using namespace mjcourse;
 `;
+
+// Where the body of main begins.
+const firstLine = head.split("\n").length + 2;
 
 // Runs a program with this main.
 async function run(body, files = {}, more = {}) {
@@ -33,8 +40,11 @@ async function run(body, files = {}, more = {}) {
   return answer;
 }
 
+// With the line of the body, from 1, for that of the program.
 async function endOf(body) {
-  return (await run(body)).end;
+  const { end } = await run(body);
+  const { line, ...rest } = end;
+  return line === undefined ? rest : { ...rest, line: line - firstLine + 1 };
 }
 
 test("it says what it prints, and with which code it ends", async () => {
@@ -79,16 +89,18 @@ test("an exception is caught, and one that is not says what it was", async () =>
     try { load_model("none"); } catch (const std::exception& error) { std::puts(error.what()); }
     try { (void)new char[2000000000]; } catch (const std::bad_alloc&) { std::puts("no room"); }`);
   assert.equal(out, "no model 'none': /models/none.xml is not there\nno room\n");
-  assert.deepEqual(await endOf(`throw std::runtime_error("so it is");`), {
+  assert.deepEqual(await endOf(`\nthrow std::runtime_error("so it is");`), {
     how: "uncaught",
     message: "std::runtime_error: so it is",
+    line: 2,
   });
 });
 
 test("MuJoCo's error ends it with what MuJoCo said", async () => {
-  assert.deepEqual(await endOf(`mju_error_s("no %s", "air");`), {
+  assert.deepEqual(await endOf(`\n\nmju_error_s("no %s", "air");`), {
     how: "error",
     message: "no air",
+    line: 3,
   });
 });
 
@@ -97,11 +109,29 @@ test("a trap says which", async () => {
     [`volatile int none = 0; std::printf("%d", 1 / none);`]: "divide by zero",
     [`*(volatile int*)0xfffffff0 = 1;`]: "memory access out of bounds",
     [`std::abort();`]: "it called abort()",
-    [`assert(argc == 5);`]: "Assertion failed: argc == 5 (p.cpp: main: 15)",
+    [`assert(argc == 5);`]: `Assertion failed: argc == 5 (p.cpp: main: ${firstLine})`,
   };
   for (const [body, message] of Object.entries(endings)) {
-    assert.deepEqual(await endOf(body), { how: "trap", message });
+    assert.deepEqual(await endOf(body), { how: "trap", message, line: 1 });
   }
+});
+
+test("an end has the line of the program's own that called for it", async () => {
+  const called = "const auto at = [](int i) {\nreturn std::array<int, 1>().at(i);\n};\n\nat(1);";
+  const { how, line } = await endOf(called);
+  assert.deepEqual({ how, line }, { how: "uncaught", line: 2 });
+  assert.equal((await endOf(`\n\nload_model("none");`)).line, 3, "the header's lines are not its");
+  const caught = "try {\nthrow 1;\n} catch (int) {\n}\n";
+  assert.equal((await endOf(`${caught}std::abort();`)).line, 5);
+  assert.equal((await endOf(`${caught}return 1;`)).line, undefined, "it returned");
+});
+
+test("what the C++ library throws is caught, too", async () => {
+  const { out } = await run(`
+    try { (void)std::stoi("x"); } catch (const std::invalid_argument& e) { std::puts(e.what()); }
+    try { (void)std::stod("1e999"); } catch (const std::out_of_range& e) { std::puts(e.what()); }
+    try { std::string().at(1); } catch (const std::logic_error&) { std::puts("at"); }`);
+  assert.equal(out, "stoi: no conversion\nstod: out of range\nat\n");
 });
 
 test("it may fill neither stack, memory nor page", async () => {
@@ -130,7 +160,10 @@ test("threads run one after the other, and none may wait", async () => {
     std::thread([&] { std::unique_lock lock(m); told.wait(lock, [&] { return go; }); }).join();`;
   const spins = `std::atomic<bool> go = false;
     std::thread([&] { while (!go) std::this_thread::yield(); }).join();`;
-  for (const body of [waits, spins]) assert.deepEqual(await endOf(body), { how: "trap", message });
+  for (const body of [waits, spins]) {
+    const { how, message: said, line } = await endOf(body);
+    assert.deepEqual({ how, said, line }, { how: "trap", said: message, line: 2 });
+  }
 });
 
 test("sleeping takes no time, but moves the clock", async () => {

@@ -86,15 +86,18 @@ await testSite(async (visitor) => {
   for (const path of pagesWith('.zip"')) {
     await visitor.visit(path, { javaScript: false }, async (page) => {
       for (const { zip, label, printed } of await page.evaluate(listings)) {
-        const file = zip.slice(zip.indexOf("/examples/") + 1);
+        const [, file] = /\/((?:examples|snippets)\/.*)$/.exec(zip);
         const known = shown.get(file) ?? [];
         shown.set(file, label ? [...known, { path, label, printed }] : known);
       }
     });
   }
-  const zips = globSync("examples/**/*.zip", { cwd: folder }).sort();
+  const zips = globSync("{examples,snippets}/**/*.zip", { cwd: folder }).sort();
   visitor.expect(zips.length > 0, folder, "there is no program to build");
-  visitor.expect([...shown.keys()].sort().join() === zips.join(), folder, `${zips} have no links`);
+  const lost = zips.filter((zip) => !shown.has(zip));
+  visitor.expect(lost.length === 0, folder, `${lost} have no links`);
+  const dead = [...shown.keys()].filter((zip) => !zips.includes(zip));
+  visitor.expect(dead.length === 0, folder, `${dead} are not there`);
   let built = 0;
   for (const zip of zips) {
     const outputs = shown.get(zip) ?? [];

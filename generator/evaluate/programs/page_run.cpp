@@ -94,7 +94,9 @@ std::string first_error(const json& diagnostics) {
 // Where the program ended in another way than natively; "" where it did not.
 std::string other_end(const json& end, int expected) {
   const std::string how = end.at("how");
-  const std::string said = quoted(end.value("message", ""));
+  const int line = end.value("line", 0);
+  const std::string said =
+      quoted(end.value("message", "")) + (line > 0 ? " (line " + std::to_string(line) + ")" : "");
   if (how == "exit") {
     const int code = end.at("code");
     if (code == expected) return "";

@@ -13,9 +13,11 @@ import { startEngine, type EngineBinary } from "./engine.js";
 import { execute } from "./execution.js";
 import { Files } from "./files.js";
 import { compileArguments, modelsFolder, preparedHeader, programFolder } from "./flags.js";
+import { LineTable } from "./line-table.js";
 import {
   functionsPath,
   linkArguments,
+  type Linking,
   programImports,
   variablesObject,
   variablesPath,
@@ -47,9 +49,19 @@ export interface Listener {
 
 export interface Finished {
   readonly end: End;
+  /** For lineOf(). */
+  readonly offsets: readonly number[];
   readonly records: string;
   readonly model: LoadedModel | undefined;
   readonly seconds: { readonly compile: number; readonly link: number; readonly run: number };
+}
+
+/** What came of compiling. */
+interface Objects {
+  readonly ok: boolean;
+  readonly files: Files;
+  readonly diagnostics: readonly Diagnostic[];
+  readonly how: Omit<Linking, "out" | "tableBegin">;
 }
 
 const recordsPath = "/records";
@@ -84,7 +96,7 @@ export class Compiler {
     const clock = new Stopwatch();
     const objects = this.#compile(program);
     const compile = clock.lap();
-    const linked = objects.ok ? this.#link(objects.paths, objects) : { diagnostics: [] };
+    const linked = this.#link(objects);
     const link = clock.lap();
 
     const { code } = linked;
@@ -93,7 +105,7 @@ export class Compiler {
 
     const files = filesToRun(program);
     let model: LoadedModel | undefined;
-    const end = await execute(this.parts.engine, {
+    const { end, offsets } = await execute(this.parts.engine, {
       module: new WebAssembly.Module(code as Uint8Array<ArrayBuffer>),
       args: [nameOf(program.main), ...(program.arguments ?? [])],
       env: { MJCOURSE_MODELS: modelsFolder, MJCOURSE_RECORDS: recordsPath },
@@ -102,7 +114,22 @@ export class Compiler {
       loaded: (last) => (model = last),
     });
     const records = new TextDecoder().decode(files.bytes(recordsPath));
-    return { end, records, model, seconds: { compile, link, run: clock.lap() } };
+    return { end, offsets, records, model, seconds: { compile, link, run: clock.lap() } };
+  }
+
+  /**
+   * The line of the program's source where a run of it was ended. It is compiled once more for that:
+   * what says which line is which changes no code, but takes time.
+   */
+  lineOf(offsets: readonly number[], program: Program): number | undefined {
+    if (offsets.length === 0) return undefined;
+    const { code } = this.#link(this.#compile(program, true));
+    const table = code && LineTable.of(code, program.main);
+    for (const offset of table ? offsets : []) {
+      const line = table!.lineAt(offset);
+      if (line !== undefined) return line;
+    }
+    return undefined;
   }
 
   /** What a run has printed with what it is to print. */
@@ -110,7 +137,7 @@ export class Compiler {
     return outputChanges(this.parts.engine, printed, stated);
   }
 
-  #compile(program: Program) {
+  #compile(program: Program, withLines = false): Objects {
     const { files, sources, include, takesPrepared, hasHandlers } = filesToCompile(
       program,
       this.base,
@@ -122,27 +149,24 @@ export class Compiler {
     for (const [i, source] of sources.entries()) {
       const object = `/object/${i}.o`;
       files.addFolder("/object");
-      const args = compileArguments(source, object, { include, prepared });
+      const args = compileArguments(source, object, { include, prepared, withLines });
       const result = runTool(this.parts.llvm, args, files);
       diagnostics.push(...compilerDiagnostics(result.text, nameForReader));
       paths.push(object);
       ok &&= result.ok;
     }
-    return { ok, files, paths, prepared, hasHandlers, diagnostics };
+    return { ok, files, diagnostics, how: { objects: paths, prepared, hasHandlers, withLines } };
   }
 
-  #link(
-    objects: readonly string[],
-    how: { readonly files: Files; readonly prepared: boolean; readonly hasHandlers: boolean },
-  ): { readonly code?: Uint8Array; readonly diagnostics: readonly Diagnostic[] } {
+  #link({ ok: areObjects, files, how }: Objects): {
+    readonly code?: Uint8Array;
+    readonly diagnostics: readonly Diagnostic[];
+  } {
+    if (!areObjects) return { diagnostics: [] };
     const out = "/program.wasm";
-    const { prepared, hasHandlers } = how;
-    const args = linkArguments({
-      ...{ objects, out, prepared, hasHandlers },
-      tableBegin: this.tableBegin,
-    });
-    const { ok, text } = runTool(this.parts.llvm, args, how.files);
-    const code = how.files.bytes(out);
+    const args = linkArguments({ ...how, out, tableBegin: this.tableBegin });
+    const { ok, text } = runTool(this.parts.llvm, args, files);
+    const code = files.bytes(out);
     return ok && code ? { code, diagnostics: [] } : { diagnostics: linkerDiagnostics(text) };
   }
 }

@@ -9,6 +9,7 @@ import type { Files } from "./files.js";
 import { stackSize, tableRoom } from "./link.js";
 import { loadedModel } from "./loaded-model.js";
 import type { End, LoadedModel } from "./messages.js";
+import { keepLongTraces, programOffsets } from "./stack-trace.js";
 import { trap } from "./trap.js";
 import type { Stream } from "./wasi.js";
 
@@ -28,7 +29,14 @@ export interface Execution {
   readonly loaded: (model: LoadedModel) => void;
 }
 
-export async function execute(binary: EngineBinary, execution: Execution): Promise<End> {
+/** How a program ended, and in which calls (stack-trace.ts), where it did not return from main. */
+export interface Ending {
+  readonly end: End;
+  readonly offsets: readonly number[];
+}
+
+export async function execute(binary: EngineBinary, execution: Execution): Promise<Ending> {
+  keepLongTraces();
   const run = new RunningProgram(execution);
   const engine = await startEngine(binary, {
     args: execution.args,
@@ -47,27 +55,33 @@ class RunningProgram {
   #yields = 0;
   readonly #written = { out: 0, err: 0 };
   #lastError = "";
+  /** Made where the last exception was thrown: what comes out of the program does not tell. */
+  #throw: Error | undefined;
 
   constructor(private readonly execution: Execution) {}
 
-  on(engine: Engine): End {
+  on(engine: Engine): Ending {
     capMemory(engine.memory, () => (this.#hasNoMemory = true));
     let program: WebAssembly.Instance;
     try {
       engine.table.grow(tableRoom);
       program = new WebAssembly.Instance(this.execution.module, this.#imports(engine));
     } catch (error) {
-      return { how: "memory", message: messageOf(error) };
+      return { end: { how: "memory", message: messageOf(error) }, offsets: [] };
     }
     const { value: dataEnd } = program.exports["__data_end"] as WebAssembly.Global<"i32">;
     if (dataEnd > engine.room) {
-      return { how: "memory", message: "its global variables take more than 4 MiB" };
+      const message = "its global variables take more than 4 MiB";
+      return { end: { how: "memory", message }, offsets: [] };
     }
     try {
       (program.exports["_start"] as () => void)();
-      return { how: "exit", code: 0 };
+      return { end: { how: "exit", code: 0 }, offsets: [] };
     } catch (error) {
-      return this.#classify(this.#end ?? endOf(error, program, engine));
+      const thrown = this.#throw; // endOf() throws it once more
+      const end = this.#end ?? endOf(error, program, engine);
+      const place = end.how === "uncaught" ? thrown : error;
+      return { end: this.#classify(end), offsets: programOffsets(stackOf(place)) };
     }
   }
 
@@ -94,6 +108,7 @@ class RunningProgram {
         mj_loadXML: this.#loadXml(engine),
         mjc_no_memory: () => (this.#hasNoMemory = true),
         mjc_abort: () => this.#abort(),
+        mjc_throws: () => (this.#throw = new Error()),
         mjc_thread_waits: end("trap", threadWaits),
       },
       wasi_snapshot_preview1: {
@@ -178,4 +193,5 @@ function capMemory(memory: WebAssembly.Memory, refused: () => void): void {
 
 const decode = (bytes: Uint8Array) => new TextDecoder().decode(bytes);
 const lastLine = (text: string) => text.trimEnd().split("\n").at(-1) ?? "";
+const stackOf = (error: unknown) => (error as { readonly stack?: string } | undefined)?.stack ?? "";
 const messageOf = (error: unknown) => (error instanceof Error ? error.message : String(error));

@@ -57,13 +57,14 @@ const libraries = [
 export const compileArguments = (
   source: string,
   object: string,
-  { include, prepared }: { readonly include: string; readonly prepared: boolean },
+  how: { readonly include: string; readonly prepared: boolean; readonly withLines: boolean },
 ): string[] => [
-  ...[...cxx, "-I", include, ...libraries, "-O0", "-Wall", "-Wextra", "-ferror-limit", "19"],
+  ...[...cxx, "-I", how.include, ...libraries, "-O0", "-Wall", "-Wextra", "-ferror-limit", "19"],
   // a line for each of what diagnostics.ts reads
   ...["-fno-caret-diagnostics", "-fdiagnostics-print-source-range-info"],
   `-fmacro-prefix-map=${programFolder}/=`,
-  ...(prepared ? ["-include-pch", preparedHeader, "-fno-validate-pch"] : []),
+  ...(how.withLines ? ["-debug-info-kind=line-tables-only", "-dwarf-version=4"] : []),
+  ...(how.prepared ? ["-include-pch", preparedHeader, "-fno-validate-pch"] : []),
   ...["-emit-obj", "-o", object, "-x", "c++", source],
 ];
 

@@ -16,11 +16,11 @@ export const variablesPath = "/runtime/variables.o";
 export const functionsPath = "/runtime/functions.txt";
 
 /** What a program imports besides MuJoCo's functions (execution.ts). */
-export const programImports = ["mjc_no_memory", "mjc_abort", "mjc_thread_waits"];
+export const programImports = ["mjc_no_memory", "mjc_abort", "mjc_throws", "mjc_thread_waits"];
 
 /** Of runtime/, and the two of libc++abi that clang's package lacks. */
 const runtime = [
-  ...["memory", "new", "threads", "abort", "unwind", "uncaught"],
+  ...["memory", "new", "threads", "abort", "unwind", "uncaught", "library_throw"],
   ...["cxa_exception", "cxa_personality"],
 ];
 
@@ -32,13 +32,16 @@ export interface Linking {
   /** Whether the precompiled header's object takes part. */
   readonly prepared: boolean;
   readonly hasHandlers: boolean;
+  /** Whether the program says which code comes from which line. */
+  readonly withLines: boolean;
 }
 
 export const linkArguments = (linking: Linking): string[] => [
   ...["wasm-ld", "-m", "wasm32", "--import-memory", "--import-table", "--growable-table"],
   ...[`--global-base=${stackSize}`, "-z", `stack-size=${stackSize}`],
   ...[`--table-base=${linking.tableBegin}`],
-  ...[`--allow-undefined-file=${functionsPath}`, "--gc-sections", "--strip-debug"],
+  ...[`--allow-undefined-file=${functionsPath}`, "--gc-sections"],
+  ...(linking.withLines ? [] : ["--strip-debug"]),
   ...["mjc_uncaught", "__cpp_exception", "__stack_pointer", "__data_end"].map(
     (name) => `--export=${name}`,
   ),

@@ -101,7 +101,7 @@ export interface Diagnostic {
 }
 
 export type End =
-  | { readonly how: "exit"; readonly code: number }
+  | { readonly how: "exit"; readonly code: number; readonly line?: number }
   | {
       readonly how: "error" | "trap" | "stack-overflow" | "uncaught" | "memory" | "output";
       readonly message: string;

@@ -63,7 +63,9 @@ async function run({ id, program, stated }: Run): Promise<void> {
   output.end();
   if (!finished) return;
   const changes = stated.length > 0 ? await compiler!.compare(printed, stated) : undefined;
-  say({ kind: "ended", id, ...finished, changes });
+  const { end, offsets, ...rest } = finished;
+  const line = compiler!.lineOf(offsets, program);
+  say({ kind: "ended", id, ...rest, end: line === undefined ? end : { ...end, line }, changes });
 }
 
 function fail(error: unknown): void {

@@ -26,6 +26,12 @@ export function lineOf({ file, line, column, severity, message }: Diagnostic): s
   return `${place}${severity}: ${message}`;
 }
 
+/** As an error of a whole line, but for the blanks before it. */
+export function diagnosticOfLine(file: string, line: number, message: string): Diagnostic {
+  const column = { column: 1, endColumn: Infinity };
+  return { file, line, endLine: line, ...column, severity: "error", message };
+}
+
 function told(diagnostics: readonly Diagnostic[]): Diagnostic[] {
   const all: Diagnostic[] = [];
   for (const one of diagnostics) {
@@ -44,7 +50,8 @@ function rangeOf(
   const lineAt = (number: number) => doc.line(Math.min(Math.max(number, 1), doc.lines));
   const first = lineAt(line);
   const last = lineAt(endLine);
-  const from = first.from + charactersIn(first.text, column - 1);
+  const blanks = /^\s*/.exec(first.text)![0].length;
+  const from = first.from + Math.max(blanks, charactersIn(first.text, column - 1));
   const to = last.from + charactersIn(last.text, endColumn - 1);
   if (to > from) return { from, to };
   const word = /^\w+/.exec(first.text.slice(from - first.from))?.[0] ?? "";

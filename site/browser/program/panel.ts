@@ -8,7 +8,7 @@ import type { Diagnostic, OutputChanges, StatedOutput } from "../cpp/messages.js
 import { type CodeEditor, openCodeEditor } from "./code-editor.js";
 import { type ApiName, completionOf } from "./completion.js";
 import { type Compiler, type Ended, type Listener, NoCompiler } from "./compiler.js";
-import { lineOf } from "./diagnostics.js";
+import { diagnosticOfLine, lineOf } from "./diagnostics.js";
 import { EndedLab } from "./ended-lab.js";
 import type { Folder } from "./folder.js";
 import { keepFiles } from "./offline.js";
@@ -45,6 +45,8 @@ export class Panel {
   readonly #reset: HTMLButtonElement;
   readonly #leaving = new AbortController();
   #editor!: CodeEditor;
+  /** Of the text that ran. */
+  #diagnostics: readonly Diagnostic[] = [];
   /** What is kept, or need not be: a link's text is not the reader's own before it is changed. */
   #known = "";
   #isBusy = false;
@@ -188,12 +190,19 @@ export class Panel {
   }
 
   #showDiagnostics(diagnostics: readonly Diagnostic[]): void {
+    this.#diagnostics = diagnostics;
     this.#editor.showDiagnostics(diagnostics);
     for (const one of diagnostics) this.#output.complain(`${lineOf(one)}\n`);
   }
 
   #tell({ end, records, model, changes, seconds }: Ended): void {
-    const told = [sentenceOf(end, Number(this.#figure.dataset["exit"] ?? 0))];
+    const expected = Number(this.#figure.dataset["exit"] ?? 0);
+    const told = [sentenceOf(end, expected)];
+    const isExpected = end.how === "exit" && end.code === expected;
+    if (end.line !== undefined && !isExpected) {
+      const mark = diagnosticOfLine(this.#main, end.line, told[0]!);
+      this.#editor.showDiagnostics([...this.#diagnostics, mark]);
+    }
     if (changes) told.push(...this.#compareWithLesson(changes, records));
     const snapshots = readSnapshots(records);
     if (model && snapshots.size > 0) {

@@ -3,8 +3,8 @@ import type { End, OutputChanges } from "../cpp/messages.js";
 
 /** How it ended. `expected` is the exit code of the lesson's run. */
 export function sentenceOf(end: End, expected: number): string {
-  if (end.how === "exit") return exit(end.code, expected);
   const place = end.line === undefined ? "" : ` (line ${end.line})`;
+  if (end.how === "exit") return exit(end.code, expected, place);
   switch (end.how) {
     case "error":
       return `MuJoCo ended it${place}: ${end.message}`;
@@ -35,8 +35,8 @@ export function counted(count: number, noun: string): string {
   return `${count} ${noun}${count === 1 ? "" : "s"}`;
 }
 
-function exit(code: number, expected: number): string {
+function exit(code: number, expected: number, place: string): string {
   if (code === 0 && expected === 0) return "It ended well.";
   const lesson = code === expected ? ", as in the lesson" : "";
-  return `It ended with exit code ${code}${lesson}.`;
+  return `It ended with exit code ${code}${place}${lesson}.`;
 }

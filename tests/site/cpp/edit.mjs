@@ -89,6 +89,20 @@ async function stops(page, program, expect) {
   expect(said === "It ended well. It printed what the lesson’s printed.", `after a stop: ${said}`);
 }
 
+// The line where it was ended is marked, and its own warnings stay.
+async function crashes(page, program, expect) {
+  await program.replace("int main() {", 'int main() {\n  int unused;\n  mju_error("too far");');
+  const said = await program.run();
+  expect(/^MuJoCo ended it \(line \d+\): too far 2 lines of the lesson/.test(said), said);
+  const marked = (kind) => program.root.locator(`.cm-lintRange-${kind}`).allInnerTexts();
+  expect((await marked("error")).join() === 'mju_error("too far");', `${await marked("error")}`);
+  expect((await marked("warning")).join() === "unused", `${await marked("warning")} is marked`);
+  await program.replace('mju_error("too far");', "while (true) mju_malloc(1 << 24);");
+  const full = await program.run();
+  expect(/^It wants more memory than a program has in a page \(line \d+\)/.test(full), full);
+  await program.button("Reset to the lesson’s").click();
+}
+
 // Of a part of the program, all of it is edited; one editor at a time.
 async function edits(page, expect) {
   const part = new Program(page, "example-fall-falling");
@@ -137,6 +151,7 @@ await testPrograms(async (visitor) => {
     await complains(page, program, expect);
     await warns(page, program, expect);
     await stops(page, program, expect);
+    await crashes(page, program, expect);
     await edits(page, expect);
     await editsSnippet(page, expect);
   });

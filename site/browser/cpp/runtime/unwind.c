@@ -23,7 +23,11 @@ _Unwind_Reason_Code _Unwind_CallPersonality(void* thrown) {
                                  (struct _Unwind_Context*)&__wasm_lpad_context);
 }
 
+/* The page remembers where it was. */
+void mjc_throws(void);
+
 _Unwind_Reason_Code _Unwind_RaiseException(struct _Unwind_Exception* exception) {
+  mjc_throws();
   __builtin_wasm_throw(0, exception);
 }
 
