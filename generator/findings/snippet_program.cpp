@@ -6,6 +6,11 @@
 #include "base/utf8.h"
 
 namespace mjcourse {
+namespace {
+
+constexpr const char* kFolder = "snippets/";
+
+}  // namespace
 
 Example snippet_program(const Lesson& lesson, std::size_t block) {
   const auto& snippet = std::get<Snippet>(lesson.blocks[block]);
@@ -15,12 +20,16 @@ Example snippet_program(const Lesson& lesson, std::size_t block) {
   }
   Example program;
   program.file.text =
-      "snippets/snippet_" + number + "_" + std::to_string(block_number(lesson, block)) + ".cpp";
+      kFolder + ("snippet_" + number) + "_" + std::to_string(block_number(lesson, block)) + ".cpp";
   program.seconds = snippet.seconds;
   program.native = snippet.native;
   program.span = snippet.span;
   program.outputs = snippet.outputs;
   return program;
+}
+
+bool is_snippet_program(const Example& program) {
+  return program.file.text.starts_with(kFolder);
 }
 
 }  // namespace mjcourse

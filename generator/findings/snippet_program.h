@@ -12,4 +12,7 @@ namespace mjcourse {
 // lesson 1.2: no example's, as these are in examples/. The text is ExampleResult::code.
 Example snippet_program(const Lesson& lesson, std::size_t block);
 
+// Was it made by the former?
+bool is_snippet_program(const Example& program);
+
 }  // namespace mjcourse

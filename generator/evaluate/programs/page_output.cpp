@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "evaluate/programs/output_diff.h"
+#include "findings/snippet_program.h"
 #include "report/diff_text.h"
 
 namespace mjcourse {
@@ -41,10 +42,11 @@ void compare_page_run(const Example& example, const ExampleResult& result, const
                       Diagnostics& diagnostics) {
   if (!result.page || !result.page->why_not.empty()) return;
   const PageRun& page = *result.page;
+  const std::string kind = is_snippet_program(example) ? "snippet" : "program";
   const auto report = [&](const std::string& what) -> Diagnostic& {
     return diagnostics.emplace_back(error_at(place_of(*lesson.source, example.span),
-                                             "E-page-output", "in the page, the program " + what,
-                                             kCure));
+                                             "E-page-output",
+                                             "in the page, the " + kind + " " + what, kCure));
   };
   if (!page.otherwise.empty()) {
     report(page.otherwise);
