@@ -66,6 +66,27 @@ async function goesWithTheRun(page, program, expect) {
   expect((await page.locator("#example-fall-ended").count()) === 0, "the former run's lab stays");
 }
 
+// Of a model that is no file, but a text of the program.
+async function looksAtAMadeModel(page, program, expect) {
+  await program.write(`#include <mjcourse/mjcourse.hpp>
+
+int main() {
+  const mjcourse::Model model = mjcourse::load_model_xml(
+      "<mujoco><worldbody><body><joint type='slide'/><geom size='0.3'/></body></worldbody></mujoco>");
+  const mjcourse::Data data = mjcourse::make_data(model);
+  for (int i = 0; i < 50; ++i) mj_step(model, data);
+  mjcourse::snapshot("made", model, data);
+}
+`);
+  await program.run();
+  await program.button(look).click();
+  const lab = page.locator("#example-fall-ended[data-live]");
+  await lab.waitFor();
+  const time = await lab.locator(".lab-time").innerText();
+  expect(time === "0.100 s", `the lab of the made model is at ${time}`);
+  await program.button("Reset to the lesson’s").click();
+}
+
 async function comesFromALab(page, expect) {
   const lab = page.locator("sim-lab[data-module]");
   await lab.getByRole("button", { name: "Play" }).first().click();
@@ -92,6 +113,7 @@ await testPrograms(async (visitor) => {
     const lab = await looksAtTheEnd(page, program, expect);
     await comesFromTheEnd(page, lab, expect);
     await goesWithTheRun(page, program, expect);
+    await looksAtAMadeModel(page, program, expect);
     await comesFromALab(page, expect);
   });
 });
