@@ -126,6 +126,15 @@ test("an end has the line of the program's own that called for it", async () => 
   assert.equal((await endOf(`${caught}return 1;`)).line, undefined, "it returned");
 });
 
+test("what has no main, and what no linker can take, says so", async () => {
+  const none = await runner.ask("p.cpp", { "p.cpp": "int x;\n" });
+  assert.deepEqual(none.end, { how: "trap", message: "it has no main(), where a program begins" });
+  const large = "static char big[3000000000u];\nint main() { return big[7]; }\n";
+  const { ok, diagnostics } = await runner.ask("p.cpp", { "p.cpp": large });
+  assert.equal(ok, false);
+  assert.match(diagnostics[0].message, /crashed on this program|too large|memory/);
+});
+
 test("what the C++ library throws is caught, too", async () => {
   const { out } = await run(`
     try { (void)std::stoi("x"); } catch (const std::invalid_argument& e) { std::puts(e.what()); }

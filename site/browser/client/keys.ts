@@ -22,7 +22,8 @@ const single = new Map<string, () => void>([
 ]);
 
 function actionOf(event: KeyboardEvent): (() => void) | undefined {
-  const { target, key } = event;
+  const { key } = event;
+  const [target] = event.composedPath(); // in an editor's shadow root, too
   const isTyped = target instanceof Element && target.closest(typed) !== null;
   const command = event.ctrlKey !== event.metaKey && !event.altKey && !event.shiftKey;
   if (command && key.toLowerCase() === "k") return () => openSearch();

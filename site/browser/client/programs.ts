@@ -33,7 +33,7 @@ class Offer {
 
   constructor(figure: HTMLElement) {
     this.#figure = figure;
-    this.#button.addEventListener("click", () => void this.open());
+    this.#button.addEventListener("click", () => void this.open(this.#linked));
     this.#place.append(this.#status);
     figure.querySelector("figcaption")!.append(this.#button, this.#place);
     figure.addEventListener("program-closed", ({ detail }) => this.#comeBack(detail));
@@ -51,11 +51,12 @@ class Offer {
 
   #name(): void {
     const isOwn = keptText(this.#file) !== undefined;
-    this.#button.textContent = isOwn ? "Edit and run yours" : "Edit and run";
+    this.#button.textContent = isOwn ? "Edit and run your version" : "Edit and run";
     this.#button.ariaLabel = `${this.#button.textContent}: ${this.#file}`;
   }
 
   #comeBack(focuses: boolean): void {
+    this.#linked = undefined;
     this.#name();
     this.#button.hidden = false;
     if (focuses) this.#button.focus();
@@ -83,6 +84,7 @@ class Offer {
       answer(() => this.#button.focus()),
     );
     this.#status.textContent =
+      (this.#linked === undefined ? "" : "The link brought a text of this program. ") +
       `To run it here, this page fetches a C++ compiler: ${this.#megabytes} MB, once; then it works ` +
       "without a network. What you write stays in this browser.";
     this.#place.append(answers);

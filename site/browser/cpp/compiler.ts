@@ -31,7 +31,7 @@ import type {
   StatedOutput,
 } from "./messages.js";
 import { outputChanges } from "./output-changes.js";
-import { filesToCompile, filesToRun } from "./program-files.js";
+import { asText, filesToCompile, filesToRun } from "./program-files.js";
 import { runTool } from "./tool.js";
 import type { Stream } from "./wasi.js";
 
@@ -63,6 +63,10 @@ interface Objects {
   readonly diagnostics: readonly Diagnostic[];
   readonly how: Omit<Linking, "out" | "tableBegin">;
 }
+
+/** The linker puts a trap in its place. */
+const noMain = "it has no main(), where a program begins";
+const hasMain = ({ main, files }: Program) => /\bmain\s*\(/.test(asText(files[main] ?? ""));
 
 const recordsPath = "/records";
 
@@ -114,7 +118,8 @@ export class Compiler {
       loaded: (last) => (model = last),
     });
     const records = new TextDecoder().decode(files.bytes(recordsPath));
-    return { end, offsets, records, model, seconds: { compile, link, run: clock.lap() } };
+    const told = hasMain(program) ? end : { how: "trap" as const, message: noMain };
+    return { end: told, offsets, records, model, seconds: { compile, link, run: clock.lap() } };
   }
 
   /**

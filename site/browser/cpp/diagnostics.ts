@@ -63,7 +63,8 @@ const isBefore = (a: Place, b: Place) =>
 export function linkerDiagnostics(text: string): readonly Diagnostic[] {
   const missing = text.matchAll(/undefined symbol: (.*)$/gm);
   const names = [...new Set([...missing].map(([, name]) => name!))];
-  const messages = names.length > 0 ? names.map(explained) : [text.trim()];
+  const [, crash] = /^error: (.*)$/m.exec(text) ?? [];
+  const messages = names.length > 0 ? names.map(explained) : [crash ?? text.trim()];
   return messages.map((message) => ({
     ...{ file: "", line: 0, column: 0, endLine: 0, endColumn: 0 },
     severity: "error",

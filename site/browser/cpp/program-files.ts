@@ -56,7 +56,7 @@ export function filesToRun(program: Program): Files {
 /** A macro may change what a header says. */
 const definesBeforeIncludes = (text: string) => /^\s*#\s*define\b[^]*^\s*#\s*include\b/m.test(text);
 
-const asText = (content: string | Uint8Array) =>
+export const asText = (content: string | Uint8Array) =>
   typeof content === "string" ? content : new TextDecoder().decode(content);
 
 function isSame(bytes: Uint8Array, content: string | Uint8Array): boolean {

@@ -8,8 +8,11 @@ export interface ToolResult {
   readonly text: string;
 }
 
-/** Runs `llvm` with the command line `args`, over `files`. It fails by its exit code; another exception
- * is of the machine's: there is no memory left. */
+/** As it says other errors (diagnostics.ts). */
+const crashed = "\nerror: the compiler itself crashed on this program\n";
+
+/** Runs `llvm` with the command line `args`, over `files`. It fails by its exit code or, where it has a
+ * fault of its own, by a trap; another exception is of the machine's: there is no memory left. */
 export function runTool(
   llvm: WebAssembly.Module,
   args: readonly string[],
@@ -28,6 +31,7 @@ export function runTool(
     (exports["_start"] as () => void)();
     return { ok: true, text };
   } catch (error) {
+    if (error instanceof WebAssembly.RuntimeError) return { ok: false, text: text + crashed };
     if (!(error instanceof Exit)) throw error;
     return { ok: error.code === 0, text };
   }

@@ -24,13 +24,12 @@ async function open(addresses: Addresses): Promise<void> {
   const parts = await load(addresses);
   compiler = await Compiler.of(parts);
 
-  tell("header", 0);
   const version = `${addresses.pack}?${new URLSearchParams({ llvm: addresses.llvm }).toString()}`;
   const kept = await keptHeader(version);
+  if (!kept) tell("header", 0);
   const header = kept ?? makeHeader(parts.llvm, parts.pack);
   if (!kept) await keepHeader(version, header);
   compiler.useHeader(header);
-  tell("header", 1);
   say({ kind: "ready" });
 }
 

@@ -49,6 +49,10 @@ const look = EditorView.theme({
     color: "var(--ink)",
     font: "var(--size-xs) / 1.45 var(--sans)",
   },
+  ".cm-tooltip.cm-tooltip-autocomplete > ul > li[aria-selected]": {
+    background: "var(--selection)",
+    color: "var(--ink)",
+  },
   ".cm-panels": { border: "0", borderBlockEnd: "1px solid var(--edge)" },
   ".cm-diagnostic-error": { borderInlineStart: "3px solid var(--wrong)" },
   ".cm-diagnostic-warning": { borderInlineStart: "3px solid var(--asserted)" },

@@ -64,10 +64,15 @@ export class EndedLab {
     this.#button.ariaBusy = "true";
     try {
       const { openMadeLab } = await import("../lab/lab.js");
-      const lab = await openMadeLab(place, (engine) => labOf(engine, this.#program, end));
+      const lab = await openMadeLab(place, (engine) => {
+        const { left, ...made } = labOf(engine, this.#program, end);
+        if (left) this.#say(left);
+        return made;
+      });
       if (this.#place === place) this.#lab = lab;
       else lab.close(); // meanwhile it was run again
       this.element.hidden = true;
+      place.querySelector<HTMLElement>("button")?.focus();
     } catch (error) {
       this.#refuse(error, place);
     } finally {
@@ -115,15 +120,15 @@ function placeOf(listing: HTMLElement, program: string): HTMLElement {
 
 function labOf(engine: Engine, program: string, { snapshots, model, files }: EndOfRun) {
   const { name } = model;
-  const states = [...snapshots];
   const all = { ...files, ...model.files };
+  const { states, left, camera } = shownStates(engine, name, all, [...snapshots]);
   const last = states.length - 1;
   const module: LabModule = {
     lab: {
       title: `Where your run of ${program}.cpp ended`,
       model: { name, texts: {}, assets: {} },
       height,
-      camera: cameraAt(engine, name, all, states[last]![1]),
+      camera,
       toggles: ["contacts", "forces", "joints", "frames", "transparent"],
       overlays: [],
       controls: [
@@ -148,7 +153,7 @@ function labOf(engine: Engine, program: string, { snapshots, model, files }: End
           put(state, world),
     ),
   };
-  return { module, files: all };
+  return { module, files: all, left };
 }
 
 type Data = Record<string, number[] | number>;
@@ -161,16 +166,42 @@ function put({ time, fields }: Snapshot, world: Scope): void {
   }
 }
 
-/** From where all geoms are seen that have an end. */
-function cameraAt(engine: Engine, name: string, files: ModelFiles, state: Snapshot): CameraPlace {
+/** Those of the model, and from where all geoms of the last one are seen that have an end. */
+function shownStates(
+  engine: Engine,
+  name: string,
+  files: ModelFiles,
+  snapshots: readonly (readonly [string, Snapshot])[],
+): { readonly states: typeof snapshots; readonly left: string; readonly camera: CameraPlace } {
   const simulation = engine.load(name, files);
   try {
-    put(state, simulation.world);
+    const states = snapshots.filter(([, state]) => fits(state, simulation.world));
+    const last = states.at(-1);
+    const others = snapshots.filter((one) => !states.includes(one)).map(([label]) => label);
+    const left = others.length > 0 ? `Left out: “${others.join("”, “")}”, which ${misfit}` : "";
+    if (!last) throw new Refusal(`There is nothing to look at. ${left}`);
+    put(last[1], simulation.world);
     simulation.forward();
-    return { ...outlook, ...surroundings(simulation.world) };
+    return { states, left, camera: { ...outlook, ...surroundings(simulation.world) } };
   } finally {
     simulation.free();
   }
+}
+
+/** Has a sentence for the reader. */
+class Refusal extends Error {
+  override readonly name = "Refusal";
+}
+
+const misfit =
+  "has numbers that are not finite, or is of another model than the one that the program loaded last.";
+
+/** What is not finite is no number in a record. */
+function fits({ fields }: Snapshot, world: Scope): boolean {
+  const data = world["data"] as Readonly<Record<string, ArrayLike<number>>>;
+  return [...fields].every(
+    ([field, numbers]) => data[field]?.length === numbers.length && numbers.every(Number.isFinite),
+  );
 }
 
 function surroundings(world: Scope): Pick<CameraPlace, "target" | "distance"> {

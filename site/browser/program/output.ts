@@ -7,6 +7,7 @@ export class Output {
   readonly #complaints = make("samp");
   readonly #scrolled: HTMLElement;
   readonly #complained: HTMLElement;
+  readonly #title = make("span");
   #waiting = "";
   #text = "";
 
@@ -15,7 +16,7 @@ export class Output {
     const attributes = { tabindex: "0", role: "group", "aria-label": "What your run printed" };
     this.#scrolled = make("pre", attributes, this.#printed);
     this.#complained = make("pre", { class: "complaints" }, this.#complaints);
-    const label = make("p", { class: "output-label" }, make("span", {}, "Printed by your run"));
+    const label = make("p", { class: "output-label" }, this.#title);
     this.element = make(
       "div",
       { class: "output yours", hidden: "" },
@@ -24,6 +25,11 @@ export class Output {
       this.#complained,
     );
     this.clear();
+  }
+
+  /** Who says what stands here. */
+  set title(text: string) {
+    this.#title.textContent = text;
   }
 
   clear(): void {

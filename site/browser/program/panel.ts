@@ -29,6 +29,9 @@ const refusals: Readonly<Record<NoCompiler["why"], string>> = {
   stopped: "Stopped.",
 };
 
+const borrowed =
+  "What you change in it is not kept, as you have a text of your own: close this one to edit that.";
+
 export class Panel {
   readonly #figure: HTMLElement;
   readonly #file: string;
@@ -50,6 +53,8 @@ export class Panel {
   /** What is kept, or need not be: a link's text is not the reader's own before it is changed. */
   #known = "";
   #isBusy = false;
+  /** A link's text where the reader has an own one, in whose place it is not to come. */
+  #isBorrowed = false;
 
   constructor(figure: HTMLElement, file: string, folder: Folder, compiler: Compiler) {
     this.#figure = figure;
@@ -60,8 +65,9 @@ export class Panel {
     this.#ended = new EndedLab(figure, this.#name, (text) => this.#say(text));
   }
 
-  /** With `linked`, a text that is not the reader's own, and that is not kept before it is changed. */
-  open(linked?: string): void {
+  /** With `linked`, a text that is not the reader's own, and that is not kept before it is changed.
+   * `remark` is told once it can be run. */
+  open(linked?: string, remark = ""): void {
     const close = button("Close", "", () => this.close(true));
     const bar = make("div", { class: "program-bar" });
     this.#run.setAttribute("aria-keyshortcuts", "Control+Enter");
@@ -77,7 +83,9 @@ export class Panel {
     this.#element.after(this.#output.element, this.#ended.element);
     this.#figure.classList.add("edited");
     const lesson = this.#folder.text;
-    this.#known = linked ?? keptText(this.#file) ?? lesson;
+    const own = keptText(this.#file);
+    this.#isBorrowed = linked !== undefined && own !== undefined && own !== linked;
+    this.#known = linked ?? own ?? lesson;
     this.#editor = openCodeEditor(this.#host, {
       text: this.#known,
       file: this.#main,
@@ -86,12 +94,19 @@ export class Panel {
       completion: completionOf(() => this.#apiNames(), this.#folder.helper),
     });
     this.#editor.scrollTo(lineOfRegion(lesson, this.#code.textContent));
-    this.#zip?.addEventListener("click", (event) => this.#takeAlong(event), {
-      signal: this.#leaving.signal,
-    });
+    this.#listen();
     this.#show();
     this.#editor.focus();
-    void this.#prepare();
+    void this.#prepare(this.#isBorrowed ? `${remark} ${borrowed}` : remark);
+  }
+
+  #listen(): void {
+    const { signal } = this.#leaving;
+    const keep = () => this.#changed(this.#editor.text);
+    addEventListener("pagehide", keep, { signal });
+    document.addEventListener("visibilitychange", keep, { signal });
+    this.#zip?.addEventListener("click", (event) => this.#takeAlong(event), { signal });
+    this.#download?.addEventListener("click", (event) => this.#saveText(event), { signal });
   }
 
   /** The listing is as it was; the reader's text stays kept. */
@@ -111,28 +126,31 @@ export class Panel {
   }
 
   async run(): Promise<void> {
+    if (this.#isBusy) return;
     if (this.#compiler.isRunning) {
-      this.#say("A program of this page runs already. Stop it first.");
+      this.#say("Another program of this page is running. Stop it first.");
       return;
     }
-    if (this.#isBusy) return;
     const { text } = this.#editor;
     this.#changed(text);
     this.#forgetRun();
     this.#editor.showDiagnostics([]);
     await this.#whileBusy(async () => {
       this.#say("Compiling…");
+      this.#status.scrollIntoView({ block: "nearest" });
       await this.#compiler.open(this.#progress.show);
       this.#progress.hide();
       this.#say("Compiling…"); // opening may have said what it did
       const program = this.#folder.program(text, this.#arguments);
       const ended = await this.#compiler.run(program, this.#stated, this.#listener());
       if (ended) this.#tell(ended);
+      else quoteLesson(this.#name);
     });
   }
 
   reset(): void {
     if (this.#isBusy) this.#compiler.stop();
+    this.#isBorrowed = false;
     this.#known = this.#folder.text;
     this.#editor.replace(this.#known);
     this.#editor.showDiagnostics([]);
@@ -140,6 +158,7 @@ export class Panel {
     this.#forgetRun();
     quoteLesson(this.#name);
     this.#show();
+    this.#editor.focus();
     this.#say(`This is the ${this.#source}’s program again.`);
   }
 
@@ -149,10 +168,10 @@ export class Panel {
   }
 
   /** While the reader reads and edits. */
-  #prepare(): Promise<void> {
+  #prepare(remark: string): Promise<void> {
     return this.#whileBusy(async () => {
       await this.#compiler.open(this.#progress.show);
-      this.#say("Ready to run.");
+      this.#say(`Ready to run. ${remark}`.trim());
       const { worker, llvm, pack, engine, wasm } = this.#figure.dataset;
       void keepFiles([worker!, llvm!, pack!, engine!, wasm!]);
     });
@@ -175,6 +194,7 @@ export class Panel {
   #refuse(error: unknown): void {
     const why = error instanceof NoCompiler ? error.why : "unknown";
     if (why === "unknown") reportError(error);
+    quoteLesson(this.#name);
     this.#say(refusals[why]);
   }
 
@@ -182,7 +202,9 @@ export class Panel {
     return {
       compiled: ({ diagnostics, ok }) => {
         this.#showDiagnostics(diagnostics);
+        this.#output.title = ok ? "Printed by your run" : "Said by the compiler";
         this.#say(ok ? "Running…" : `It does not compile: ${countOf(diagnostics)}.`);
+        if (!ok) this.#showFirstError();
       },
       output: (stream, text) =>
         stream === "out" ? this.#output.print(text) : this.#output.complain(text),
@@ -195,6 +217,12 @@ export class Panel {
     for (const one of diagnostics) this.#output.complain(`${lineOf(one)}\n`);
   }
 
+  #showFirstError(): void {
+    const isError = ({ file, severity }: Diagnostic) => file === this.#main && severity === "error";
+    const first = this.#diagnostics.find(isError);
+    if (first) this.#editor.scrollTo(first.line);
+  }
+
   #tell({ end, records, model, changes, seconds }: Ended): void {
     const expected = Number(this.#figure.dataset["exit"] ?? 0);
     const told = [sentenceOf(end, expected)];
@@ -202,6 +230,7 @@ export class Panel {
     if (end.line !== undefined && !isExpected) {
       const mark = diagnosticOfLine(this.#main, end.line, told[0]!);
       this.#editor.showDiagnostics([...this.#diagnostics, mark]);
+      this.#editor.scrollTo(end.line);
     }
     if (changes) told.push(...this.#compareWithLesson(changes, records));
     const snapshots = readSnapshots(records);
@@ -215,10 +244,10 @@ export class Panel {
   #compareWithLesson(changes: OutputChanges, records: string): string[] {
     this.#output.mark(changes.come);
     const values = quoteRun(this.#name, records);
-    const are = values === 1 ? "is" : "are";
+    const come = values === 1 ? "comes" : "come";
     return [
       comparisonSentence(changes),
-      ...(values > 0 ? [`${counted(values, "value")} in the text ${are} of your run.`] : []),
+      ...(values > 0 ? [`${counted(values, "value")} in the text ${come} from your run.`] : []),
     ];
   }
 
@@ -232,15 +261,19 @@ export class Panel {
   #changed(text: string): void {
     if (text === this.#known) return;
     this.#known = text;
+    this.#show();
+    if (this.#isBorrowed) return;
+    forgetLink();
     if (text === this.#folder.text) forgetText(this.#file);
     else keepText(this.#file, text);
-    this.#show();
   }
 
-  /** What can be pressed now. */
+  /** What can be pressed now; the focus stays on what can. */
   #show(): void {
-    this.#run.disabled = this.#isBusy;
-    this.#stop.disabled = !this.#isBusy;
+    const [possible, other] = this.#isBusy ? [this.#stop, this.#run] : [this.#run, this.#stop];
+    possible.disabled = false;
+    if (document.activeElement === other) possible.focus();
+    other.disabled = true;
     this.#reset.disabled = this.#editor.text === this.#folder.text;
   }
 
@@ -254,7 +287,7 @@ export class Panel {
     link.hash = `run:${this.#file}:${value}`;
     try {
       await navigator.clipboard.writeText(link.href);
-      this.#say("The link is copied. Who opens it has this text, and runs it if they like.");
+      this.#say("The link is copied. Anyone who opens it gets this text and can run it.");
     } catch {
       location.hash = link.hash;
       this.#say("The link is this page’s address now: copy it from there.");
@@ -268,6 +301,11 @@ export class Panel {
     void this.#folder.zip(text).then((archive) => save(archive, `${this.#name}.zip`));
   }
 
+  #saveText(event: Event): void {
+    event.preventDefault();
+    save(new Blob([this.#editor.text], { type: "text/plain" }), this.#main);
+  }
+
   #say(text: string): void {
     this.#status.textContent = text;
   }
@@ -279,6 +317,11 @@ export class Panel {
   /** A program that the page has made has none. */
   get #zip(): HTMLAnchorElement | null {
     return this.#figure.querySelector<HTMLAnchorElement>("a.zip");
+  }
+
+  /** Of the .cpp alone. */
+  get #download(): HTMLAnchorElement | null {
+    return this.#figure.querySelector<HTMLAnchorElement>("figcaption > a[download]:not(.zip)");
   }
 
   /** Whose program it was at first. */
@@ -305,6 +348,12 @@ export class Panel {
   get #arguments(): readonly string[] {
     return JSON.parse(this.#figure.dataset["arguments"] ?? "[]") as string[];
   }
+}
+
+/** Opened again, the page has what the reader made of the link's text. */
+function forgetLink(): void {
+  if (!location.hash.startsWith("#run:")) return;
+  history.replaceState(history.state, "", location.pathname + location.search);
 }
 
 function button(name: string, kind: string, act: () => void): HTMLButtonElement {

@@ -3,6 +3,7 @@
  * client/programs.ts calls once the reader has asked for it. However many programs a page has, there is
  * one compiler (compiler.ts).
  */
+import { keptText } from "../client/program-text.js";
 import { wear } from "../lab/page/stylesheet.js";
 import { Compiler } from "./compiler.js";
 import { Folder } from "./folder.js";
@@ -34,5 +35,18 @@ export async function openProgram(figure: HTMLElement, linked?: string): Promise
   });
   const panel = new Panel(figure, file, folder, compiler);
   panels.set(file, panel);
-  panel.open(text);
+  panel.open(text, linked === undefined ? remarkOn(file, folder) : remarkOnLink(text));
+}
+
+/** What the reader is to know of the text that opens. */
+function remarkOn(file: string, folder: Folder): string {
+  const own = keptText(file);
+  if (folder.isOfLesson || own === undefined || own === folder.text) return "";
+  return "This is what you wrote before; “Reset to the lab’s” brings the state that the lab has now.";
+}
+
+function remarkOnLink(text: string | undefined): string {
+  return text === undefined
+    ? "The text of the link could not be read: it may have been cut off."
+    : "This is the text that the link brought.";
 }

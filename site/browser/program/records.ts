@@ -9,25 +9,27 @@ export interface Snapshot {
   readonly fields: ReadonlyMap<string, readonly number[]>;
 }
 
-/** By their names. What a text cannot quote is left out: lists, tables, snapshots, broken lines. */
+/** By their names. What a text cannot quote is left out: lists, tables, snapshots, broken lines. JSON has
+ * no number that is not finite, so the helper header writes null. */
 export function readResults(records: string): Map<string, Result> {
   const results = new Map<string, Result>();
   for (const line of records.split("\n")) {
     const record = parsed(line);
     if (typeof record?.result !== "string") continue;
     const { result, value } = record;
+    if (value === null) results.set(result, "not finite");
     if (typeof value === "number" || typeof value === "string") results.set(result, value);
   }
   return results;
 }
 
-/** By their names, and with a row at least. */
-export function readTables(records: string): Map<string, Columns> {
-  const tables = new Map<string, Columns>();
+/** By their names; for one that nothing can be drawn of, a clause that says why. */
+export function readTables(records: string): Map<string, Columns | string> {
+  const tables = new Map<string, Columns | string>();
   for (const line of records.split("\n")) {
     const record = parsed(line);
     if (typeof record?.table !== "string" || !isTable(record.value)) continue;
-    tables.set(record.table, record.value);
+    tables.set(record.table, fault(record.value) ?? record.value);
   }
   return tables;
 }
@@ -54,9 +56,18 @@ function isTable(value: unknown): value is Columns {
   const columns = value as readonly unknown[];
   const isColumn = (column: unknown): column is [string, number[]] =>
     Array.isArray(column) && typeof column[0] === "string" && Array.isArray(column[1]);
-  if (!columns.every(isColumn)) return false;
+  return columns.every(isColumn);
+}
+
+function fault(columns: Columns): string | undefined {
   const lengths = new Set(columns.map(([, numbers]) => numbers.length));
-  return lengths.size === 1 && !lengths.has(0);
+  if (lengths.size > 1) return "its columns differ in length";
+  if (lengths.size === 0 || lengths.has(0)) return "it has no row";
+  for (const [name, numbers] of columns) {
+    const row = numbers.findIndex((number) => !Number.isFinite(number));
+    if (row >= 0) return `“${name}” is not finite in row ${row + 1}`;
+  }
+  return undefined;
 }
 
 interface Line {

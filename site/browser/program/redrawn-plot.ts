@@ -30,12 +30,13 @@ export class RedrawnPlot {
   }
 
   /** Draws what the reader's run reported, of all `tables` by their names. */
-  async show(tables: ReadonlyMap<string, Columns>): Promise<void> {
+  async show(tables: ReadonlyMap<string, Columns | string>): Promise<void> {
     const run = ++this.#run;
     try {
       const name = this.#element.dataset["table"]!;
       const columns = tables.get(name);
       if (columns === undefined) throw new Error(`your run reported no table “${name}”`);
+      if (typeof columns === "string") throw new Error(`of your run’s table “${name}”, ${columns}`);
       this.#spec ??= fetchText(this.#element.dataset["spec"]!);
       const [spec, { drawPlot }] = await Promise.all([this.#spec, import("./plot-drawing.js")]);
       const { wide, narrow } = await drawPlot(spec, columns, this.#element.id);
@@ -44,12 +45,13 @@ export class RedrawnPlot {
         const isNarrow = drawing.closest(".plot-narrow") !== null;
         redraw(drawing, isNarrow ? (narrow ?? wide) : wide);
       }
+      this.#element.classList.add("redrawn");
       this.#say("Computed by your run.");
     } catch (error) {
       this.#spec = undefined; // there may be a network the next time
       if (run !== this.#run) return;
       this.reset();
-      this.#say(`The lesson’s run: ${(error as Error).message}.`);
+      this.#say(`Still of the lesson’s run: ${(error as Error).message}.`);
     }
   }
 
@@ -61,7 +63,7 @@ export class RedrawnPlot {
       for (const { name, value } of whole.attributes) drawing.setAttribute(name, value);
       drawing.replaceChildren(...whole.childNodes);
     }
-    this.#element.classList.remove("yours");
+    this.#element.classList.remove("yours", "redrawn");
     if (this.#source) this.#source.innerHTML = this.#recordedSource;
   }
 

@@ -7,9 +7,9 @@ export function sentenceOf(end: End, expected: number): string {
   if (end.how === "exit") return exit(end.code, expected, place);
   switch (end.how) {
     case "error":
-      return `MuJoCo ended it${place}: ${end.message}`;
+      return closed(`MuJoCo ended it${place}: ${end.message}`);
     case "uncaught":
-      return `Nobody caught an exception${place}: ${end.message}`;
+      return closed(`An exception was not caught${place}: ${end.message}`);
     case "stack-overflow":
       return `The stack overflowed${place}: a function calls itself without end, or an array is large.`;
     case "memory":
@@ -17,18 +17,27 @@ export function sentenceOf(end: End, expected: number): string {
     case "output":
       return "It was ended, since it prints without end.";
     case "trap":
-      return `It crashed${place}: ${end.message}`;
+      return closed(`It crashed${place}: ${end.message}`);
   }
 }
 
 /** What it printed beside what the lesson's run did. */
 export function comparisonSentence({ gone, come }: OutputChanges): string {
   const are = (count: number) => (count === 1 ? "is" : "are");
-  const [others, missing] = [come.length, gone].map((count) => counted(count, "line"));
-  if (come.length > 0) return `${others} of its output ${are(come.length)} not the lesson’s.`;
-  if (gone > 0) return `${missing} of the lesson’s output ${are(gone)} missing.`;
-  return "It printed what the lesson’s printed.";
+  const missing = gone - come.length;
+  const sentences = [
+    ...(come.length > 0
+      ? [`${counted(come.length, "line")} of its output ${are(come.length)} not the lesson’s.`]
+      : []),
+    ...(missing > 0
+      ? [`${counted(missing, "line")} of the lesson’s output ${are(missing)} missing.`]
+      : []),
+  ];
+  return sentences.join(" ") || "It printed what the lesson’s printed.";
 }
+
+/** What others say has a full stop or not. */
+const closed = (sentence: string) => sentence.replace(/[^.!?]$/, "$&.");
 
 /** "1 line", "2 lines" */
 export function counted(count: number, noun: string): string {
@@ -36,7 +45,7 @@ export function counted(count: number, noun: string): string {
 }
 
 function exit(code: number, expected: number, place: string): string {
-  if (code === 0 && expected === 0) return "It ended well.";
+  if (code === 0 && expected === 0) return "It ran to the end.";
   const lesson = code === expected ? ", as in the lesson" : "";
   return `It ended with exit code ${code}${place}${lesson}.`;
 }

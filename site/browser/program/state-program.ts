@@ -55,6 +55,7 @@ function listingOf(lab: HTMLElement, name: string, text: string): HTMLElement {
 function programOf({ title, time, code, model }: LabState): string {
   const indented = code.trimEnd().replace(/^(?=.)/gm, "  ");
   return `// Begins where the lab “${title}” was at t = ${time.toFixed(3)} s.
+#include <cmath>
 #include <cstdio>
 
 #include <mjcourse/mjcourse.hpp>
@@ -67,8 +68,8 @@ int main() {
 
 ${indented}
 
-  const double end = data->time + 1;
-  while (data->time < end) mj_step(model, data);
+  const int steps = static_cast<int>(std::lround(1 / model->opt.timestep));
+  for (int i = 0; i < steps; ++i) mj_step(model, data);
 
   std::printf("t = %.3f s\\n", data->time);
   for (int i = 0; i < model->nq; ++i) std::printf("qpos[%d] = %.6g\\n", i, data->qpos[i]);

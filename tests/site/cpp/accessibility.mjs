@@ -8,6 +8,8 @@ import { testPrograms } from "./compiler.mjs";
 import { fallPage, Program } from "./program.mjs";
 
 async function look(page, visitor, how) {
+  // Scrolled, the page's head covers a part of what is below it.
+  await page.evaluate(() => scrollTo(0, 0));
   for (const violation of await violations(page))
     visitor.complain(`${fallPage} (${how})`, violation);
   const wide = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
@@ -49,7 +51,7 @@ async function byKeyboard(page, program, expect) {
   await page.keyboard.press("Tab");
   expect((await focused(page)) === "Run", `out of the editor, it is on ${await focused(page)}`);
   await page.keyboard.press("Enter");
-  await program.says("It ended well.");
+  await program.says("It ran to the end.");
 }
 
 await testPrograms(async (visitor) => {

@@ -13,7 +13,7 @@ const values = (page) => page.locator("p .value").allInnerTexts();
 async function runsAsTheLesson(page, expect) {
   const program = await Program.open(page);
   const said = await program.run();
-  expect(said === "It ended well. It printed what the lesson’s printed.", said);
+  expect(said === "It ran to the end. It printed what the lesson’s printed.", said);
   const printed = await program.printed();
   expect(printed === "time: 0.500 s\nheight: 0.769 m\n", `it prints ${printed}`);
   expect((await page.locator(".value.yours").count()) === 0, "the lesson’s values are marked");
@@ -23,7 +23,10 @@ async function runsAsTheLesson(page, expect) {
 async function differs(page, program, expect) {
   await program.replace("seconds = 0.5", "seconds = 0.25");
   const said = await program.run();
-  expect(/^It ended well\. 2 lines of its output are not the lesson’s\. 2 values/.test(said), said);
+  expect(
+    /^It ran to the end\. 2 lines of its output are not the lesson’s\. 2 values/.test(said),
+    said,
+  );
   const marked = await program.root.locator(".output.yours mark").allInnerTexts();
   expect(marked.map((line) => line.trim()).join() === "time: 0.250 s,height: 1.691 m", `${marked}`);
   const [height, steps, bodies] = await values(page);
@@ -66,7 +69,7 @@ async function complains(page, program, expect) {
 async function warns(page, program, expect) {
   await program.replace("int main() {", "int main() {\n  int unused = 7;");
   const said = await program.run();
-  expect(said === "It ended well. It printed what the lesson’s printed.", said);
+  expect(said === "It ran to the end. It printed what the lesson’s printed.", said);
   const marked = await program.root.locator(".cm-lintRange-warning").allInnerTexts();
   expect(marked.join() === "unused", `${marked} is marked`);
 }
@@ -86,14 +89,17 @@ async function stops(page, program, expect) {
   );
   await program.button("Reset to the lesson’s").click();
   const said = await program.run();
-  expect(said === "It ended well. It printed what the lesson’s printed.", `after a stop: ${said}`);
+  expect(
+    said === "It ran to the end. It printed what the lesson’s printed.",
+    `after a stop: ${said}`,
+  );
 }
 
 // The line where it was ended is marked, and its own warnings stay.
 async function crashes(page, program, expect) {
   await program.replace("int main() {", 'int main() {\n  int unused;\n  mju_error("too far");');
   const said = await program.run();
-  expect(/^MuJoCo ended it \(line \d+\): too far 2 lines of the lesson/.test(said), said);
+  expect(/^MuJoCo ended it \(line \d+\): too far\. 2 lines of the lesson/.test(said), said);
   const marked = (kind) => program.root.locator(`.cm-lintRange-${kind}`).allInnerTexts();
   expect((await marked("error")).join() === 'mju_error("too far");', `${await marked("error")}`);
   expect((await marked("warning")).join() === "unused", `${await marked("warning")} is marked`);
@@ -123,10 +129,10 @@ async function editsSnippet(page, expect) {
   const text = await snippet.text();
   expect(text.includes("  const double seconds = 0.1;\n  while (data->time"), `it edits ${text}`);
   const same = await snippet.run();
-  expect(same === "It ended well. It printed what the lesson’s printed.", same);
+  expect(same === "It ran to the end. It printed what the lesson’s printed.", same);
   await snippet.replace("seconds = 0.1;", "seconds = 0.3;");
   const other = await snippet.run();
-  expect(other === "It ended well. 1 line of its output is not the lesson’s.", other);
+  expect(other === "It ran to the end. 1 line of its output is not the lesson’s.", other);
   expect((await snippet.printed()) === "0.30 s\n", `it prints ${await snippet.printed()}`);
   await comparesAsTheBuild(snippet, expect);
 }
@@ -136,10 +142,10 @@ async function comparesAsTheBuild(snippet, expect) {
   await snippet.replace("seconds = 0.3;", "seconds = 0.11;");
   const same = await snippet.run();
   expect((await snippet.printed()) === "0.11 s\n", `it prints ${await snippet.printed()}`);
-  expect(same === "It ended well. It printed what the lesson’s printed.", same);
+  expect(same === "It ran to the end. It printed what the lesson’s printed.", same);
   await snippet.replace('std::printf("%.2f s\\n", data->time);', "");
   const none = await snippet.run();
-  expect(none === "It ended well. 1 line of the lesson’s output is missing.", none);
+  expect(none === "It ran to the end. 1 line of the lesson’s output is missing.", none);
 }
 
 await testPrograms(async (visitor) => {

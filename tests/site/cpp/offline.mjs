@@ -78,7 +78,7 @@ async function isKeptWhenAskedFor(browser) {
   await program.button(/^Edit and run/).click();
   await program.says("Ready to run.");
   const said = await program.run();
-  expect(said.startsWith("It ended well."), `of the whole course without a network: ${said}`);
+  expect(said.startsWith("It ran to the end."), `of the whole course without a network: ${said}`);
   await page.context().close();
 }
 
@@ -94,7 +94,7 @@ async function refuses(browser) {
   await program.says("The compiler could not be loaded. Check the connection, then press Run.");
   await page.context().unrouteAll();
   const said = await program.run();
-  expect(said.startsWith("It ended well."), `once there is a network again: ${said}`);
+  expect(said.startsWith("It ran to the end."), `once there is a network again: ${said}`);
   server.close();
 }
 

@@ -97,6 +97,7 @@ test("results are read, and what no text quotes is passed over", () => {
     '{"result": "depth", "value": 0.5}',
     '{"result": "word", "value": "deep"}',
     '{"result": "list", "value": [1, 2]}',
+    '{"result": "infinite", "value": null}',
     '{"table": "fall", "value": [["t", [1]]]}',
     '{"result": "cut", "val',
     "null",
@@ -107,20 +108,30 @@ test("results are read, and what no text quotes is passed over", () => {
     [
       ["depth", 0.5],
       ["word", "deep"],
+      ["infinite", "not finite"],
     ],
   );
 });
 
+test("a table says why nothing can be drawn of it", () => {
+  const table = (...columns) =>
+    parts.readTables(JSON.stringify({ table: "t", value: columns })).get("t");
+  assert.deepEqual(table(["a", [1, 2]]), [["a", [1, 2]]]);
+  assert.equal(table(["a", [1]], ["b", []]), "its columns differ in length");
+  assert.equal(table(["a", []]), "it has no row");
+  assert.equal(table(["a", [1, null]]), "“a” is not finite in row 2");
+});
+
 test("each end has its sentence", () => {
   const said = (end, expected = 0) => parts.sentenceOf(end, expected);
-  assert.equal(said({ how: "exit", code: 0 }), "It ended well.");
+  assert.equal(said({ how: "exit", code: 0 }), "It ran to the end.");
   assert.equal(said({ how: "exit", code: 3 }), "It ended with exit code 3.");
   assert.equal(said({ how: "exit", code: 3 }, 3), "It ended with exit code 3, as in the lesson.");
   assert.equal(said({ how: "exit", code: 0 }, 3), "It ended with exit code 0.");
-  assert.equal(said({ how: "error", message: "stack in use" }), "MuJoCo ended it: stack in use");
+  assert.equal(said({ how: "error", message: "stack in use" }), "MuJoCo ended it: stack in use.");
   assert.equal(
     said({ how: "trap", message: "division by zero", line: 7 }),
-    "It crashed (line 7): division by zero",
+    "It crashed (line 7): division by zero.",
   );
 });
 
@@ -128,7 +139,11 @@ test("lines that are not the lesson's are counted, and else those of the lesson 
   const said = (gone, ...come) => parts.comparisonSentence({ gone, come });
   assert.equal(said(0), "It printed what the lesson’s printed.");
   assert.equal(said(1, 4), "1 line of its output is not the lesson’s.");
-  assert.equal(said(3, 4, 5), "2 lines of its output are not the lesson’s.");
+  assert.equal(said(2, 4, 5), "2 lines of its output are not the lesson’s.");
+  assert.equal(
+    said(4, 4, 5),
+    "2 lines of its output are not the lesson’s. 2 lines of the lesson’s output are missing.",
+  );
   assert.equal(said(1), "1 line of the lesson’s output is missing.");
   assert.equal(said(2), "2 lines of the lesson’s output are missing.");
 });
