@@ -104,10 +104,14 @@ test("MuJoCo's error ends it with what MuJoCo said", async () => {
   });
 });
 
+const unreachable = "a null pointer was followed, or a function ended without its return";
+
 test("a trap says which", async () => {
   const endings = {
     [`volatile int none = 0; std::printf("%d", 1 / none);`]: "divide by zero",
     [`*(volatile int*)0xfffffff0 = 1;`]: "memory access out of bounds",
+    [`mjData* none = nullptr; none->time = argc;`]: unreachable,
+    [`std::printf("%d", [](int n) -> int { if (n > 5) return 1; }(argc));`]: unreachable,
     [`std::abort();`]: "it called abort()",
     [`assert(argc == 5);`]: `Assertion failed: argc == 5 (p.cpp: main: ${firstLine})`,
   };

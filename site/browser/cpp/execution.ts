@@ -169,11 +169,17 @@ function endOf(error: unknown, program: WebAssembly.Instance, engine: Engine): E
   if (error instanceof RangeError || hasOverflown(program)) {
     return { how: "stack-overflow", message: "the stack is full" };
   }
-  if (error instanceof WebAssembly.RuntimeError) return { how: "trap", message: error.message };
+  if (error instanceof WebAssembly.RuntimeError) {
+    const { message } = error;
+    return { how: "trap", message: /^unreachable/i.test(message) ? unreachable : message };
+  }
   const { status } = error as { readonly status?: number }; // emscripten's ExitStatus
   if (typeof status === "number") return { how: "exit", code: status };
   throw error;
 }
+
+/** Where clang itself puts a trap. */
+const unreachable = "a null pointer was followed, or a function ended without its return";
 
 /** The stack grows down to address 0 and, as numbers of 32 bits do, on from the last one. */
 function hasOverflown({ exports }: WebAssembly.Instance): boolean {

@@ -60,6 +60,8 @@ export const compileArguments = (
   how: { readonly include: string; readonly prepared: boolean; readonly withLines: boolean },
 ): string[] => [
   ...[...cxx, "-I", how.include, ...libraries, "-O0", "-Wall", "-Wextra", "-ferror-limit", "19"],
+  // address 0 is memory like any other
+  ...["-fsanitize=null", "-fsanitize-trap=null"],
   // a line for each of what diagnostics.ts reads
   ...["-fno-caret-diagnostics", "-fdiagnostics-print-source-range-info"],
   `-fmacro-prefix-map=${programFolder}/=`,

@@ -104,7 +104,10 @@ function sequence(reader: Reader, end: number, head: Head, codeSize: number): Ro
   const rows: Row[] = [];
   const first = head.operands.length + 1;
   let [address, line, file] = [0, 1, 1];
-  const add = (of: number) => rows.push({ address, line: of === head.file ? line : undefined });
+  // Line 0 is code that the compiler has added, which counts as the line before.
+  const add = (of: number) => {
+    if (line > 0) rows.push({ address, line: of === head.file ? line : undefined });
+  };
   const advance = (count: number) => (address += count * head.step);
   const isKept = () => {
     const begin = rows[0]?.address ?? 0;

@@ -137,7 +137,7 @@ export class Panel {
     this.#editor.showDiagnostics([]);
     await this.#whileBusy(async () => {
       this.#say("Compiling…");
-      this.#status.scrollIntoView({ block: "nearest" });
+      this.#showStatus();
       await this.#compiler.open(this.#progress.show);
       this.#progress.hide();
       this.#say("Compiling…"); // opening may have said what it did
@@ -239,6 +239,12 @@ export class Panel {
     }
     if (seconds >= 1) told.push(`It ran for ${seconds.toFixed(1)} s.`);
     this.#say(told.join(" "));
+    // It may have more lines than before.
+    if (this.#figure.contains(document.activeElement)) this.#showStatus();
+  }
+
+  #showStatus(): void {
+    this.#status.scrollIntoView({ block: "nearest" });
   }
 
   #compareWithLesson(changes: OutputChanges, records: string): string[] {
