@@ -109,7 +109,7 @@ TEST_F(PageWriterTest, LetsAReaderRunAProgramWhereTheSiteHasACompiler) {
     manifest_[name] = std::string("assets/") + name;
   }
   EXPECT_EQ(body(fence + same).find("data-outputs"), std::string::npos);
-  const std::string html = body(fence + same + gap);
+  const std::string html = body(fence + gap);
   for (const char* attribute :
        {" data-program=\"examples/x.cpp\"", " data-code=\"../assets/program.js\"",
         " data-style=\"../assets/program.css\"", " data-worker=\"../assets/cpp.js\"",
