@@ -133,6 +133,11 @@ test("an end has the line of the program's own that called for it", async () => 
 test("what has no main, and what no linker can take, says so", async () => {
   const none = await runner.ask("p.cpp", { "p.cpp": "int x;\n" });
   assert.deepEqual(none.end, { how: "trap", message: "it has no main(), where a program begins" });
+  const written = await runner.ask("p.cpp", {
+    "include/begin.hpp": "int main() { return 0; }\n",
+    "p.cpp": '#include "begin.hpp"\n',
+  });
+  assert.deepEqual(written.end, { how: "exit", code: 0 });
   const large = "static char big[3000000000u];\nint main() { return big[7]; }\n";
   const { ok, diagnostics } = await runner.ask("p.cpp", { "p.cpp": large });
   assert.equal(ok, false);

@@ -64,7 +64,7 @@ interface Objects {
   readonly how: Omit<Linking, "out" | "tableBegin">;
 }
 
-/** The linker puts a trap in its place. */
+/** The linker puts a trap in its place. One that a macro or a header writes is not seen here. */
 const noMain = "it has no main(), where a program begins";
 const hasMain = ({ main, files }: Program) => /\bmain\s*\(/.test(asText(files[main] ?? ""));
 
@@ -118,7 +118,7 @@ export class Compiler {
       loaded: (last) => (model = last),
     });
     const records = new TextDecoder().decode(files.bytes(recordsPath));
-    const told = hasMain(program) ? end : { how: "trap" as const, message: noMain };
+    const told = end.how === "trap" && !hasMain(program) ? { ...end, message: noMain } : end;
     return { end: told, offsets, records, model, seconds: { compile, link, run: clock.lap() } };
   }
 

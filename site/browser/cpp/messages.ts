@@ -41,7 +41,7 @@ export interface OutputChanges {
   readonly come: readonly number[];
 }
 
-export type Stage = "download" | "unpack" | "compile-tools" | "header";
+export type Stage = "download" | "compile-tools" | "header";
 
 export type FromWorker =
   | {

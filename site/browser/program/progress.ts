@@ -4,7 +4,6 @@ import type { Stage } from "../cpp/messages.js";
 
 const stages: Readonly<Record<Stage, string>> = {
   download: "Fetching the compiler…",
-  unpack: "Unpacking the compiler…",
   "compile-tools": "Making the compiler ready…",
   header: "Making the headers ready, which is done once…",
 };

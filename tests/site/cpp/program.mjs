@@ -66,7 +66,7 @@ export class Program {
   // Until it has ended; gives what is said of that.
   async run() {
     await this.button("Run").click();
-    await this.says(/^(?!Compiling|Running|Ready|Fetching|Making|Unpacking)./);
+    await this.says(/^(?!Compiling|Running|Ready|Fetching|Making)./);
     return this.status.innerText();
   }
 }
