@@ -3,8 +3,8 @@
 // INPUT    falling_box.xml
 // PROCESS  with t = n h, the box is g t^2 / (2 n) below the parabola: find the
 //          smallest n by hand, and try it and the one before
-// OUTPUT   both steps, and how far below the box is with each; exits with 1
-//          where the prediction fails
+// OUTPUT   both steps, and how far below the box is with each; checks the same
+//          for other times and distances
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l0_1_millimetre
@@ -24,11 +24,36 @@ double below(const Model& model, int n, double t) {
   return parabola - data->qpos[0];
 }
 
+// The smallest number of equal steps that take t in all and leave the box at
+// most `allowed` below the parabola; g is positive. SI units.
+int steps_needed(double allowed, double t, double g) {
+  // #region answer
+  return std::ceil(g * t * t / (2 * allowed));
+  // #starter
+  // return 0;  // the box is g h t / 2 below, and there are t / h steps
+  // #wrong forgets-the-half: one step fewer is too few
+  // return std::ceil(g * t * t / allowed);
+  // #wrong rounds-down: the box stays within what is allowed
+  // return g * t * t / (2 * allowed);
+  // #endregion
+}
+
+void check(const Model& model, double allowed, double t, double g) {
+  const int n = steps_needed(allowed, t, g);
+  if (!expect(n > 0, "the number of steps is positive")) return;
+  const bool is_enough = expect(
+      below(model, n, t) <= allowed, "the box stays within what is allowed",
+      "these steps are too long, even if only by a little");
+  if (is_enough && n > 1)
+    expect(below(model, n - 1, t) > allowed, "one step fewer is too few",
+           "longer steps would do: there are more of them than necessary");
+}
+
 int main() {
   const Model model = load_model("falling_box");
   const double t = 0.5, allowed = 0.001;  // s, m
   const double g = -model->opt.gravity[2];
-  const int n = std::ceil(g * t * t / (2 * allowed));
+  const int n = steps_needed(allowed, t, g);
 
   const double before = below(model, n - 1, t), enough = below(model, n, t);
   std::printf("%d steps of %.5f ms: %.5f mm\n", n - 1, 1000 * t / (n - 1),
@@ -36,5 +61,8 @@ int main() {
   std::printf("%d steps of %.5f ms: %.5f mm\n", n, 1000 * t / n, 1000 * enough);
   result("steps", n);
   result("step_ms", 1000 * t / n);
-  return before > allowed && enough <= allowed ? 0 : 1;
+
+  check(model, allowed, t, g);
+  check(model, 0.01, 0.3, g);
+  check(model, 0.002, 0.4, g);
 }

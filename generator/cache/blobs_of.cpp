@@ -26,8 +26,8 @@ struct BlobsOf {
     (*this)(lab.poster);
     (*this)(lab.pin);
   }
-  template <AnyOf<FormulaResult, ValueResult, ExampleResult, ModelResult, OutputResult, ImageResult,
-                  PlotResult, QuizResult>
+  template <AnyOf<FormulaResult, ValueResult, ExampleResult, ExerciseResult, ModelResult,
+                  OutputResult, ImageResult, PlotResult, QuizResult>
                 Other>
   void operator()(Other&) {}
 };

@@ -73,9 +73,12 @@ namespace mjcourse {
 #define MJCOURSE_FIELDS NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE
 MJCOURSE_FIELDS(FormulaResult, markup)
 MJCOURSE_FIELDS(Column, name, values)
-MJCOURSE_FIELDS(Records, results, tables, snapshots)
+MJCOURSE_FIELDS(Check, what, holds, meaning, found, points, line)
+MJCOURSE_FIELDS(Records, results, tables, snapshots, checks)
 MJCOURSE_FIELDS(PageRun, why_not, output, otherwise)
 MJCOURSE_FIELDS(ExampleResult, code, output, records, run_seconds, files, page)
+MJCOURSE_FIELDS(ExerciseResult::Trial, name, fails)
+MJCOURSE_FIELDS(ExerciseResult, starter, trials, hidden, why_not, checks, files, page)
 MJCOURSE_FIELDS(ValueResult, text, origin)
 MJCOURSE_FIELDS(ModelResult, refusal)
 MJCOURSE_FIELDS(ImageResult, file, hash, width, height)

@@ -20,6 +20,7 @@ std::string tally_text(const Tally& tally) {
   add_count(parts, tally.snippets, "snippet run", "snippets run");
   // Of both.
   if (tally.in_page > 0) parts.push_back(std::to_string(tally.in_page) + " in the page");
+  add_count(parts, tally.exercises, "exercise tried", "exercises tried");
   add_count(parts, tally.commands, "listing of commands run", "listings of commands run");
   add_count(parts, tally.outputs, "output compared", "outputs compared");
   add_count(parts, tally.values, "value computed", "values computed");

@@ -82,9 +82,9 @@ struct KnownOf {
   }
   Known operator()(const Image& image) const { return {"image", "look at " + image.file.text}; }
   // Nothing is worked out of these alone.
-  template <
-      AnyOf<Math, TermUse, Example, Unchecked, Snippet, Commands, Output, Io, Callout, Demo, Shown>
-          Other>
+  template <AnyOf<Math, TermUse, Example, Exercise, Unchecked, Snippet, Commands, Output, Io,
+                  Callout, Demo, Shown>
+                Other>
   Known operator()(const Other&) const {
     return {};
   }
@@ -134,9 +134,9 @@ struct BlockWorker {
   Answer operator()(const Image& image) const {
     return evaluate_image(image, lesson, worker_context.root(), diagnostics);
   }
-  template <
-      AnyOf<Math, TermUse, Example, Unchecked, Snippet, Commands, Output, Io, Callout, Demo, Shown>
-          Other>
+  template <AnyOf<Math, TermUse, Example, Exercise, Unchecked, Snippet, Commands, Output, Io,
+                  Callout, Demo, Shown>
+                Other>
   Answer operator()(const Other&) const {
     return std::nullopt;
   }

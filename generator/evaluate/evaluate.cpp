@@ -13,6 +13,7 @@
 #include "evaluate/gather_diagnostics.h"
 #include "evaluate/plan.h"
 #include "evaluate/program_task.h"
+#include "evaluate/programs/exercise.h"
 #include "evaluate/programs/output.h"
 #include "evaluate/programs/page_output.h"
 #include "evaluate/programs/region.h"
@@ -72,6 +73,24 @@ void show_regions(const Lesson& lesson, const std::filesystem::path& root,
     if (code && ran) {
       results.of_block[i] = ExampleResult{*code, program->second.output, {},
                                           0,     program->second.files,  program->second.page};
+    }
+  }
+}
+
+// What the run of its solution found belongs to an exercise, too.
+void add_solutions(const Lesson& lesson, const std::map<std::string, ExampleResult>& programs,
+                   LessonResults& results, Diagnostics& diagnostics) {
+  for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
+    const auto* exercise = std::get_if<Exercise>(&lesson.blocks[i]);
+    if (exercise == nullptr) continue;
+    const auto result = results.of_block.find(i);
+    const auto solution = programs.find(exercise->program.file.text);
+    if (result == results.of_block.end()) continue;
+    if (solution == programs.end()) {
+      results.of_block.erase(result);
+    } else if (!results.open.contains(i)) {
+      add_solution(*exercise, solution->second, lesson, std::get<ExerciseResult>(result->second),
+                   diagnostics);
     }
   }
 }
@@ -139,16 +158,24 @@ class Evaluator {
         for (const std::size_t block : task.blocks()) results.open.insert(block);
       }
       results.seconds.merge(finding.seconds);
-      const auto* program = dynamic_cast<const ProgramTask*>(&task);
-      if (program != nullptr && !finding.results.empty()) {
-        const auto& result = std::get<ExampleResult>(finding.results.at(task.block()));
-        programs_[program->program().file.text] = result;
-      }
+      if (const auto* program = dynamic_cast<const ProgramTask*>(&task)) take(*program, finding);
       if (!records[i].open) compare_in_page(task, finding);
       results.of_block.merge(finding.results);
     }
     std::sort(evaluation_.models.begin(), evaluation_.models.end(),
               [](const ModelPage& a, const ModelPage& b) { return a.name < b.name; });
+  }
+
+  // An exercise has a result of its own beside that of its solution.
+  void take(const ProgramTask& task, Finding& finding) {
+    const auto found = finding.results.find(task.block());
+    if (found == finding.results.end()) return;
+    if (const auto* result = std::get_if<ExampleResult>(&found->second)) {
+      programs_[task.program().file.text] = *result;
+    }
+    if (std::holds_alternative<Exercise>(task.lesson().blocks[task.block()])) {
+      finding.results.erase(found);
+    }
   }
 
   // What programs printed in the page is held against what they printed natively.
@@ -178,6 +205,7 @@ class Evaluator {
     LessonResults& results = evaluation_.lessons[index];
     show_regions(lesson, settings_.root, run_context_.shown(), programs_, results,
                  evaluation_.diagnostics);
+    add_solutions(lesson, programs_, results, evaluation_.diagnostics);
     compare_outputs(lesson, results, evaluation_.diagnostics);
   }
 

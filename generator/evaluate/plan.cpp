@@ -8,6 +8,7 @@
 #include "course/uses.h"
 #include "evaluate/block_task.h"
 #include "evaluate/commands_task.h"
+#include "evaluate/exercise_task.h"
 #include "evaluate/formulas_task.h"
 #include "evaluate/model_page_task.h"
 #include "evaluate/program_task.h"
@@ -58,6 +59,9 @@ class Planner {
     const Block& block = lesson.blocks[index];
     if (const auto* example = std::get_if<Example>(&block)) {
       add_program(lesson, page, index, *example);
+    } else if (const auto* exercise = std::get_if<Exercise>(&block)) {
+      add<ExerciseTask>(lesson, page, index);
+      add_program(lesson, page, index, exercise->program);
     } else if (std::holds_alternative<Math>(block)) {
       if (!std::exchange(has_formulas_, true)) add<FormulasTask>(lesson, page, index);
     } else if (std::holds_alternative<Snippet>(block)) {

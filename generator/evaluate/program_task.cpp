@@ -1,11 +1,13 @@
 #include "evaluate/program_task.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 #include "base/stopwatch.h"
 #include "evaluate/programs/compiled_recipe.h"
 #include "evaluate/programs/example.h"
+#include "evaluate/programs/exercise.h"
 #include "report/refused_file.h"
 #include "toolchain/warm_header.h"
 
@@ -47,6 +49,10 @@ bool ProgramTask::work(WorkerContext& worker_context, Finding& finding) {
   auto result =
       evaluate_example(program_, code_->text, lesson(), worker_context, finding.diagnostics);
   if (!result) return false;
+  const std::vector<Check> checks = result->records.checks;
+  report_failing_checks(program_, file_.value_or(code_->text.text), checks, lesson(),
+                        finding.diagnostics);
+  if (std::ranges::any_of(checks, [](const Check& check) { return !check.holds; })) return false;
   finding.results[block()] = *std::move(result);
   finding.seconds[block()] = stopwatch.seconds();
   return true;

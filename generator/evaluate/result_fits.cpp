@@ -70,6 +70,8 @@ struct Fits {
   bool operator()(const Math&) const { return is<FormulaResult>(); }
   bool operator()(const InlineValue&) const { return is<ValueResult>(); }
   bool operator()(const Example&) const { return is_program(); }
+  // Its solution is a program, where no fence shows it.
+  bool operator()(const Exercise&) const { return is<ExerciseResult>() || is_program(); }
   bool operator()(const ModelExcerpt&) const { return is<ModelResult>(); }
   bool operator()(const InlineModel&) const { return is<ModelResult>(); }
   bool operator()(const Output&) const { return is<OutputResult>(); }

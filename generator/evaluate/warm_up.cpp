@@ -20,7 +20,8 @@ void warm_up(const Course& course, const EvaluationSettings& settings) {
   std::set<std::vector<std::string>> all;
   for (const Lesson& lesson : course.lessons) {
     for (const Block& block : lesson.blocks) {
-      const auto* example = std::get_if<Example>(&block);
+      const auto* exercise = std::get_if<Exercise>(&block);
+      const auto* example = exercise != nullptr ? &exercise->program : std::get_if<Example>(&block);
       const auto program =
           example != nullptr ? files.read(example->file.text) : tl::unexpected(std::string());
       if (program) all.insert(warm_roots(*program, include));

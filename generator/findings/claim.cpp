@@ -10,6 +10,8 @@ const char* name_of(Claim::Kind kind) {
       return "page";
     case Claim::Kind::region:
       return "region";
+    case Claim::Kind::exercise:
+      return "exercise";
     case Claim::Kind::snippet:
       return "snippet";
     case Claim::Kind::commands:

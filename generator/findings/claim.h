@@ -19,6 +19,7 @@ struct Claim {
     program,   // examples/x.cpp compiles and runs as it should
     page,      // a reader's page runs it too, and it prints the same
     region,    // these are lines of it
+    exercise,  // its solution passes each check, and what is wrong does not
     snippet,   // this function's body compiles and runs
     commands,  // these commands run
     output,    // this is what it prints

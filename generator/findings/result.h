@@ -34,10 +34,21 @@ struct Column {
   std::vector<double> values;
 };
 using Table = std::vector<Column>;  // its columns are equally long
+// One of the checks by which a program judges what its reader wrote: expect() of the helper header.
+// It may have been made many times; these are the first that failed, or the first of all.
+struct Check {
+  std::string what;     // what should hold
+  bool holds = false;   // each time
+  std::string meaning;  // what it means that it does not; may be empty
+  std::string found;    // the values of one that does not hold; may be empty
+  double points = 1;
+  int line = 0;  // of the call, in its file
+};
 struct Records {
   std::map<std::string, Reported> results;
   std::map<std::string, Table> tables;
   std::map<std::string, State> snapshots;
+  std::vector<Check> checks = {};  // in the order in which they were made first
 };
 
 // What came of a program in a page, where the reader's compiler made it and the page's engine ran
@@ -57,6 +68,22 @@ struct ExampleResult {
   // "examples/include/mjcourse/mjcourse.hpp", "models/x.xml". Sorted.
   std::vector<std::string> files = {};
   std::optional<PageRun> page = {};  // nothing where no page's compiler is installed
+};
+
+struct ExerciseResult {
+  // What a variant of the text fails: "" is the starter.
+  struct Trial {
+    std::string name;
+    std::vector<std::string> fails;
+  };
+  std::string starter;              // as a reader begins with it
+  std::vector<Trial> trials;        // the starter's, and then the mistakes'
+  std::vector<std::string> hidden;  // what the hidden checks say of themselves
+  std::string why_not = {};         // as PageRun has it
+  // Of the solution's run, from where the program is run.
+  std::vector<Check> checks = {};
+  std::vector<std::string> files = {};
+  std::optional<PageRun> page = {};
 };
 
 struct ValueResult {
@@ -168,7 +195,8 @@ struct QuizResult {
   std::vector<QuestionResult> questions;
 };
 
-using Result = std::variant<FormulaResult, ValueResult, ExampleResult, ModelResult, OutputResult,
-                            ImageResult, LabResult, FigureResult, PlotResult, QuizResult>;
+using Result =
+    std::variant<FormulaResult, ValueResult, ExampleResult, ExerciseResult, ModelResult,
+                 OutputResult, ImageResult, LabResult, FigureResult, PlotResult, QuizResult>;
 
 }  // namespace mjcourse

@@ -10,6 +10,8 @@ int Tally::*counter_of(Claim::Kind kind) {
       return &Tally::programs;
     case Claim::Kind::page:
       return &Tally::in_page;
+    case Claim::Kind::exercise:
+      return &Tally::exercises;
     case Claim::Kind::snippet:
       return &Tally::snippets;
     case Claim::Kind::commands:
@@ -61,6 +63,7 @@ Tally& Tally::operator+=(const Tally& other) {
   formulas += other.formulas;
   programs += other.programs;
   in_page += other.in_page;
+  exercises += other.exercises;
   snippets += other.snippets;
   commands += other.commands;
   outputs += other.outputs;

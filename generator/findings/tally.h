@@ -11,6 +11,7 @@ struct Tally {
   int formulas = 0;
   int programs = 0;
   int in_page = 0;  // of the programs
+  int exercises = 0;
   int snippets = 0;
   int commands = 0;  // listings of them
   int outputs = 0;

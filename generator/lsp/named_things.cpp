@@ -20,6 +20,10 @@ class Gatherer {
   void operator()(const Example& example) {
     things.push_back({Kind::file, example.file, example.region ? example.region->text : ""});
   }
+  void operator()(const Exercise& exercise) {
+    (*this)(exercise.program);
+    if (exercise.hidden) things.push_back({Kind::file, *exercise.hidden, ""});
+  }
   void operator()(const Snippet& snippet) { add(Kind::model, snippet.model); }
   void operator()(const ModelExcerpt& excerpt) { add(Kind::model, excerpt.model); }
   void operator()(const Lab& lab) {

@@ -51,7 +51,9 @@ std::vector<std::size_t> published(const Course& course, const Level& level) {
 }
 
 bool has_questions(const Course& course) {
-  const auto asks = [](const Block& block) { return std::holds_alternative<Quiz>(block); };
+  const auto asks = [](const Block& block) {
+    return std::holds_alternative<Quiz>(block) || std::holds_alternative<Exercise>(block);
+  };
   return std::any_of(course.lessons.begin(), course.lessons.end(), [&](const Lesson& lesson) {
     return !lesson.front.draft && std::any_of(lesson.blocks.begin(), lesson.blocks.end(), asks);
   });
@@ -110,6 +112,7 @@ json pages_data(const Course& course, const Evaluation& evaluation, bool asks,
 json verified_data(const Tally& tally, const std::string& mujoco, const std::string& href) {
   return {{"programs", tally.programs},
           {"in_page", tally.in_page},
+          {"exercises", tally.exercises},
           {"snippets", tally.snippets},
           {"commands", tally.commands},
           {"outputs", tally.outputs},

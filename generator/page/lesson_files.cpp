@@ -98,9 +98,9 @@ void write_lesson(const SiteData& site, std::size_t index, PageRenderer& rendere
   const PageWriter home(site.course, lesson, results, renderer.context(styles, "index.html"));
   parts->card = spool.put(home_card(lesson, results, place, home, renderer.templates()));
   PageWriter review(site.course, lesson, results, renderer.context(styles, kReviewPage));
-  const nlohmann::json questions = review.questions();
-  parts->progress = spool.put(progress_row(lesson, questions, renderer.templates()));
-  parts->review = spool.put(review_json(lesson, questions, renderer.templates()));
+  const Asked asked{review.questions(), review.exercises()};
+  parts->progress = spool.put(progress_row(lesson, asked, renderer.templates()));
+  parts->review = spool.put(review_json(lesson, asked, renderer.templates()));
 }
 
 }  // namespace mjcourse

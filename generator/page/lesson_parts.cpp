@@ -46,22 +46,29 @@ std::string home_card(const Lesson& lesson, const LessonResults& results, CardPl
   return render_template(templates, "card", card);
 }
 
-std::string progress_row(const Lesson& lesson, const json& questions, Templates& templates) {
+std::string progress_row(const Lesson& lesson, const Asked& asked, Templates& templates) {
   json row = reference_to(lesson);
-  row["questions"] = questions;
+  row["questions"] = asked.questions;
+  row["exercises"] = asked.exercises;
   return render_template(templates, "progress-row", row);
 }
 
-std::string review_json(const Lesson& lesson, const json& questions, Templates& templates) {
-  if (questions.empty()) return "";
-  json asked = json::array();
-  for (const json& question : questions) {
-    asked.push_back(
+std::string review_json(const Lesson& lesson, const Asked& asked, Templates& templates) {
+  const std::string href = site_address(page_path(lesson));
+  json cards = json::array();
+  for (const json& question : asked.questions) {
+    cards.push_back(
         {{"id", question["id"]}, {"html", render_template(templates, "question", question)}});
   }
-  return json{{"href", site_address(page_path(lesson))},
+  for (json exercise : asked.exercises) {
+    exercise["href"] = href;
+    cards.push_back(
+        {{"id", exercise["id"]}, {"html", render_template(templates, "exercise-again", exercise)}});
+  }
+  if (cards.empty()) return "";
+  return json{{"href", href},
               {"name", lesson.number + " " + lesson.front.title.text},
-              {"questions", std::move(asked)}}
+              {"questions", std::move(cards)}}
       .dump();
 }
 

@@ -35,13 +35,17 @@ enum class CardPlace { first, within, beside };
 std::string home_card(const Lesson& lesson, const LessonResults& results, CardPlace place,
                       const PageWriter& writer, Templates& templates);
 
-// The row of `lesson` in the table of a reader's progress; `questions` as PageWriter gives them.
-std::string progress_row(const Lesson& lesson, const nlohmann::json& questions,
-                         Templates& templates);
+// What a lesson asks of its reader, as PageWriter gives it.
+struct Asked {
+  nlohmann::json questions = nlohmann::json::array();
+  nlohmann::json exercises = nlohmann::json::array();
+};
+
+// The row of `lesson` in the table of a reader's progress.
+std::string progress_row(const Lesson& lesson, const Asked& asked, Templates& templates);
 
 // What the review page has of `lesson` (page/learner_pages.h); "" where nothing is asked.
-std::string review_json(const Lesson& lesson, const nlohmann::json& questions,
-                        Templates& templates);
+std::string review_json(const Lesson& lesson, const Asked& asked, Templates& templates);
 
 // What the page of what was verified has of it.
 LessonParts verification_parts(const Lesson& lesson, const Claims& claims, Templates& templates,

@@ -95,6 +95,7 @@ ModelPageHtml model_page(const ModelPage& model, const Course& course, const Eva
                      {"file", file.path},
                      {"download", root + site_address(file.path)},
                      {"zip", nullptr},
+                     {"exercise", nullptr},
                      {"run", nullptr},
                      {"why_not", nullptr},
                      {"code", context.highlighter.highlight(file.text, "xml")},

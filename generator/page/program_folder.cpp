@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "findings/path_in_folder.h"
+#include "lesson/syntax/exercise_text.h"
 #include "lesson/syntax/linked_libraries.h"
 #include "page/site_data.h"
 
@@ -84,8 +85,9 @@ std::string read_either(const std::string& path, const SiteData& site) {
 std::map<std::string, std::string> program_folder(const TakenProgram& program,
                                                   const SiteData& site) {
   const std::string folder = program.example.name() + "/";
-  const std::string text =
-      program.text.empty() ? read_either(program.example.file.text, site) : program.text;
+  const std::string text = program.text.empty()
+                               ? without_exercise(read_either(program.example.file.text, site))
+                               : program.text;
   std::map<std::string, std::string> files{{folder + program.example.name() + ".cpp", text},
                                            {folder + "CMakeLists.txt", cmake_lists(program, text)},
                                            {folder + "README.txt", readme(program, text, site)}};

@@ -9,6 +9,7 @@
 #include "course/link_target.h"
 #include "findings/snippet_program.h"
 #include "lesson/json/json_fences.h"
+#include "lesson/syntax/exercise_text.h"
 #include "page/api_page.h"
 #include "page/blocks/program_data.h"
 #include "page/blocks/themed_assets.h"
@@ -193,12 +194,15 @@ void SitePages::copy_examples() {
     for (std::size_t block = 0; block < lesson.blocks.size(); ++block) {
       const auto* result = site_.evaluation.lessons[i].get<ExampleResult>(block);
       if (const auto* example = std::get_if<Example>(&lesson.blocks[block])) {
-        if (files.insert(example->file.text).second) {
-          out_.copy(root_ / example->file.text, example->file.text);
-        }
+        if (files.insert(example->file.text).second) copy_program(example->file.text);
         const std::string path = program_zip_path(*example, result);
         if (path.empty() || !folders.insert(path).second) continue;
         out_.write(path, zip_of(program_folder({*example, *result, lesson}, site_)));
+      } else if (const auto* exercise = std::get_if<Exercise>(&lesson.blocks[block])) {
+        if (files.insert(exercise->program.file.text).second) {
+          copy_program(exercise->program.file.text);
+        }
+        write_exercise(*exercise, lesson, site_.evaluation.lessons[i].get<ExerciseResult>(block));
       } else if (std::holds_alternative<Snippet>(lesson.blocks[block]) && result != nullptr) {
         const Example program = snippet_program(lesson, block);
         out_.write(program_zip_path(program, result),
@@ -206,6 +210,26 @@ void SitePages::copy_examples() {
       }
     }
   }
+}
+
+// Of an exercise, its solution.
+void SitePages::copy_program(const std::string& path) {
+  const auto text = files_.read(path);
+  const std::string shown = text ? without_exercise(*text) : "";
+  if (text && shown != *text) {
+    out_.write(path, shown);
+  } else {
+    out_.copy(root_ / path, path);
+  }
+}
+
+void SitePages::write_exercise(const Exercise& exercise, const Lesson& lesson,
+                               const ExerciseResult* result) {
+  if (result == nullptr) return;
+  out_.write(exercise_path(exercise), result->starter);
+  const ExampleResult taken{result->starter, "", {}, 0, result->files, {}};
+  out_.write(exercise_zip_path(exercise),
+             zip_of(program_folder({exercise.program, taken, lesson, result->starter}, site_)));
 }
 
 }  // namespace mjcourse

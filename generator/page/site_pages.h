@@ -45,6 +45,8 @@ class SitePages {
   void write_missing(PageRenderer& renderer);
   void write_search(PageRenderer& renderer);
   void copy_examples();
+  void copy_program(const std::string& path);
+  void write_exercise(const Exercise& exercise, const Lesson& lesson, const ExerciseResult* result);
 
   std::filesystem::path root_;
   SiteFiles& out_;

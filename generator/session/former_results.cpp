@@ -22,8 +22,8 @@ struct NameOf {
     return example.file.text + (example.region ? "#" + example.region->text : "");
   }
   std::string operator()(const Quiz& quiz) const { return quiz.id; }
-  template <AnyOf<TermUse, Unchecked, Snippet, Commands, ModelExcerpt, InlineModel, Output, Image,
-                  Io, Callout, Lab, Figure, Plot, Demo, Shown>
+  template <AnyOf<TermUse, Exercise, Unchecked, Snippet, Commands, ModelExcerpt, InlineModel,
+                  Output, Image, Io, Callout, Lab, Figure, Plot, Demo, Shown>
                 Other>
   std::string operator()(const Other&) const {
     return std::to_string(block_number(lesson, index));

@@ -14,6 +14,11 @@ class Collector {
     body(example.code);
     span(example.span);
   }
+  void take(const Exercise& exercise) {
+    take(exercise.program);
+    if (exercise.hidden) text(*exercise.hidden);
+    span(exercise.span);
+  }
   void take(const Unchecked& unchecked) {
     body(unchecked.code);
     span(unchecked.span);

@@ -316,4 +316,96 @@ inline void snapshot(std::string_view name, const mjModel* model,
   record("snapshot", name, json + "}");
 }
 
+// ---- judging what a reader wrote ---------------------------------------------
+
+// An exercise's program checks what its reader wrote: expect(x > 0, "the box
+// falls"). The lesson and `mjcourse try` show each check with its mark; without
+// them, the program says on stderr at its end what holds and what does not.
+
+struct Check {
+  std::string what;     // should hold
+  bool holds;           // each time it was checked
+  std::string meaning;  // that it does not
+  std::string found;    // the values of the first that does not
+};
+
+// The checks that this process has made, in their order.
+class Checks {
+ public:
+  // True where this is the first check of that name, or the first that fails.
+  bool add(const Check& check) {
+    for (Check& known : all_) {
+      if (known.what != check.what) continue;
+      const bool is_news = known.holds && !check.holds;
+      if (is_news) known = check;
+      return is_news;
+    }
+    all_.push_back(check);
+    return true;
+  }
+
+  ~Checks() {
+    if (std::getenv("MJCOURSE_RECORDS") != nullptr) return;
+    std::fflush(stdout);
+    for (const Check& check : all_) {
+      std::fprintf(stderr, "%s %s\n", check.holds ? "[x]" : "[ ]",
+                   check.what.c_str());
+      for (const std::string& words : {check.meaning, check.found})
+        if (!check.holds && !words.empty())
+          std::fprintf(stderr, "    %s\n", words.c_str());
+    }
+  }
+
+ private:
+  std::vector<Check> all_;
+};
+inline Checks checks;
+
+// Reports a check; gives whether it holds. Calls with the same `what`, on other
+// models or seeds, are one check, which holds when all of them do.
+inline bool add_check(const Check& check, double points, int line) {
+  if (checks.add(check))
+    record("check", check.what,
+           "{\"holds\": " + std::string(check.holds ? "true" : "false") +
+               ", \"meaning\": " + to_json(check.meaning) + ", \"found\": " +
+               to_json(check.found) + ", \"points\": " + to_json(points) +
+               ", \"line\": " + std::to_string(line) + "}");
+  return check.holds;
+}
+
+// `what` should hold, and `meaning` is what it means if it does not: "the force
+// is counted twice". A hand-in gets `points` for it.
+inline bool expect(bool holds, const std::string& what,
+                   const std::string& meaning = "", double points = 1,
+                   int line = __builtin_LINE()) {
+  return add_check({what, holds, meaning, ""}, points, line);
+}
+
+// `value` should be at most `tolerance` away from `expected`, and finite.
+inline bool expect_near(double value, double expected, double tolerance,
+                        const std::string& what,
+                        const std::string& meaning = "", double points = 1,
+                        int line = __builtin_LINE()) {
+  char found[120];
+  std::snprintf(found, sizeof found, "it is %.6g, and should be %.6g ± %.2g",
+                value, expected, tolerance);
+  return add_check(
+      {what, std::abs(value - expected) <= tolerance, meaning, found}, points,
+      line);
+}
+
+// Each number of the vector. No vector of another length is near.
+inline bool expect_near(const Eigen::Ref<const Eigen::VectorXd>& value,
+                        const Eigen::Ref<const Eigen::VectorXd>& expected,
+                        double tolerance, const std::string& what,
+                        const std::string& meaning = "", double points = 1,
+                        int line = __builtin_LINE()) {
+  const bool near = value.size() == expected.size() &&
+                    ((value - expected).array().abs() <= tolerance).all();
+  return add_check(
+      {what, near, meaning,
+       "it is " + to_text(value) + ", and should be " + to_text(expected)},
+      points, line);
+}
+
 }  // namespace mjcourse

@@ -37,6 +37,20 @@ std::string how_run(const Example& program, const Versions& versions) {
   return text + "; exit code " + std::to_string(program.exit_code);
 }
 
+std::string how_tried(const ExerciseResult& result) {
+  const std::size_t checks = result.checks.size() + result.hidden.size();
+  const std::size_t mistakes = result.trials.size() - 1;
+  std::string text = "the solution passes " + counted(checks, "check") + ", the starter fails " +
+                     std::to_string(result.trials.front().fails.size());
+  if (mistakes > 0) {
+    text +=
+        "; " + counted(mistakes, "wrong variant") +
+        (mistakes == 1 ? " fails the check that refuses it" : " fail the check that refuses each");
+  }
+  const bool in_page = result.page && result.page->why_not.empty() && result.why_not.empty();
+  return text + (in_page ? "; natively and on the page's engine" : "; natively");
+}
+
 std::string how_run(const Snippet& snippet, const Versions& versions) {
   return "compiled by " + versions.compiler + " as the body of a function, and run by itself on " +
          snippet.model.text + ".xml in its initial state; exit code 0";

@@ -14,6 +14,7 @@ std::string as_title(const std::string& text);
 
 std::string how_run(const Example& program, const Versions& versions);
 std::string how_run(const Commands& commands);
+std::string how_tried(const ExerciseResult& result);
 std::string how_run(const Snippet& snippet, const Versions& versions);
 std::string how_run_in_page();
 std::string limits_of_run(double seconds);

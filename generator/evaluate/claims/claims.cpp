@@ -18,7 +18,10 @@ std::set<Stand> stands_of(const Course& course) {
   for (const bool regions : {false, true}) {
     for (std::size_t l = 0; l < course.lessons.size(); ++l) {
       for (std::size_t b = 0; b < course.lessons[l].blocks.size(); ++b) {
-        const auto* example = std::get_if<Example>(&course.lessons[l].blocks[b]);
+        const Block& block = course.lessons[l].blocks[b];
+        const auto* exercise = std::get_if<Exercise>(&block);
+        const auto* example =
+            exercise != nullptr ? &exercise->program : std::get_if<Example>(&block);
         if (example == nullptr || example->region.has_value() != regions) continue;
         const bool is_new = whole.insert(example->file.text).second;
         if (regions && is_new) stands.insert({l, b});

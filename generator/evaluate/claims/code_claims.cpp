@@ -26,6 +26,14 @@ std::string text_of(const Records& records) {
   return all.dump();
 }
 
+std::string text_of(const ExerciseResult& result) {
+  nlohmann::json all = nlohmann::json::object();
+  for (const ExerciseResult::Trial& trial : result.trials) all["fails"][trial.name] = trial.fails;
+  for (const Check& check : result.checks) all["checks"].push_back(check.what);
+  all["hidden"] = result.hidden;
+  return all.dump();
+}
+
 // The first line of `code` that says something.
 std::string first_line(const std::string& code) {
   const std::size_t begin = std::min(code.find_first_not_of(" \t\n"), code.size());
@@ -87,6 +95,27 @@ void claim(const Example& example, std::size_t i, ClaimContext& context) {
   const auto* result = context.results.get<ExampleResult>(i);
   context.finish(std::move(made), result != nullptr,
                  {result == nullptr ? "" : result->code, whole == nullptr ? "" : whole->code});
+}
+
+void claim(const Exercise& exercise, std::size_t i, ClaimContext& context) {
+  const Span extent = context.fence(exercise.span);
+  const std::string& file = exercise.program.file.text;
+  const auto program = context.programs.find(file);
+  const ExampleResult* solution = program == context.programs.end() ? nullptr : &program->second;
+  if (context.stands.contains({context.index, i})) {
+    const Span of_program{extent.begin, extent.begin};
+    claim_program(exercise.program, i, solution, of_program, context);
+    claim_in_page(file, i, solution, of_program, context);
+  }
+  Claim made = context.begin(Kind::exercise, i, file + "#" + exercise.program.region->text, extent);
+  made.limits = limits_of_run(exercise.program.seconds) + " each";
+  const auto* result = context.results.get<ExerciseResult>(i);
+  if (result == nullptr) return context.finish(std::move(made), false, {});
+  made.how = how_tried(*result);
+  context.finish(std::move(made), true,
+                 {result->starter, text_of(*result), solution == nullptr ? "" : solution->code,
+                  context.versions().compiler, context.versions().page,
+                  context.programs_sources(result->starter)});
 }
 
 void claim(const Snippet& snippet, std::size_t i, ClaimContext& context) {

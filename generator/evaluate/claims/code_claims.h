@@ -10,6 +10,7 @@ namespace mjcourse {
 
 // `i` is the index of the block; its claims join those of the context.
 void claim(const Example& example, std::size_t i, ClaimContext& context);
+void claim(const Exercise& exercise, std::size_t i, ClaimContext& context);
 void claim(const Snippet& snippet, std::size_t i, ClaimContext& context);
 void claim(const Commands& commands, std::size_t i, ClaimContext& context);
 void claim(const Output& output, std::size_t i, ClaimContext& context);

@@ -134,7 +134,7 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
   if (!beside.empty()) {
     if (auto refused = refused_beside(example, root)) return report(*std::move(refused));
   }
-  const std::string shown = without_region_marks(code.text);
+  const std::string shown = as_shown(code.text);
   const TemporaryFolder folder;
   // The refusal on the page is what a learner who builds the file sees.
   const bool in_file = code.offsets.empty() || !example.compiles;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "evaluate/programs/region.h"
+#include "lesson/syntax/exercise_text.h"
 #include "process/our_command.h"
 
 namespace mjcourse {
@@ -48,6 +49,13 @@ std::optional<ExampleCode> code_of(const Example& example, const ShownProgram& s
                                    const tl::expected<std::string, std::string>& file,
                                    Diagnostics& diagnostics) {
   const bool empty = example.code.text.empty();
+  if (!empty && file && without_exercise(*file) != *file) {
+    diagnostics.push_back(error_at(place_of(*lesson.source, example.file.span()), "E-example-file",
+                                   "the fence shows a program that is an exercise",
+                                   "leave it empty: it shows the solution of " + example.file.text +
+                                       ", which also has the starter"));
+    return std::nullopt;
+  }
   if (empty && file) return ExampleCode{{with_shown_regions(*file, shown), {}}, std::nullopt};
   const std::string text = with_line_ends(file.value_or(""), "\n");
   if (file && text == example.code.text) return ExampleCode{example.code, std::nullopt};

@@ -83,11 +83,28 @@ std::string first_difference(const std::string& kind, const std::map<std::string
 
 }  // namespace
 
+std::string first_difference(const std::vector<Check>& native, const std::vector<Check>& page) {
+  for (const Check& check : native) {
+    const auto other = std::ranges::find(page, check.what, &Check::what);
+    const std::string what = "the check `" + check.what + "`";
+    if (other == page.end()) return what + " is not made there";
+    if (other->holds != check.holds) {
+      return what + (other->holds ? " holds there, and not natively" : " fails there");
+    }
+  }
+  for (const Check& check : page) {
+    if (std::ranges::count(native, check.what, &Check::what) == 0) {
+      return "the check `" + check.what + "` is made there alone";
+    }
+  }
+  return "";
+}
+
 std::string record_diff(const Records& native, const Records& page) {
-  for (const std::string& found :
-       {first_difference("result", native.results, page.results),
-        first_difference("table", native.tables, page.tables),
-        first_difference("snapshot", native.snapshots, page.snapshots)}) {
+  for (const std::string& found : {first_difference("result", native.results, page.results),
+                                   first_difference("table", native.tables, page.tables),
+                                   first_difference("snapshot", native.snapshots, page.snapshots),
+                                   first_difference(native.checks, page.checks)}) {
     if (!found.empty()) return found;
   }
   return "";

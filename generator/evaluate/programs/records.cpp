@@ -2,6 +2,7 @@
 
 #include <re2/re2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -81,6 +82,16 @@ std::string beginning(const std::string& text) {
   return text.substr(0, character_start(text, most)) + "…";
 }
 
+// Throws Unfit, or what the library throws at a value that is of another type.
+Check check_of(const std::string& what, const json& value) {
+  return {what,
+          value.at("holds").get<bool>(),
+          value.at("meaning").get<std::string>(),
+          value.at("found").get<std::string>(),
+          number_of(value.at("points")),
+          value.at("line").get<int>()};
+}
+
 class Reader {
  public:
   explicit Reader(std::vector<RecordFault>& faults) : faults_(faults) {}
@@ -89,7 +100,8 @@ class Reader {
     const json record = json::parse(line, nullptr, false);
     const bool known = add("result", record, reported_of, records_.results) ||
                        add("table", record, table_of, records_.tables) ||
-                       add("snapshot", record, snapshot_of, records_.snapshots);
+                       add("snapshot", record, snapshot_of, records_.snapshots) ||
+                       add_check(record);
     if (known) return;
     faults_.push_back({"", "what the program reported cannot be read: `" + beginning(line) + "`",
                        "report UTF-8, and from one thread at a time"});
@@ -123,6 +135,24 @@ class Reader {
       }
     }
     return true;
+  }
+
+  // Of two of one name, the later failed, and the former did not.
+  bool add_check(const json& record) {
+    if (!record.is_object() || !record.contains("check") || !record.contains("value")) return false;
+    try {
+      Check check = check_of(record["check"].get<std::string>(), record["value"]);
+      const auto known = std::ranges::find(records_.checks, check.what, &Check::what);
+      if (known == records_.checks.end()) {
+        records_.checks.push_back(std::move(check));
+      } else {
+        *known = std::move(check);
+      }
+      return true;
+    } catch (const json::exception&) {
+    } catch (const Unfit&) {
+    }
+    return false;
   }
 
   std::vector<RecordFault>& faults_;

@@ -6,6 +6,7 @@
 
 #include "base/nearest.h"
 #include "evaluate/programs/region_lines.h"
+#include "lesson/syntax/exercise_text.h"
 #include "process/our_command.h"
 
 namespace mjcourse {
@@ -35,8 +36,9 @@ Diagnostic difference(const Example& example, const std::vector<ProgramLine>& ou
 
 }  // namespace
 
-std::string without_region_marks(std::string_view code) {
-  std::vector<ProgramLine> lines = program_lines(code);
+std::string as_shown(std::string_view code) {
+  const std::string solved = without_exercise(code);
+  std::vector<ProgramLine> lines = program_lines(solved);
   std::erase_if(lines, is_region_mark);
   return joined(lines);
 }

@@ -25,7 +25,7 @@ std::optional<std::string> evaluate_region(const Example& example, const SourceT
 // The program `code` with the lines of the fences that show a region of it.
 std::string with_shown_regions(std::string code, const ShownProgram& shown);
 
-// `code` without the lines that begin and end regions.
-std::string without_region_marks(std::string_view code);
+// `code` without the lines that begin and end regions; of an exercise, with its solution alone.
+std::string as_shown(std::string_view code);
 
 }  // namespace mjcourse

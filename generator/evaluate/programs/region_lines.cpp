@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text_lines.h"
+#include "lesson/syntax/exercise_text.h"
 
 namespace mjcourse {
 namespace {
@@ -73,12 +74,15 @@ std::optional<Region> find_region(const std::vector<ProgramLine>& lines, const s
   if (line == lines.end()) return std::nullopt;
   Region region;
   int depth = 1;
+  bool is_solution = true;  // of an exercise, which has more behind it
   for (++line; line != lines.end(); ++line) {
-    if (begins(*line)) {
+    if (begins_variant(line->text)) {
+      is_solution = false;
+    } else if (begins(*line)) {
       ++depth;
       region.holds_marks = true;
     } else if (!ends(*line)) {
-      region.lines.push_back(*line);
+      if (is_solution) region.lines.push_back(*line);
     } else if (--depth == 0) {
       region.closed = true;
       break;

@@ -57,6 +57,13 @@ struct Example {
   std::string name() const;  // "x" of "examples/x.cpp"
 };
 
+// ```cpp exercise: a program of which the reader writes a region (lesson/syntax/exercise_text.h).
+struct Exercise {
+  Example program;                    // with that region, and without code
+  std::optional<LocatedText> hidden;  // the file of checks that no page shows
+  Span span{};                        // the opening fence
+};
+
 // ```LANGUAGE unchecked: what is shown and not run, and says so.
 struct Unchecked {
   LocatedText code;
@@ -145,8 +152,8 @@ struct Demo {
 // Shown by its neighbour: the "Output:" paragraph and the output below an example.
 struct Shown {};
 
-using Block =
-    std::variant<Math, InlineValue, TermUse, Example, Unchecked, Snippet, Commands, ModelExcerpt,
-                 InlineModel, Output, Image, Io, Callout, Lab, Figure, Plot, Quiz, Demo, Shown>;
+using Block = std::variant<Math, InlineValue, TermUse, Example, Exercise, Unchecked, Snippet,
+                           Commands, ModelExcerpt, InlineModel, Output, Image, Io, Callout, Lab,
+                           Figure, Plot, Quiz, Demo, Shown>;
 
 }  // namespace mjcourse

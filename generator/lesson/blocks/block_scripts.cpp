@@ -46,8 +46,8 @@ class Collector {
     for (const LocatedText& option : proof.options) add_values(option);
     for (const LocatedText& value : proof.values) add_values(value);
   }
-  template <AnyOf<Lab::Keyframe, Math, TermUse, Example, Unchecked, Snippet, Commands, ModelExcerpt,
-                  InlineModel, Output, Image, Io, Callout, Plot, Demo, Shown>
+  template <AnyOf<Lab::Keyframe, Math, TermUse, Example, Exercise, Unchecked, Snippet, Commands,
+                  ModelExcerpt, InlineModel, Output, Image, Io, Callout, Plot, Demo, Shown>
                 Other>
   void operator()(const Other&) {}
 

@@ -49,8 +49,8 @@ Span kind_span(cmark_node* quote, const std::string& kind, const SourceText& sou
 
 const std::vector<std::string>& callout_kinds() {
   static const std::vector<std::string> kinds{
-      "established", "derivation", "intuition", "pitfall", "open",      "exercise", "challenge",
-      "solution",    "note",       "tip",       "warning", "important", "caution"};
+      "established", "derivation", "intuition", "pitfall", "open",    "exercise",  "challenge",
+      "hint",        "solution",   "note",      "tip",     "warning", "important", "caution"};
   return kinds;
 }
 
@@ -76,7 +76,7 @@ std::optional<Callout> take_callout(cmark_node* node, Reading& reading) {
   }
   callout.span = kind_span(node, written, reading.source());
   text.remove_prefix(close + 1);
-  callout.folded = text.starts_with('-') || callout.kind == "solution";
+  callout.folded = text.starts_with('-') || callout.kind == "solution" || callout.kind == "hint";
   if (text.starts_with('-')) text.remove_prefix(1);
   text.remove_prefix(std::min(text.find_first_not_of(' '), text.size()));
   if (text.empty()) {

@@ -12,6 +12,7 @@ std::span<const FenceKind> fence_kinds() {
   static const std::vector<FenceKind> all = [] {
     std::vector<FenceKind> kinds{
         {"cpp", "a program, compiled and run", fences::kProgram},
+        {"cpp exercise", "a program of which the reader writes a region", fences::kExercise},
         {"cpp snippet", "the body of a function, compiled and run", fences::kSnippet},
         {"sh run", "commands, run in a folder of their own", fences::kCommands},
         {"xml", "lines of a model, held against its file", fences::kExcerpt},

@@ -56,6 +56,16 @@ inline constexpr std::array kProgram{
     kWhyNative};
 // How a program is built and run is said where all of it is shown.
 inline constexpr std::array kRegion{kFile};
+inline constexpr std::array kExercise{
+    FenceOption{"file",
+                "The program and the region that the reader writes: `examples/NAME.cpp#REGION`.",
+                true},
+    FenceOption{"hidden", "A program with checks that no page shows: `examples/NAME.cpp`."},
+    kTimeout,
+    FenceOption{"args", "Its arguments, between quotes."},
+    FenceOption{"optimize", "It is compiled with `-O2`.", false, false},
+    kNative,
+    kWhyNative};
 inline constexpr std::array kSnippet{
     FenceOption{"model", "The model that `m` and `d` are of.", true}, kTimeout, kNative,
     kWhyNative};

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/nearest.h"
+#include "base/text_lines.h"
 
 namespace mjcourse {
 namespace {
@@ -53,6 +54,14 @@ void read_native(Fence& fence, std::string& why, Reading& reading) {
                 "`native because=\"…\"` says why no page runs it");
 }
 
+void read_run(Fence& fence, Example& example, Reading& reading) {
+  example.seconds =
+      fence.number("timeout", reading, fences::kMostSeconds).value_or(example.seconds);
+  example.optimize = fence.flag("optimize");
+  read_arguments(fence, example);
+  read_native(fence, example.native, reading);
+}
+
 // Cut `#name` off the end of `file`.
 std::optional<LocatedText> take_region(LocatedText& file) {
   const std::size_t mark = file.text.rfind('#');
@@ -62,11 +71,16 @@ std::optional<LocatedText> take_region(LocatedText& file) {
   return region;
 }
 
+bool is_example_file(const std::string& path) {
+  return path.starts_with("examples/") && path.ends_with(".cpp") && path.find("..") == path.npos;
+}
+
 std::optional<Example> read_example(Fence& fence, Reading& reading) {
   std::optional<LocatedText> file = fence.option("file");
   if (!file) {
     const bool plain = fence.flag("optimize");  // an option of programs
-    if (!plain && fence.refuse_second_word({"snippet", "file=NAME", "unchecked"}, reading)) {
+    if (!plain &&
+        fence.refuse_second_word({"exercise", "snippet", "file=NAME", "unchecked"}, reading)) {
       return std::nullopt;
     }
     reading.error("E-fence-kind", fence.span(),
@@ -77,8 +91,7 @@ std::optional<Example> read_example(Fence& fence, Reading& reading) {
     return std::nullopt;
   }
   const std::optional<LocatedText> region = take_region(*file);
-  const std::string& path = file->text;
-  if (!path.starts_with("examples/") || !path.ends_with(".cpp") || path.find("..") != path.npos) {
+  if (!is_example_file(file->text)) {
     reading.error("E-example-file", file->span(), "an example is a file `examples/NAME.cpp`");
     return std::nullopt;
   }
@@ -88,14 +101,36 @@ std::optional<Example> read_example(Fence& fence, Reading& reading) {
     fence.finish("cpp", fences::kRegion, reading);
     return example;
   }
-  example.seconds =
-      fence.number("timeout", reading, fences::kMostSeconds).value_or(example.seconds);
-  example.optimize = fence.flag("optimize");
+  read_run(fence, example, reading);
   read_expectation(fence, example, reading);
-  read_arguments(fence, example);
-  read_native(fence, example.native, reading);
   fence.finish("cpp", fences::kProgram, reading);
   return example;
+}
+
+std::optional<Exercise> read_exercise(Fence& fence, Reading& reading) {
+  std::optional<LocatedText> file = fence.option("file");
+  const std::optional<LocatedText> region = file ? take_region(*file) : std::nullopt;
+  if (!region || region->text.empty() || !is_example_file(file->text)) {
+    reading.error("E-fence-kind", file ? file->span() : fence.span(),
+                  "an exercise is a region of a program, which its reader writes",
+                  "name both: `cpp exercise file=examples/NAME.cpp#REGION`");
+    return std::nullopt;
+  }
+  Exercise exercise{Example{*file, region, {}}, fence.option("hidden"), fence.span()};
+  if (exercise.hidden && !is_example_file(exercise.hidden->text)) {
+    reading.error("E-example-file", exercise.hidden->span(),
+                  "a program of hidden checks is a file `examples/NAME.cpp`");
+    return std::nullopt;
+  }
+  exercise.program.span = fence.span();
+  read_run(fence, exercise.program, reading);
+  if (!trimmed(fence.body().text).empty()) {
+    reading.error("E-exercise-body", fence.body().span(),
+                  "the fence of an exercise is empty: its text is the file's",
+                  "write the starter in " + file->text + ", below a line `// #starter`");
+  }
+  fence.finish("cpp exercise", fences::kExercise, reading);
+  return exercise;
 }
 
 // A line that begins with `//| ` is compiled and not shown. Spaces take the place of the mark, so
@@ -146,6 +181,7 @@ std::string Example::name() const {
 std::optional<Block> read_code(Fence& fence, Reading& reading) {
   const std::string kind = fence.words().size() > 1 ? fence.words()[1].text : "";
   if (kind == "snippet") return read_snippet(fence, reading);
+  if (kind == "exercise") return read_exercise(fence, reading);
   return read_example(fence, reading);
 }
 

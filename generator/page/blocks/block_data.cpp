@@ -54,7 +54,7 @@ json listing(const std::string& code, const std::string& language, const LessonC
       code.empty() ? json() : json(context.page.highlighter.highlight(code, language));
   return {{"id", nullptr},     {"program", nullptr},  {"file", nullptr},    {"download", nullptr},
           {"zip", nullptr},    {"code", highlighted}, {"unchecked", false}, {"because", ""},
-          {"output", nullptr}, {"run", nullptr},      {"why_not", nullptr}};
+          {"output", nullptr}, {"run", nullptr},      {"why_not", nullptr}, {"exercise", nullptr}};
 }
 
 // What a reader can do with the program beside reading it.
@@ -103,6 +103,42 @@ json data_of(const Example& example, std::size_t index, LessonContext& context) 
                                  output_label(example, "this program"));
   }
   return data;
+}
+
+json data_of(const Exercise& exercise, const ExerciseResult& result, LessonContext& context) {
+  json data = listing(result.starter, "cpp", context);
+  data["id"] = context.unique_id(exercise_anchor(exercise));
+  data["program"] = data["file"] = exercise_path(exercise);
+  data["download"] = context.from_root(exercise_path(exercise));
+  data["zip"] = context.from_root(exercise_zip_path(exercise));
+  data["run"] = run_data(exercise, result, context);
+  data["why_not"] = why_not_data(result);
+  json checks = json::array();
+  for (const Check& check : result.checks) checks.push_back(check.what);
+  data["exercise"] = {{"checks", std::move(checks)},
+                      {"hidden", result.hidden.size()},
+                      {"solution", context.from_root(exercise.program.file.text)},
+                      {"region", exercise.program.region->text},
+                      {"command", context.lesson.number + " " + exercise.program.name()}};
+  return data;
+}
+
+json exercises_data(const LessonContext& context) {
+  json all = json::array();
+  const Callout* asked = nullptr;
+  for (std::size_t i = 0; i < context.lesson.blocks.size(); ++i) {
+    const Block& block = context.lesson.blocks[i];
+    if (const auto* callout = std::get_if<Callout>(&block)) asked = callout;
+    const auto* exercise = std::get_if<Exercise>(&block);
+    const auto* result = context.results.get<ExerciseResult>(i);
+    if (exercise == nullptr || result == nullptr) continue;
+    if (run_data(*exercise, *result, context).is_null()) continue;
+    const std::string title = asked != nullptr ? context.inline_html(asked->title) : "";
+    all.push_back({{"id", exercise_anchor(*exercise)},
+                   {"program", exercise_path(*exercise)},
+                   {"title", title.empty() ? exercise->program.name() : title}});
+  }
+  return all;
 }
 
 json data_of(const Output& output, std::size_t index, const LessonContext& context) {

@@ -12,6 +12,11 @@ namespace mjcourse {
 
 // `index` is the block's; `inner` is the HTML of what stands in a callout.
 nlohmann::json data_of(const Example& example, std::size_t index, LessonContext& context);
+nlohmann::json data_of(const Exercise& exercise, const ExerciseResult& result,
+                       LessonContext& context);
+// Those that a reader can solve in the page, each: id, program (as the page calls it), title
+// (HTML).
+nlohmann::json exercises_data(const LessonContext& context);
 nlohmann::json data_of(const Output& output, std::size_t index, const LessonContext& context);
 nlohmann::json data_of(const Unchecked& unchecked, const LessonContext& context);
 nlohmann::json data_of(const Snippet& snippet, std::size_t index, const LessonContext& context);

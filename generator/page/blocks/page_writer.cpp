@@ -115,6 +115,10 @@ nlohmann::json PageWriter::questions() {
   return questions_data(context_);
 }
 
+nlohmann::json PageWriter::exercises() const {
+  return exercises_data(context_);
+}
+
 nlohmann::json PageWriter::lab(std::size_t index) {
   return lab_data(std::get<Lab>(context_.lesson.blocks[index]), index, context_);
 }
@@ -290,6 +294,11 @@ std::string PageWriter::write_block(cmark_node* node, std::size_t i, const std::
       [&](const InlineValue& value) { return write_value(value, i); },
       [&](const TermUse& term) { return write_term(term, inner); },
       [&](const Example& example) { return write_listing(data_of(example, i, context_)); },
+      [&](const Exercise& exercise) {
+        const auto* result = context_.results.get<ExerciseResult>(i);
+        if (result == nullptr) return std::string();
+        return write_listing(data_of(exercise, *result, context_));
+      },
       [&](const Unchecked& unchecked) { return write_listing(data_of(unchecked, context_)); },
       [&](const Snippet& snippet) { return write_listing(data_of(snippet, i, context_)); },
       [&](const Commands& commands) { return write_listing(data_of(commands, i, context_)); },

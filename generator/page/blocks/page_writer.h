@@ -28,6 +28,8 @@ class PageWriter {
   const nlohmann::json& answers() const { return context_.answers; }
   // All that its knowledge checks ask, each as question.hbs wants it.
   nlohmann::json questions();
+  // Its exercises, as exercises_data() has them.
+  nlohmann::json exercises() const;
   // The lab that is block `index`, as lab.hbs wants it.
   nlohmann::json lab(std::size_t index);
   // What its labs need beside the page; complete once body() or all their lab() were written.

@@ -32,8 +32,15 @@ bool runs_in_page(const ExampleResult& result) {
   return result.page && result.page->why_not.empty();
 }
 
+bool runs_in_page(const ExerciseResult& result) {
+  return result.page && result.page->why_not.empty() && result.why_not.empty();
+}
+
 bool any_runs_in_page(const LessonResults& results) {
   return std::ranges::any_of(results.of_block, [](const auto& block) {
+    if (const auto* exercise = std::get_if<ExerciseResult>(&block.second)) {
+      return runs_in_page(*exercise);
+    }
     const auto* result = std::get_if<ExampleResult>(&block.second);
     return result != nullptr && runs_in_page(*result);
   });
@@ -61,18 +68,28 @@ std::string stated_outputs(const Example& example, const std::string& printed,
   return stated.empty() ? "" : stated.dump();
 }
 
+json run_data(const Example& program, const std::string& outputs, const LessonContext& context) {
+  json data{{"bytes", context.page.compiler_bytes},
+            {"arguments", program.arguments.empty() ? "" : json(program.arguments).dump()},
+            {"outputs", outputs},
+            {"exit", program.exit_code}};
+  data.update(addresses(context));
+  return data;
+}
+
 }  // namespace
 
 json run_data(const Example& example, const ExampleResult* result, const LessonContext& context) {
   if (program_zip_path(example, result).empty()) return nullptr;
   if (!has_compiler(context.page.manifest)) return nullptr;
   if (!runs_in_page(*result)) return nullptr;
-  json data{{"bytes", context.page.compiler_bytes},
-            {"arguments", example.arguments.empty() ? "" : json(example.arguments).dump()},
-            {"outputs", stated_outputs(example, result->output, context.lesson)},
-            {"exit", example.exit_code}};
-  data.update(addresses(context));
-  return data;
+  return run_data(example, stated_outputs(example, result->output, context.lesson), context);
+}
+
+json run_data(const Exercise& exercise, const ExerciseResult& result,
+              const LessonContext& context) {
+  if (!has_compiler(context.page.manifest) || !runs_in_page(result)) return nullptr;
+  return run_data(exercise.program, "", context);
 }
 
 std::string lab_compiler(const LessonContext& context) {
@@ -86,6 +103,11 @@ std::string lab_compiler(const LessonContext& context) {
 json why_not_data(const ExampleResult* result) {
   if (result == nullptr || !result->page || result->page->why_not.empty()) return nullptr;
   return result->page->why_not;
+}
+
+json why_not_data(const ExerciseResult& result) {
+  if (!result.page || runs_in_page(result)) return nullptr;
+  return result.why_not.empty() ? result.page->why_not : result.why_not;
 }
 
 std::set<std::string> unused_assets(const Evaluation& evaluation, const Files& assets) {

@@ -18,12 +18,17 @@ namespace mjcourse {
 nlohmann::json run_data(const Example& example, const ExampleResult* result,
                         const LessonContext& context);
 
+// Of an exercise, whose reader begins with its starter.
+nlohmann::json run_data(const Exercise& exercise, const ExerciseResult& result,
+                        const LessonContext& context);
+
 // For a lab, whose state its reader may open as a program: those of the data that the lab does not
 // have itself, as JSON; "" where the lesson has no program that runs in the page.
 std::string lab_compiler(const LessonContext& context);
 
 // Why no page runs the program, in a clause; null where one does, or nobody tried.
 nlohmann::json why_not_data(const ExampleResult* result);
+nlohmann::json why_not_data(const ExerciseResult& result);
 
 // The assets that a site does not need whose readers run no program: the compiler is larger than
 // all else. By their paths in the site.

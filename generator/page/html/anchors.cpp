@@ -46,6 +46,10 @@ std::string example_anchor(const Example& example) {
          id_of_name(example.name() + (example.region ? "-" + example.region->text : ""));
 }
 
+std::string exercise_anchor(const Exercise& exercise) {
+  return "exercise-" + id_of_name(exercise.program.name());
+}
+
 std::string question_anchor(const Quiz& quiz, std::size_t question) {
   return "quiz-" + as_id(quiz.id) + "-" + std::to_string(question + 1);
 }
@@ -54,6 +58,7 @@ std::string place_anchor(const Lesson& lesson, const Claim& claim) {
   const Block* block = &lesson.blocks[claim.block];
   if (const auto* output = std::get_if<Output>(block)) block = &lesson.blocks[output->example];
   if (const auto* example = std::get_if<Example>(block)) return example_anchor(*example);
+  if (const auto* exercise = std::get_if<Exercise>(block)) return exercise_anchor(*exercise);
   if (const auto* quiz = std::get_if<Quiz>(block)) return question_anchor(*quiz, claim.part);
   const std::string name = block_name(lesson, claim.block);
   return name.empty() ? heading_above(lesson, claim.place.line) : name;

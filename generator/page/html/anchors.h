@@ -26,6 +26,7 @@ std::string place_anchor(const Lesson& lesson, const Claim& claim);
 // "example-NAME"; in a browser with scripts, its line 12 is "NAME-L12"
 // (site/browser/client/lines.ts).
 std::string example_anchor(const Example& example);
+std::string exercise_anchor(const Exercise& exercise);
 std::string question_anchor(const Quiz& quiz, std::size_t question);
 
 }  // namespace mjcourse

@@ -38,6 +38,11 @@ class Reader {
   }
   void operator()(const TermUse&) { read_children(node_); }
   void operator()(const Example& example) { show_program(example.code.text); }
+  void operator()(const Exercise&) {
+    if (const auto* result = results_.get<ExerciseResult>(block_)) {
+      for (const Check& check : result->checks) say(check.what + ". ");
+    }
+  }
   void operator()(const Unchecked& unchecked) { show(unchecked.code.text); }
   void operator()(const Snippet& snippet) {
     show(snippet.shown);

@@ -51,6 +51,16 @@ std::string program_zip_path(const Example& example, const ExampleResult* result
   return file.substr(0, file.rfind('.')) + ".zip";
 }
 
+std::string exercise_path(const Exercise& exercise) {
+  const std::string& file = exercise.program.file.text;
+  return "exercises" + file.substr(file.find('/'));
+}
+
+std::string exercise_zip_path(const Exercise& exercise) {
+  const std::string path = exercise_path(exercise);
+  return path.substr(0, path.rfind('.')) + ".zip";
+}
+
 std::string web_address(const Course& course, const std::string& path) {
   if (course.url.empty()) return "";
   return course.url + (path == "index.html" ? "" : escaped_path(path));

@@ -26,6 +26,10 @@ std::string block_path(const Lesson& lesson, std::size_t index);
 // The zip that builds a program by itself; "" of one that did not run, or must not compile.
 std::string program_zip_path(const Example& example, const ExampleResult* result);
 
+// What a reader of the exercise begins with: a program, and the zip that builds it.
+std::string exercise_path(const Exercise& exercise);
+std::string exercise_zip_path(const Exercise& exercise);
+
 // The pages that explain the course, and what stands beside them.
 inline constexpr const char* kApiTitle = "MuJoCo’s names";
 inline constexpr const char* kGalleryPage = "models.html";

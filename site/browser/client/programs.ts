@@ -4,6 +4,7 @@
 
 import { make } from "./element.js";
 import { keptText } from "./program-text.js";
+import { recallAnswer } from "./quiz/answers.js";
 
 interface ProgramCode {
   readonly openProgram: (figure: HTMLElement, linked?: string) => Promise<void>;
@@ -29,13 +30,14 @@ class Offer {
   readonly #button = make("button", { type: "button", class: "edit-program" });
   readonly #place = make("div", { class: "program-offer" });
   readonly #status = make("p", { role: "status" });
+  readonly #solved = make("span", { class: "solved" });
   #linked: string | undefined;
 
   constructor(figure: HTMLElement) {
     this.#figure = figure;
     this.#button.addEventListener("click", () => void this.open(this.#linked));
     this.#place.append(this.#status);
-    figure.querySelector("figcaption")!.append(this.#button, this.#place);
+    figure.querySelector("figcaption")!.append(this.#solved, this.#button, this.#place);
     figure.addEventListener("program-closed", ({ detail }) => this.#comeBack(detail));
     this.#name();
   }
@@ -51,8 +53,13 @@ class Offer {
 
   #name(): void {
     const isOwn = keptText(this.#file) !== undefined;
-    this.#button.textContent = isOwn ? "Edit and run your version" : "Edit and run";
+    const [own, first] = this.#isExercise
+      ? ["Go on with your version", "Solve it here"]
+      : ["Edit and run your version", "Edit and run"];
+    this.#button.textContent = isOwn ? own : first;
     this.#button.ariaLabel = `${this.#button.textContent}: ${this.#file}`;
+    const isSolved = this.#isExercise && recallAnswer(this.#figure.id).given.length > 0;
+    this.#solved.textContent = isSolved ? "Solved" : "";
   }
 
   #comeBack(focuses: boolean): void {
@@ -113,6 +120,10 @@ class Offer {
     if (!Object.hasOwn(window, "caches")) return false;
     const address = new URL(this.#figure.dataset["llvm"]!, document.baseURI).href;
     return (await caches.match(address)) !== undefined;
+  }
+
+  get #isExercise(): boolean {
+    return this.#figure.dataset["region"] !== undefined;
   }
 
   get #file(): string {

@@ -10,17 +10,22 @@ import { zip } from "./zip.js";
 const regionMarks = /^[ \t]*\/\/ #(?:region |endregion).*\n/gm;
 const outputFile = "expected-output.txt";
 
+/** Of regions: in an exercise they say what its reader writes. */
+type Marks = "shown" | "hidden";
+
 export class Folder {
   readonly #name: string;
   readonly #files: Files;
   /** A lesson ran it. */
   readonly isOfLesson: boolean;
+  readonly #marks: Marks;
 
   /** `name` is the program's, and the folder's: "l0_1_parabola". */
-  private constructor(name: string, files: Files, isOfLesson: boolean) {
+  private constructor(name: string, files: Files, isOfLesson: boolean, marks: Marks) {
     this.#name = name;
     this.#files = files;
     this.isOfLesson = isOfLesson;
+    this.#marks = marks;
   }
 
   /** Of a program that the page has made, with the files of its models. */
@@ -31,20 +36,21 @@ export class Folder {
     const others = Object.entries(models).map(
       ([file, content]) => [`${name}/models/${file}`, bytes(content)] as const,
     );
-    return new Folder(name, new Map([main, ...others]), false);
+    return new Folder(name, new Map([main, ...others]), false, "hidden");
   }
 
   /** Throws where the archive at `address` cannot be had. */
-  static async fetch(address: string): Promise<Folder> {
+  static async fetch(address: string, marks: Marks): Promise<Folder> {
     const response = await fetch(address);
     if (!response.ok) throw new Error(`${response.status} for ${address}`);
     const files = await unzip(await response.arrayBuffer());
-    return new Folder([...files.keys()][0]!.split("/")[0]!, files, true);
+    return new Folder([...files.keys()][0]!.split("/")[0]!, files, true, marks);
   }
 
-  /** The program as the lesson shows it, without the marks of its regions. */
+  /** The program as the lesson shows it. */
   get text(): string {
-    return this.#read(`${this.#name}.cpp`).replace(regionMarks, "");
+    const text = this.#read(`${this.#name}.cpp`);
+    return this.#marks === "shown" ? text : text.replace(regionMarks, "");
   }
 
   /** What the lesson's run printed. */

@@ -4,12 +4,13 @@
  */
 import { make } from "../client/element.js";
 import { forgetText, keepText, keptText } from "../client/program-text.js";
-import type { Diagnostic, OutputChanges, StatedOutput } from "../cpp/messages.js";
+import type { Diagnostic, End, OutputChanges, StatedOutput } from "../cpp/messages.js";
 import { type CodeEditor, openCodeEditor } from "./code-editor.js";
 import { type ApiName, completionOf } from "./completion.js";
 import { type Compiler, type Ended, type Listener, NoCompiler } from "./compiler.js";
 import { diagnosticOfLine, lineOf } from "./diagnostics.js";
 import { EndedLab } from "./ended-lab.js";
+import { Exercise } from "./exercise.js";
 import type { Folder } from "./folder.js";
 import { keepFiles } from "./offline.js";
 import { Output } from "./output.js";
@@ -19,6 +20,7 @@ import { quoteLesson, quoteRun } from "./quotations.js";
 import { readSnapshots } from "./records.js";
 import { save } from "./save.js";
 import { comparisonSentence, counted, sentenceOf } from "./sentences.js";
+import { Solution } from "./solution.js";
 
 const refusals: Readonly<Record<NoCompiler["why"], string>> = {
   network: "The compiler could not be loaded. Check the connection, then press Run.",
@@ -43,7 +45,9 @@ export class Panel {
   readonly #progress = new ProgressBar((text) => this.#say(text));
   readonly #output = new Output();
   readonly #ended: EndedLab;
-  readonly #run = button("Run", "primary", () => void this.run());
+  readonly #exercise: Exercise | undefined;
+  readonly #solution: Solution | undefined;
+  readonly #run: HTMLButtonElement;
   readonly #stop = button("Stop", "", () => this.#compiler.stop());
   readonly #reset: HTMLButtonElement;
   readonly #leaving = new AbortController();
@@ -61,7 +65,12 @@ export class Panel {
     this.#file = file;
     this.#folder = folder;
     this.#compiler = compiler;
-    this.#reset = button(`Reset to the ${this.#source}’s`, "", () => this.reset());
+    this.#exercise = Exercise.of(figure);
+    const { solution, region } = figure.dataset;
+    if (solution && region) this.#solution = new Solution(solution, region);
+    const run = this.#exercise ? "Run and check" : "Run";
+    this.#run = button(run, "primary", () => void this.run());
+    this.#reset = button(`Reset to ${this.#source}`, "", () => this.reset());
     this.#ended = new EndedLab(figure, this.#name, (text) => this.#say(text));
   }
 
@@ -76,11 +85,15 @@ export class Panel {
     if (this.#folder.isOfLesson) {
       bar.append(button("Copy link", "", () => void this.#copyLink()));
     }
+    if (this.#solution) {
+      bar.append(button("Compare with the solution", "", () => void this.#compare()));
+    }
     bar.append(close, this.#progress.element);
     this.#element.append(this.#host, bar, this.#status);
     this.#code.before(this.#element);
     this.#code.hidden = true;
     this.#element.after(this.#output.element, this.#ended.element);
+    if (this.#solution) this.#output.element.before(this.#solution.element);
     this.#figure.classList.add("edited");
     const lesson = this.#folder.text;
     const own = keptText(this.#file);
@@ -93,7 +106,9 @@ export class Panel {
       run: () => void this.run(),
       completion: completionOf(() => this.#apiNames(), this.#folder.helper),
     });
-    this.#editor.scrollTo(lineOfRegion(lesson, this.#code.textContent));
+    const { region } = this.#figure.dataset;
+    const shown = region ? `// #region ${region}\n` : this.#code.textContent;
+    this.#editor.scrollTo(lineOfRegion(lesson, shown));
     this.#listen();
     this.#show();
     this.#editor.focus();
@@ -119,6 +134,8 @@ export class Panel {
     this.#output.element.remove();
     this.#ended.close();
     this.#ended.element.remove();
+    this.#solution?.element.remove();
+    this.#exercise?.reset();
     this.#code.hidden = false;
     this.#figure.classList.remove("edited");
     quoteLesson(this.#name);
@@ -159,10 +176,14 @@ export class Panel {
     quoteLesson(this.#name);
     this.#show();
     this.#editor.focus();
-    this.#say(`This is the ${this.#source}’s program again.`);
+    this.#say(
+      this.#exercise ? "This is the starter again." : `This is ${this.#source} program again.`,
+    );
   }
 
   #forgetRun(): void {
+    this.#exercise?.reset();
+    this.#solution?.hide();
     this.#output.clear();
     this.#ended.close();
   }
@@ -226,13 +247,14 @@ export class Panel {
   #tell({ end, records, model, changes, seconds }: Ended): void {
     const expected = Number(this.#figure.dataset["exit"] ?? 0);
     const told = [sentenceOf(end, expected)];
+    if (this.#exercise) this.#judge(this.#exercise, end, records, told);
     const isExpected = end.how === "exit" && end.code === expected;
     if (end.line !== undefined && !isExpected) {
       const mark = diagnosticOfLine(this.#main, end.line, told[0]!);
       this.#editor.showDiagnostics([...this.#diagnostics, mark]);
       this.#editor.scrollTo(end.line);
     }
-    if (changes) told.push(...this.#compareWithLesson(changes, records));
+    if (changes && !this.#exercise) told.push(...this.#compareWithLesson(changes, records));
     const snapshots = readSnapshots(records);
     if (model && snapshots.size > 0) {
       this.#ended.offer({ snapshots, model, files: this.#folder.models });
@@ -241,6 +263,24 @@ export class Panel {
     this.#say(told.join(" "));
     // It may have more lines than before.
     if (this.#figure.contains(document.activeElement)) this.#showStatus();
+  }
+
+  /** That it ran to the end goes without saying. */
+  #judge(exercise: Exercise, end: End, records: string, told: string[]): void {
+    const sentence = exercise.judge(end, records);
+    if (end.how === "exit" && end.code === 0) told.length = 0;
+    told.unshift(sentence);
+  }
+
+  async #compare(): Promise<void> {
+    try {
+      await this.#solution!.show(this.#editor.text);
+      this.#solution!.element.scrollIntoView({ block: "nearest" });
+      this.#say("The solution stands beside what you wrote.");
+    } catch (error) {
+      reportError(error);
+      this.#say("The solution could not be loaded. Check the connection, then try again.");
+    }
   }
 
   #showStatus(): void {
@@ -259,7 +299,7 @@ export class Panel {
 
   /** What the lesson says of the output comes first, then what its run printed. */
   get #stated(): readonly StatedOutput[] {
-    if (!this.#folder.isOfLesson) return [];
+    if (!this.#folder.isOfLesson || this.#exercise) return [];
     const stated = JSON.parse(this.#figure.dataset["outputs"] ?? "[]") as StatedOutput[];
     return [...stated, { text: this.#folder.output, tolerance: null }];
   }
@@ -330,9 +370,10 @@ export class Panel {
     return this.#figure.querySelector<HTMLAnchorElement>("figcaption > a[download]:not(.zip)");
   }
 
-  /** Whose program it was at first. */
+  /** What it was at first. */
   get #source(): string {
-    return this.#folder.isOfLesson ? "lesson" : "lab";
+    if (this.#exercise) return "the starter";
+    return this.#folder.isOfLesson ? "the lesson’s" : "the lab’s";
   }
 
   /** As lessons quote it: "l0_1_parabola". */

@@ -20,7 +20,7 @@ export async function openProgram(figure: HTMLElement, linked?: string): Promise
   const { dataset } = figure;
   const address = (name: string): string => new URL(dataset[name]!, document.baseURI).href;
   const [folder, text] = await Promise.all([
-    madeFolder(figure) ?? Folder.fetch(figure.querySelector<HTMLAnchorElement>("a.zip")!.href),
+    madeFolder(figure) ?? fetchFolder(figure),
     linked === undefined ? undefined : decodeText(linked),
     wear(address("style")),
   ]);
@@ -36,6 +36,11 @@ export async function openProgram(figure: HTMLElement, linked?: string): Promise
   const panel = new Panel(figure, file, folder, compiler);
   panels.set(file, panel);
   panel.open(text, linked === undefined ? remarkOn(file, folder) : remarkOnLink(text));
+}
+
+function fetchFolder(figure: HTMLElement): Promise<Folder> {
+  const { href } = figure.querySelector<HTMLAnchorElement>("a.zip")!;
+  return Folder.fetch(href, figure.dataset["region"] === undefined ? "hidden" : "shown");
 }
 
 /** What the reader is to know of the text that opens. */

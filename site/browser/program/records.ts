@@ -23,6 +23,31 @@ export function readResults(records: string): Map<string, Result> {
   return results;
 }
 
+/** One of those by which a program judges what its reader wrote. */
+export interface Check {
+  readonly what: string;
+  readonly holds: boolean;
+  /** What it means that it does not, and the values of it; "" for none. */
+  readonly meaning: string;
+  readonly found: string;
+}
+
+/** In the order in which they were made first; of two of a name, the later failed. */
+export function readChecks(records: string): Check[] {
+  const checks = new Map<string, Check>();
+  for (const line of records.split("\n")) {
+    const record = parsed(line);
+    if (typeof record?.check !== "string") continue;
+    const { check: what, value } = record;
+    if (typeof value !== "object" || value === null) continue;
+    const { holds, meaning, found } = value as Readonly<Record<string, unknown>>;
+    checks.set(what, { what, holds: holds === true, meaning: text(meaning), found: text(found) });
+  }
+  return [...checks.values()];
+}
+
+const text = (value: unknown): string => (typeof value === "string" ? value : "");
+
 /** By their names; for one that nothing can be drawn of, a clause that says why. */
 export function readTables(records: string): Map<string, Columns | string> {
   const tables = new Map<string, Columns | string>();
@@ -74,6 +99,7 @@ interface Line {
   readonly result?: unknown;
   readonly table?: unknown;
   readonly snapshot?: unknown;
+  readonly check?: unknown;
   readonly value?: unknown;
 }
 

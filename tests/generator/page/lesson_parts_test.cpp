@@ -26,7 +26,7 @@ class LessonPartsTest : public PageWriterTest {
 
 TEST_F(LessonPartsTest, HasTheQuestionsForTheReview) {
   const json asked = questions("Text.\n\n" + std::string(kQuiz));
-  const json review = json::parse(review_json(course_.lessons[0], asked, *templates_));
+  const json review = json::parse(review_json(course_.lessons[0], {asked}, *templates_));
   EXPECT_EQ(review["href"], "1-a/1.1-x.html");
   EXPECT_EQ(review["name"], "1.1 T");
   ASSERT_EQ(review["questions"].size(), 2u);
@@ -38,12 +38,12 @@ TEST_F(LessonPartsTest, HasTheQuestionsForTheReview) {
 
 TEST_F(LessonPartsTest, HasNothingForTheReviewWhereNothingIsAsked) {
   const json none = questions("Text.\n");
-  EXPECT_EQ(review_json(course_.lessons[0], none, *templates_), "");
+  EXPECT_EQ(review_json(course_.lessons[0], {none}, *templates_), "");
 }
 
 TEST_F(LessonPartsTest, TellsTheTableOfProgressWhatIsRight) {
   const json asked = questions(kQuiz);
-  const std::string row = progress_row(course_.lessons[0], asked, *templates_);
+  const std::string row = progress_row(course_.lessons[0], {asked}, *templates_);
   EXPECT_TRUE(row.starts_with("<tr data-lesson=\"1-a/1.1-x.html\">")) << row;
   EXPECT_NE(row.find("<span data-id=\"quiz-q-1-1\" data-kind=\"numeric\" data-key=\"4\" "
                      "data-tolerance=\"0.5\"></span>"

@@ -30,12 +30,16 @@ function parsed(text: string): unknown {
   }
 }
 
+const isTexts = (value: unknown): boolean =>
+  isRecord(value) && Object.values(value).every((text) => typeof text === "string");
+
 function isKept(value: unknown): value is Kept {
   return (
     isRecord(value) &&
     (value["reading"] === undefined || isReading(value["reading"])) &&
     isRecord(value["answers"]) &&
-    Object.values(value["answers"]).every(isAnswer)
+    Object.values(value["answers"]).every(isAnswer) &&
+    (value["texts"] === undefined || isTexts(value["texts"]))
   );
 }
 

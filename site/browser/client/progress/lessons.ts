@@ -1,6 +1,7 @@
 // The lessons of the course as the table of progress.html lists them, each with what is remembered.
 
 import { isAnswer, noAnswer, recallAnswer, rememberAnswer, type Answer } from "../quiz/answers.js";
+import { forgetText, keepText, keptText } from "../program-text.js";
 import { judge, type Solution } from "../quiz/judge.js";
 import { recallReading, rememberReading, type Reading } from "../reading/readings.js";
 
@@ -8,6 +9,8 @@ import { recallReading, rememberReading, type Reading } from "../reading/reading
 export interface Kept {
   readonly reading?: Reading | undefined;
   readonly answers: Readonly<Record<string, Answer>>;
+  /** What the reader wrote of its exercises, by their programs. */
+  readonly texts?: Readonly<Record<string, string>> | undefined;
 }
 
 export class Lesson {
@@ -17,6 +20,7 @@ export class Lesson {
   readonly #path: string;
   /** By their ids. */
   readonly #solutions: ReadonlyMap<string, Solution>;
+  readonly #programs: readonly string[];
 
   constructor(row: HTMLTableRowElement) {
     this.row = row;
@@ -24,6 +28,7 @@ export class Lesson {
     this.#path = new URL(this.href, location.href).pathname;
     const questions = [...row.querySelectorAll<HTMLElement>("[data-id]")];
     this.#solutions = new Map(questions.map(({ dataset }) => [dataset["id"]!, dataset]));
+    this.#programs = questions.flatMap(({ dataset }) => dataset["program"] ?? []);
   }
 
   get path(): string {
@@ -48,18 +53,28 @@ export class Lesson {
     const answers = [...this.#solutions.keys()].map(
       (id) => [id, recallAnswer(id, this.#path)] as const,
     );
+    const texts = this.#programs.flatMap((program) => {
+      const text = keptText(program);
+      return text === undefined ? [] : [[program, text] as const];
+    });
     return {
       reading: recallReading(this.#path),
       answers: Object.fromEntries(answers.filter(([, answer]) => answer !== noAnswer)),
+      ...(texts.length > 0 && { texts: Object.fromEntries(texts) }),
     };
   }
 
   /** In place of what was remembered. Questions that the lesson has not are passed over. */
-  keep({ reading, answers }: Kept): void {
+  keep({ reading, answers, texts = {} }: Kept): void {
     rememberReading(this.#path, reading ?? null);
     for (const id of this.#solutions.keys()) {
       const answer = Object.hasOwn(answers, id) ? answers[id] : noAnswer;
       rememberAnswer(id, isAnswer(answer) ? answer : noAnswer, this.#path);
+    }
+    for (const program of this.#programs) {
+      const text = Object.hasOwn(texts, program) ? texts[program] : undefined;
+      if (text === undefined) forgetText(program);
+      else keepText(program, text);
     }
   }
 }

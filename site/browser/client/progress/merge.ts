@@ -34,5 +34,7 @@ export function merge(lesson: Lesson, other: Kept): Kept {
     const theirs = Object.hasOwn(other.answers, id) ? other.answers[id] : undefined;
     if (theirs) answers[id] = bestAnswer(answer, theirs, (given) => lesson.isRight(id, given));
   }
-  return { reading: furthest(own.reading, other.reading), answers };
+  // Nothing tells which of two texts is the better one.
+  const texts = { ...other.texts, ...own.texts };
+  return { reading: furthest(own.reading, other.reading), answers, texts };
 }

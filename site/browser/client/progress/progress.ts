@@ -38,7 +38,7 @@ function remembers(): boolean {
 function exported(): Progress {
   const opened = lessons
     .map(({ href, kept }) => [href, kept] as const)
-    .filter(([, kept]) => kept.reading ?? Object.keys(kept.answers).length > 0);
+    .filter(([, kept]) => kept.reading ?? kept.texts ?? Object.keys(kept.answers).length > 0);
   const path = recall(last);
   const href = lessons.find((lesson) => lesson.path === path)?.href ?? "";
   return { last: href, lessons: Object.fromEntries(opened) };

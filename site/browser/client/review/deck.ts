@@ -32,6 +32,11 @@ export class Card {
     this.#path = new URL(href, location.href).pathname;
   }
 
+  /** One is solved in its lesson. */
+  get isExercise(): boolean {
+    return this.id.startsWith("exercise-");
+  }
+
   get review(): Review | undefined {
     return recallAnswer(this.id, this.#path).review;
   }

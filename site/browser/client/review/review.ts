@@ -37,16 +37,17 @@ function deal(card: Card): void {
   const holder = document.createElement("div");
   holder.className = "dealt";
   holder.innerHTML = card.html; // the generator's own
-  const form = holder.querySelector("form")!;
-  new Question(form, false);
   const answered = (right: boolean): void => {
     if (holder.querySelector(".next-card")) return;
     card.judged(right);
     due.textContent = count(openedCards());
     holder.append(nextButton());
   };
-  form.addEventListener("judged", (event) => answered((event as CustomEvent<boolean>).detail));
-  form.querySelector(".answer > summary")?.addEventListener("click", () => answered(false));
+  if (card.isExercise) {
+    holder.querySelector(".not-today")!.addEventListener("click", () => answered(false));
+  } else {
+    ask(holder, answered);
+  }
   const source = document.createElement("p");
   source.className = "source";
   const link = document.createElement("a");
@@ -56,6 +57,13 @@ function deal(card: Card): void {
   holder.prepend(source);
   deck.replaceChildren(holder);
   reachScrollers(holder);
+}
+
+function ask(holder: HTMLElement, answered: (right: boolean) => void): void {
+  const form = holder.querySelector("form")!;
+  new Question(form, false);
+  form.addEventListener("judged", (event) => answered((event as CustomEvent<boolean>).detail));
+  form.querySelector(".answer > summary")?.addEventListener("click", () => answered(false));
 }
 
 function nextButton(): HTMLButtonElement {

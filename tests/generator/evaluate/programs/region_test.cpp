@@ -103,7 +103,7 @@ TEST(Region, MustBeTheSameTextInLessonAndFile) {
 }
 
 TEST(Region, MarksAreNotShownOfAWholeProgramEither) {
-  EXPECT_EQ(without_region_marks(kRegionProgram),
+  EXPECT_EQ(as_shown(kRegionProgram),
             "#include <cstdio>\nint main() {\n  for (int i = 0; i < 2; ++i) {\n"
             "    std::printf(\"%d\\n\", i);\n  }\n}\n");
 }

@@ -1,0 +1,312 @@
+#include "evaluate/programs/exercise.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "base/files.h"
+#include "base/nearest.h"
+#include "base/running_text.h"
+#include "evaluate/programs/example.h"
+#include "report/refused_file.h"
+
+namespace mjcourse {
+namespace {
+
+using Variant = ExerciseText::Variant;
+using Checks = std::vector<Check>;
+
+// The words of the line of `file`.
+Place place_of_line(const SourceText& file, int line) {
+  const std::string_view text = file.line(line);
+  const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
+  return place_of(file, {file.line_start(line) + begin, file.line_start(line) + text.size()});
+}
+
+std::string name_of(const Variant& variant) {
+  return variant.name.empty() ? "the starter" : "the wrong variant `" + variant.name + "`";
+}
+
+std::vector<std::string> failing(const Checks& checks) {
+  std::vector<std::string> names;
+  for (const Check& check : checks) {
+    if (!check.holds) names.push_back(check.what);
+  }
+  return names;
+}
+
+std::string lines(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += "  " + name + "\n";
+  return text;
+}
+
+// What one run of each program checked.
+struct Made {
+  Checks shown, hidden;
+
+  Checks all() const {
+    Checks both = shown;
+    both.insert(both.end(), hidden.begin(), hidden.end());
+    return both;
+  }
+};
+
+class Trials {
+ public:
+  Trials(const Exercise& exercise, const ExerciseFiles& files, const Lesson& lesson,
+         WorkerContext& worker_context, Diagnostics& diagnostics)
+      : exercise_(exercise),
+        files_(files),
+        lesson_(lesson),
+        worker_context_(worker_context),
+        diagnostics_(diagnostics) {}
+
+  std::optional<ExerciseResult> run() {
+    const ExerciseText& text = files_.text;
+    ExerciseResult result{text.program(text.starter().code), {}, {}};
+    if (files_.hidden && !try_hidden_solution(result.hidden)) return std::nullopt;
+    bool is_whole = true;
+    for (const Variant& variant : text.variants()) {
+      const std::optional<Made> made = checks_of(variant, result);
+      if (made && judge(variant, *made)) {
+        result.trials.push_back({variant.name, failing(made->all())});
+      } else {
+        is_whole = false;
+      }
+    }
+    if (text.variants().size() == 1) {
+      warn(text.starter(), "W-exercise-wrong", "no wrong variant shows that the checks refuse one",
+           "add a mistake that people make: `// #wrong NAME: CHECK`, and the code in comments");
+    }
+    return is_whole ? std::optional(std::move(result)) : std::nullopt;
+  }
+
+ private:
+  // What the hidden checks say of themselves; false (reported) where the solution fails one.
+  bool try_hidden_solution(std::vector<std::string>& names) {
+    const auto checks = hidden_checks(files_.text.solution(), nullptr);
+    if (!checks) return false;
+    for (const Check& check : *checks) names.push_back(check.what);
+    report_failing_checks(hidden_program(), *files_.hidden, *checks, lesson_, diagnostics_);
+    return failing(*checks).empty();
+  }
+
+  // With the variant in the solution's place.
+  std::optional<Made> checks_of(const Variant& variant, ExerciseResult& result) {
+    auto ran = try_text(exercise_.program, files_.text.in_place(variant), &variant);
+    if (!ran) return std::nullopt;
+    if (ran->page) {
+      if (variant.name.empty()) result.why_not = ran->page->why_not;
+      if (!ran->page->otherwise.empty()) {
+        fail(variant, "E-page-output",
+             "in the page, " + name_of(variant) + " " + ran->page->otherwise,
+             "check what depends on no last digit, no size of a type and no C library; or say in "
+             "the fence that no page runs it, and why: `native because=\"…\"`");
+        return std::nullopt;
+      }
+    }
+    Made made{std::move(ran->records.checks), {}};
+    if (!files_.hidden) return made;
+    auto hidden = hidden_checks(variant.code, &variant);
+    if (!hidden) return std::nullopt;
+    made.hidden = *std::move(hidden);
+    return made;
+  }
+
+  std::optional<Checks> hidden_checks(const std::string& code, const Variant* variant) {
+    const std::string& path = exercise_.hidden->text;
+    const auto text =
+        with_code_in_region(*files_.hidden, exercise_.program.region->text, code, path);
+    auto ran = try_text(hidden_program(), text.value(), variant);
+    if (!ran) return std::nullopt;
+    return std::move(ran->records.checks);
+  }
+
+  Example hidden_program() const {
+    Example program = exercise_.program;
+    program.file = *exercise_.hidden;
+    program.native = "no page has its checks";
+    return program;
+  }
+
+  // What is reported says of which variant it is.
+  std::optional<ExampleResult> try_text(const Example& program, const std::string& text,
+                                        const Variant* variant) {
+    Diagnostics found;
+    auto result = evaluate_example(program, {text, {}}, lesson_, worker_context_, found);
+    for (Diagnostic& one : found) {
+      // What is left to be written uses not all that is there for it, and may report nonsense to a
+      // lesson that quotes the solution alone.
+      if (one.severity == Severity::warning || one.id == "E-example-record") continue;
+      if (variant != nullptr) {
+        one.notes.push_back({"with " + name_of(*variant) + " in the place of the solution",
+                             place_of_line(files_.text.file(), variant->mark)});
+      }
+      diagnostics_.push_back(std::move(one));
+    }
+    return result;
+  }
+
+  bool judge(const Variant& variant, const Made& made) {
+    if (made.shown.empty()) {
+      return fail(variant, "E-exercise-check", "the program makes no check",
+                  "check what its reader is to write: `expect(CONDITION, \"what should hold\")`");
+    }
+    if (!variant.name.empty()) return judge_wrong(variant, made);
+    return !failing(made.shown).empty() ||
+           fail(variant, "E-exercise-starter", "the starter passes each check",
+                "leave something to do, or check what is to be done");
+  }
+
+  // Its reader is told one thing; hidden checks may fail besides, or instead.
+  bool judge_wrong(const Variant& variant, const Made& made) {
+    const auto is_named = [&](const std::string& check) {
+      return check.starts_with(variant.check);
+    };
+    std::vector<std::string> known;
+    for (const Check& check : made.all()) known.push_back(check.what);
+    if (std::ranges::none_of(known, is_named)) {
+      return fail(variant, "E-exercise-wrong", "there is no check `" + variant.check + "`",
+                  suggest(variant.check, known));
+    }
+    const std::vector<std::string> fails = failing(made.all()), shown = failing(made.shown);
+    if (fails.empty()) {
+      return fail(variant, "E-exercise-wrong",
+                  "no check refuses the wrong variant `" + variant.name + "`",
+                  "check what it does otherwise than the solution");
+    }
+    if (std::ranges::any_of(fails, is_named) && shown.size() <= 1 &&
+        std::ranges::all_of(shown, is_named)) {
+      return true;
+    }
+    fail(variant, "E-exercise-wrong",
+         "the wrong variant `" + variant.name + "` is to fail the check `" + variant.check +
+             "` and no other that its reader sees",
+         "where one check follows from another, leave it out: `expect` gives whether its "
+         "condition holds");
+    diagnostics_.back().detail = "it fails\n" + lines(fails);
+    return false;
+  }
+
+  // Gives false.
+  bool fail(const Variant& variant, std::string id, std::string message, std::string cure) {
+    Diagnostic wrong = error_at(place_of_line(files_.text.file(), variant.mark), std::move(id),
+                                std::move(message), std::move(cure));
+    wrong.notes.push_back(
+        {"the lesson has this exercise", place_of(*lesson_.source, exercise_.span)});
+    diagnostics_.push_back(std::move(wrong));
+    return false;
+  }
+
+  void warn(const Variant& variant, std::string id, std::string message, std::string cure) {
+    fail(variant, std::move(id), std::move(message), std::move(cure));
+    diagnostics_.back().severity = Severity::warning;
+  }
+
+  const Exercise& exercise_;
+  const ExerciseFiles& files_;
+  const Lesson& lesson_;
+  WorkerContext& worker_context_;
+  Diagnostics& diagnostics_;
+};
+
+std::optional<std::string> read_program(const LocatedText& path, const Lesson& lesson,
+                                        WorkerContext& worker_context, Diagnostics& diagnostics) {
+  const DiskFiles files(worker_context.root());
+  const Place place = place_of(*lesson.source, path.span());
+  if (const auto refusal = files.refusal(path.text)) {
+    diagnostics.push_back(refused_file(place, path.text, *refusal));
+    return std::nullopt;
+  }
+  auto text = files.read(path.text);
+  if (text) return *std::move(text);
+  diagnostics.push_back(error_at(place, "E-example-file", "cannot read " + text.error(),
+                                 "write it: an exercise is a program of the course"));
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<ExerciseFiles> read_exercise_files(const Exercise& exercise, const Lesson& lesson,
+                                                 WorkerContext& worker_context,
+                                                 Diagnostics& diagnostics) {
+  const LocatedText& path = exercise.program.file;
+  const std::string& region = exercise.program.region->text;
+  const auto program = read_program(path, lesson, worker_context, diagnostics);
+  if (!program) return std::nullopt;
+  const std::size_t before = diagnostics.size();
+  const auto text = read_exercise(SourceText(path.text, *program), region, diagnostics);
+  for (std::size_t i = before; i < diagnostics.size(); ++i) {
+    diagnostics[i].notes.push_back(
+        {"the lesson has this exercise", place_of(*lesson.source, exercise.span)});
+  }
+  if (!text) return std::nullopt;
+  ExerciseFiles files{*text, std::nullopt};
+  if (!exercise.hidden) return files;
+  files.hidden = read_program(*exercise.hidden, lesson, worker_context, diagnostics);
+  if (!files.hidden) return std::nullopt;
+  const auto inside = code_in_region(*files.hidden, region);
+  if (inside && inside->find_first_not_of(" \t\r\n") == inside->npos) return files;
+  diagnostics.push_back(
+      error_at(place_of(*lesson.source, exercise.hidden->span()), "E-exercise-text",
+               exercise.hidden->text + (inside ? " has code in the region `" : " has no region `") +
+                   region + "`",
+               "leave `// #region " + region +
+                   "` and `// #endregion` there with nothing between them: what "
+                   "the reader writes comes there"));
+  return std::nullopt;
+}
+
+std::optional<ExerciseResult> evaluate_exercise(const Exercise& exercise,
+                                                const ExerciseFiles& files, const Lesson& lesson,
+                                                WorkerContext& worker_context,
+                                                Diagnostics& diagnostics) {
+  return Trials(exercise, files, lesson, worker_context, diagnostics).run();
+}
+
+void report_failing_checks(const Example& program, const std::string& code,
+                           const std::vector<Check>& checks, const Lesson& lesson,
+                           Diagnostics& diagnostics) {
+  const SourceText file(program.file.text, code);
+  for (const Check& check : checks) {
+    if (check.holds) continue;
+    Diagnostic wrong = error_at(place_of_line(file, check.line), "E-check-fails",
+                                "the program fails its own check `" + check.what + "`",
+                                "correct the program, or what is checked");
+    for (const std::string& words : {check.meaning, check.found}) {
+      if (!words.empty()) wrong.detail += words + "\n";
+    }
+    wrong.notes.push_back({"the lesson has this program", place_of(*lesson.source, program.span)});
+    diagnostics.push_back(std::move(wrong));
+  }
+}
+
+void add_solution(const Exercise& exercise, const ExampleResult& solution, const Lesson& lesson,
+                  ExerciseResult& result, Diagnostics& diagnostics) {
+  result.checks = solution.records.checks;
+  result.files = solution.files;
+  result.page = solution.page;
+  const auto is_failed = [&](const std::string& check) {
+    return std::ranges::any_of(result.trials, [&](const ExerciseResult::Trial& trial) {
+      return std::ranges::count(trial.fails, check) > 0;
+    });
+  };
+  std::vector<std::string> idle;
+  for (const Check& check : result.checks) {
+    if (!is_failed(check.what)) idle.push_back(check.what);
+  }
+  for (const std::string& check : result.hidden) {
+    if (!is_failed(check)) idle.push_back(check);
+  }
+  if (idle.empty()) return;
+  Diagnostic& warning = diagnostics.emplace_back(error_at(
+      place_of(*lesson.source, exercise.span), "W-exercise-check",
+      idle.size() == 1 ? "the starter and the wrong variants all pass the check `" + idle[0] + "`"
+                       : "there are checks that the starter and the wrong variants all pass",
+      "it may be one that cannot fail: add a `// #wrong` variant for it, or remove it"));
+  warning.severity = Severity::warning;
+  if (idle.size() > 1) warning.detail = lines(idle);
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,44 @@
+// Exercises: what a reader is to write, proved both ways.
+//
+// The solution is a program like any other, and runs as one (evaluate/program_task.h). Here its
+// place is taken by the starter, which compiles and fails a check; and by the mistakes, each of
+// which fails the check that is to refuse it, and no other. Each runs as the page will run it, too.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "evaluate/context/worker_context.h"
+#include "findings/result.h"
+#include "lesson/blocks/lesson.h"
+#include "lesson/syntax/exercise_text.h"
+#include "report/diagnostic.h"
+
+namespace mjcourse {
+
+// The text of an exercise's files, as they were read.
+struct ExerciseFiles {
+  ExerciseText text;
+  std::optional<std::string> hidden;  // of the program with checks that no page shows
+};
+
+// Nothing (reported) where one of them cannot be read, or says nothing that can be understood.
+std::optional<ExerciseFiles> read_exercise_files(const Exercise& exercise, const Lesson& lesson,
+                                                 WorkerContext& worker_context,
+                                                 Diagnostics& diagnostics);
+
+std::optional<ExerciseResult> evaluate_exercise(const Exercise& exercise,
+                                                const ExerciseFiles& files, const Lesson& lesson,
+                                                WorkerContext& worker_context,
+                                                Diagnostics& diagnostics);
+
+// The checks of `program`, of which `code` is the text, that do not hold though it is the solution.
+void report_failing_checks(const Example& program, const std::string& code,
+                           const std::vector<Check>& checks, const Lesson& lesson,
+                           Diagnostics& diagnostics);
+
+// What the solution's run adds to `result`, and a warning for each check that nothing fails.
+void add_solution(const Exercise& exercise, const ExampleResult& solution, const Lesson& lesson,
+                  ExerciseResult& result, Diagnostics& diagnostics);
+
+}  // namespace mjcourse
