@@ -1,33 +1,36 @@
-/** Two texts side by side with what differs marked; on a narrow page, one below the other. It is loaded
- * where a reader asks for it. */
-import { unifiedMergeView, MergeView } from "@codemirror/merge";
+/** A text, and another with what differs marked: its own lines, and above them those in whose place they
+ * came. It is loaded where a reader asks for it. */
+import { unifiedMergeView } from "@codemirror/merge";
 import { EditorState, type Extension } from "@codemirror/state";
-import { EditorView, lineNumbers } from "@codemirror/view";
+import { EditorView } from "@codemirror/view";
 import { editorTheme } from "./theme.js";
 
-export interface Side {
-  readonly text: string;
-  /** For those who do not see it. */
-  readonly label: string;
-}
-
-const look = EditorView.theme({
-  ".cm-changedLine, .cm-insertedLine, .cm-deletedChunk": {
-    background: "color-mix(in srgb, var(--accent) 10%, transparent) !important",
-  },
-  ".cm-changedText": {
-    background: "color-mix(in srgb, var(--accent) 24%, transparent) !important",
-  },
-  ".cm-deletedChunk": { textDecoration: "none" },
+const mixed = (colour: string, share: number): { background: string } => ({
+  background: `color-mix(in srgb, var(--${colour}) ${share}%, transparent) !important`,
 });
 
-/** Shows `own` and `other` in `host`, an element without content. */
-export function compareTexts(host: HTMLElement, own: Side, other: Side, language: Extension): void {
+const look = EditorView.theme({
+  ".cm-deletedChunk": { paddingInlineStart: "0" },
+  ".cm-deletedChunk .cm-deletedLine": mixed("wrong", 9),
+  ".cm-deletedChunk .cm-deletedText": mixed("wrong", 24),
+  ".cm-changedLine, .cm-insertedLine": mixed("proved", 9),
+  ".cm-changedText": mixed("proved", 24),
+  ".cm-deletedLine::before": { content: '"− "' },
+  ".cm-changedLine::before": { content: '"+ "' },
+});
+
+/** Shows `later` in `host`, an element without content, and how it differs from `former`. */
+export function compareTexts(
+  host: HTMLElement,
+  [former, later]: readonly [string, string],
+  label: string,
+  language: Extension,
+): void {
   const root = host.shadowRoot ?? host.attachShadow({ mode: "open" });
   const place = document.createElement("div");
   root.replaceChildren(place);
-  const extensionsOf = ({ label }: Side): Extension => [
-    lineNumbers(),
+  const extensions = [
+    unifiedMergeView({ original: former, mergeControls: false, gutter: false }),
     EditorView.lineWrapping,
     EditorState.readOnly.of(true),
     EditorView.contentAttributes.of({ "aria-label": label, tabindex: "0" }),
@@ -35,20 +38,6 @@ export function compareTexts(host: HTMLElement, own: Side, other: Side, language
     editorTheme,
     look,
   ];
-  if (host.clientWidth < 640) {
-    const original = unifiedMergeView({ original: own.text, mergeControls: false, gutter: true });
-    const state = EditorState.create({
-      doc: other.text,
-      extensions: [extensionsOf(other), original],
-    });
-    new EditorView({ state, parent: place, root });
-    return;
-  }
-  new MergeView({
-    a: { doc: own.text, extensions: extensionsOf(own) },
-    b: { doc: other.text, extensions: extensionsOf(other) },
-    parent: place,
-    root,
-    gutter: true,
-  });
+  const state = EditorState.create({ doc: later, extensions });
+  new EditorView({ state, parent: place, root });
 }

@@ -12,13 +12,8 @@ export class Solution {
   constructor(address: string, region: string) {
     this.#address = address;
     this.#region = region;
-    const label = (text: string) => make("span", {}, text);
-    const labels = make("p", { class: "output-label" }, label("Yours"), label("The lesson’s"));
-    this.element.append(labels, this.#host);
-  }
-
-  get isShown(): boolean {
-    return !this.element.hidden;
+    const label = "What you wrote (−), and the solution (+)";
+    this.element.append(make("p", { class: "output-label" }, label), this.#host);
   }
 
   hide(): void {
@@ -38,8 +33,8 @@ export class Solution {
     this.element.hidden = false;
     compareTexts(
       this.#host,
-      { text: whole ? text : own, label: "What you wrote" },
-      { text: whole ? solution : other, label: "The lesson’s solution" },
+      whole ? [text, solution] : [own, other],
+      "What you wrote and the lesson’s solution",
       cpp(),
     );
   }

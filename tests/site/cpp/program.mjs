@@ -4,6 +4,7 @@ const patience = 240_000; // ms: a slow machine makes the headers ready once a r
 
 export const fallPage = "1-programs/1.1-fall.html";
 export const wordsPage = "1-programs/1.2-words.html";
+export const exercisePage = "1-programs/1.3-exercise.html";
 
 export class Program {
   constructor(page, id) {
@@ -15,7 +16,7 @@ export class Program {
   // Until it can be run.
   static async open(page, id = "example-fall") {
     const program = new Program(page, id);
-    await program.button(/^Edit and run/).click();
+    await program.button(/^(Edit and run|Solve it here|Go on with your version)/).click();
     const agree = program.button("Fetch the compiler");
     const said = program.status.filter({ hasText: /./ });
     await agree.or(said).first().waitFor();
@@ -33,7 +34,7 @@ export class Program {
   }
 
   get editor() {
-    return this.root.getByRole("textbox");
+    return this.root.getByRole("textbox", { name: /^Your text of/ });
   }
 
   says(text) {
@@ -64,8 +65,8 @@ export class Program {
   }
 
   // Until it has ended; gives what is said of that.
-  async run() {
-    await this.button("Run").click();
+  async run(name = "Run") {
+    await this.button(name).click();
     await this.says(/^(?!Compiling|Running|Ready|Fetching|Making)./);
     return this.status.innerText();
   }
