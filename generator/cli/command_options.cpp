@@ -142,6 +142,29 @@ void declare(CommandLine& line, ExplainOptions& options) {
   add_store(line, options.store);
 }
 
+void declare(CommandLine& line, GradeOptions& options) {
+  line.words("DIR...", "the folder of each hand-in, with NAME.cpp or NAME/NAME.cpp of an exercise",
+             options.hand_ins);
+  line.path("--against", kFolder, "the course, with its solutions (default: .)", options.course);
+  line.value("--exercise", {"NAME", "an exercise, or a lesson's number"},
+             "grade this one, also where it was not handed in; may be said several times (default: "
+             "those that somebody handed in)",
+             [&](const std::string& value) {
+               options.exercises.push_back(value);
+               return true;
+             });
+  static const std::vector<std::string> names{"text", "json", "junit", "csv"};
+  line.value(
+      "--format", {"NAME", "text, json, junit or csv"}, "text, json, junit or csv (default: text)",
+      [&](const std::string& value) {
+        const auto named = std::ranges::find(names, value);
+        options.format = static_cast<GradeFormat>(named - names.begin());
+        return named != names.end();
+      },
+      names);
+  add_evaluation(line, options);
+}
+
 void declare(CommandLine& line, InitOptions& options) {
   line.words("DIR [TITLE]", "a new or an empty folder, and the course's title in quotes",
              options.words);
@@ -187,6 +210,19 @@ void declare(CommandLine& line, PreviewOptions& options) {
         options.link = value;
         return value.find("{file}") != value.npos;
       });
+  add_evaluation(line, options);
+}
+
+void declare(CommandLine& line, TryOptions& options) {
+  line.words("LESSON [EXERCISE]",
+             "the lesson (1.2, its slug or its path) and, where it has several, the exercise",
+             options.words);
+  add_course(line, options.course);
+  line.path("--out", kFolder, "where you work (default: a folder called as the exercise is)",
+            options.folder);
+  line.flag("--once", "judge the text once; the exit code is 1 unless all checks hold",
+            options.once);
+  line.flag("--open", "open the program in an editor", options.open);
   add_evaluation(line, options);
 }
 

@@ -53,6 +53,15 @@ struct ExplainOptions : CourseOptions {
   std::vector<std::string> where;  // as of accept, or messages' names
 };
 
+// How `grade` says what hand-ins came to.
+enum class GradeFormat { text, json, junit, csv };
+
+struct GradeOptions : CourseOptions {
+  std::vector<std::string> hand_ins;   // folders
+  std::vector<std::string> exercises;  // by name or lesson; none: those that somebody handed in
+  GradeFormat format = GradeFormat::text;
+};
+
 struct InitOptions {
   std::vector<std::string> words;  // the folder and the title
 };
@@ -72,6 +81,13 @@ struct PreviewOptions : CourseOptions {
   std::optional<int> port;                                   // nothing: the first that is free
   bool open = false;                                         // in a browser
   std::string link = "vscode://file{file}:{line}:{column}";  // how a page opens an editor
+};
+
+struct TryOptions : CourseOptions {
+  std::vector<std::string> words;  // the lesson and the exercise
+  std::filesystem::path folder;    // where the reader works; empty for one of the exercise's name
+  bool once = false;               // judge it, and end
+  bool open = false;               // in an editor
 };
 
 struct StoreOptions {
@@ -101,6 +117,11 @@ int list(const ListOptions& options);
 int doctor(const DoctorOptions& options);
 // `store prune`.
 int store(const StoreOptions& options);
+
+// Write an exercise into a folder and judge it after each save.
+int try_exercise(const TryOptions& options);
+// Judge hand-ins.
+int grade(const GradeOptions& options);
 
 // Evaluate the course and write what was computed where something else is committed.
 int accept(const AcceptOptions& options);

@@ -55,7 +55,7 @@ OutPlaces out_places(const Options& options) {
 // What other programs read is whole as it is.
 template <typename Options>
 bool people_read(const Options& options) {
-  if constexpr (requires { options.format; }) return options.format == Format::text;
+  if constexpr (requires { options.format; }) return options.format == decltype(options.format)::text;
   return !std::is_same_v<Options, LspOptions>;
 }
 
@@ -135,6 +135,10 @@ const std::vector<NamedCommand>& commands() {
             "what each block depends on, and whether its result would be used again; or, by a "
             "message's "
             "name (E-output-differs), what it means and how it is cured"),
+      named("try", try_exercise,
+            "work on an exercise in a folder, and hear after each save what "
+            "still fails"),
+      named("grade", grade, "judge what others handed in"),
       named("list", list, "the lessons, and the state of each"),
       named("new", make_new, "begin a level, a lesson, a model or an example of the course"),
       named("init", init, "begin a course in a new folder"),

@@ -256,7 +256,7 @@ std::optional<std::string> with_code_in_region(std::string_view program, std::st
     text.append(line).append("\n");
     if (found || !opens(line, region)) continue;
     inside = true;
-    text += code;
+    text.append("#line " + std::to_string(kCodeLine) + " \"" + path + "\"\n").append(code);
   }
   return found ? std::optional(std::move(text)) : std::nullopt;
 }

@@ -1,0 +1,197 @@
+#include "evaluate/hand_in.h"
+
+#include <re2/re2.h>
+
+#include <algorithm>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+#include "evaluate/programs/example.h"
+
+namespace mjcourse {
+namespace {
+
+// What a region has no use for, and what would report checks in the program's place.
+constexpr const char* kForging =
+    R"(\b(expect|expect_near|add_check|checks|Checks|record|main|getenv|secure_getenv|environ|asm|)"
+    R"(__asm|__asm__|fork|vfork|execve|ptrace|syscall|MJCOURSE_\w*)\b)";
+
+// A line that goes on in the next is one for the compiler.
+std::string with_whole_lines(std::string code) {
+  RE2::GlobalReplace(&code, R"(\\[ \t]*\r?\n)", "");
+  return code;
+}
+
+// Without comments and what stands between quotes, as far as that matters for a name.
+std::string code_alone(const std::string& code) {
+  static const RE2 words(R"((//[^\n]*|/\*(?s:.*?)\*/|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'))");
+  std::string alone = code;
+  RE2::GlobalReplace(&alone, words, " ");
+  return alone;
+}
+
+// Why the text is not run; "" where it is.
+std::string refusal(const std::string& code, const std::string& solution) {
+  const std::string whole = with_whole_lines(code);
+  static const RE2 directive(R"((?m)^[ \t]*(?:#|%:|\?\?=))"), raw(R"(\bR")");
+  const bool has_directives = RE2::PartialMatch(whole, directive);
+  if (has_directives && !RE2::PartialMatch(solution, directive)) {
+    return "a region of this exercise has no preprocessor directives";
+  }
+  if (RE2::PartialMatch(whole, raw)) return "a region has no raw strings";
+  static const RE2 forging(kForging);
+  std::string word;
+  if (RE2::PartialMatch(code_alone(whole), forging, &word) &&
+      !RE2::PartialMatch(code_alone(solution), "\\b" + RE2::QuoteMeta(word) + "\\b")) {
+    return "what is written uses `" + word + "`, which belongs to the checks";
+  }
+  return "";
+}
+
+bool is_made_in(const Check& check, int first, int behind) {
+  return check.line >= first && check.line < behind;
+}
+
+std::vector<Check> none_of(std::vector<Check> checks) {
+  for (Check& check : checks) check = {check.what, false, "", "", check.points, check.line};
+  return checks;
+}
+
+// One program of an exercise, with a text in its region.
+class Judging {
+ public:
+  Judging(const JudgedExercise& exercise, const std::string& code, WorkerContext& worker_context)
+      : exercise_(exercise), code_(code), worker_context_(worker_context) {}
+
+  // Each of `known` with what the run made of it.
+  std::vector<Check> run(const Example& program, const std::string& text,
+                         const std::vector<Check>& known, int code_line,
+                         Diagnostics& faults) const {
+    Diagnostics found;
+    const auto result =
+        evaluate_example(program, {text, {}}, *exercise_.lesson, worker_context_, found);
+    std::vector<Check> checks = none_of(known);
+    if (!result) {
+      std::erase_if(found, [](const Diagnostic& one) { return one.severity != Severity::error; });
+      faults.insert(faults.end(), found.begin(), found.end());
+      return checks;
+    }
+    const int behind = code_line + static_cast<int>(std::ranges::count(code_, '\n'));
+    for (const Check& made : result->records.checks) {
+      const auto is = std::ranges::find(checks, made.what, &Check::what);
+      if (is_made_in(made, code_line, behind)) {
+        faults.push_back(error_at({}, "E-hand-in", "a check was made by what was handed in"));
+        return none_of(known);
+      }
+      if (is == checks.end()) continue;
+      const double points = is->points;
+      *is = made;
+      is->points = points;
+    }
+    return checks;
+  }
+
+ private:
+  const JudgedExercise& exercise_;
+  const std::string& code_;
+  WorkerContext& worker_context_;
+};
+
+Example hidden_program(const Exercise& exercise) {
+  Example program = exercise.program;
+  program.file = *exercise.hidden;
+  return program;
+}
+
+std::string hidden_text(const JudgedExercise& exercise, const std::string& code) {
+  const Exercise& asked = *exercise.exercise;
+  return with_code_in_region(*exercise.files.hidden, asked.program.region->text, code,
+                             asked.hidden->text)
+      .value();
+}
+
+}  // namespace
+
+double points_of(const std::vector<Check>& checks) {
+  return std::accumulate(checks.begin(), checks.end(), 0.0, [](double sum, const Check& check) {
+    return sum + (check.holds ? check.points : 0);
+  });
+}
+
+double Verdict::points() const {
+  return points_of(shown) + points_of(hidden);
+}
+
+bool Verdict::holds() const {
+  return faults.empty() && std::ranges::all_of(shown, &Check::holds) &&
+         std::ranges::all_of(hidden, &Check::holds);
+}
+
+ExerciseJudge::ExerciseJudge(const Course& course, const EvaluationSettings& settings)
+    : run_context_(course, settings.root, settings.assets, settings.helper, settings.prepared,
+                   settings.script_bundles, settings.without_landlock) {}
+
+std::optional<Diagnostic> ExerciseJudge::why_nothing_runs() const {
+  if (auto why = run_context_.why_nothing_runs()) return why;
+  return run_context_.compiler() ? std::nullopt : std::optional(no_compiler());
+}
+
+std::optional<JudgedExercise> ExerciseJudge::prepare(const Lesson& lesson, const Exercise& exercise,
+                                                     Diagnostics& diagnostics) const {
+  WorkerContext worker_context(run_context_);
+  auto files = read_exercise_files(exercise, lesson, worker_context, diagnostics);
+  if (!files) return std::nullopt;
+  JudgedExercise judged{&lesson, &exercise, *std::move(files), {}, {}, {}};
+  const auto run = [&](const Example& program, const std::string& text,
+                       std::vector<Check>& checks) {
+    auto result = evaluate_example(program, {text, {}}, lesson, worker_context, diagnostics);
+    if (!result) return false;
+    checks = std::move(result->records.checks);
+    judged.sources.insert(judged.sources.end(), result->files.begin(), result->files.end());
+    report_failing_checks(program, text, checks, lesson, diagnostics);
+    return std::ranges::all_of(checks, &Check::holds);
+  };
+  const ExerciseText& text = judged.files.text;
+  if (!run(exercise.program, std::string(text.file().text()), judged.shown)) return std::nullopt;
+  if (exercise.hidden &&
+      !run(hidden_program(exercise), hidden_text(judged, text.solution()), judged.hidden)) {
+    return std::nullopt;
+  }
+  // Those of both programs.
+  std::ranges::sort(judged.sources);
+  const auto [end, last] = std::ranges::unique(judged.sources);
+  judged.sources.erase(end, last);
+  return judged;
+}
+
+Verdict ExerciseJudge::judge(const JudgedExercise& exercise, const std::string& code,
+                             const std::string& name, bool hidden) const {
+  WorkerContext worker_context(run_context_);
+  Verdict verdict{
+      none_of(exercise.shown), hidden ? none_of(exercise.hidden) : std::vector<Check>(), {}};
+  const ExerciseText& text = exercise.files.text;
+  if (const std::string why = refusal(code, text.solution()); !why.empty()) {
+    verdict.faults.push_back(error_at({}, "E-hand-in", why));
+  } else {
+    const Judging judging(exercise, code, worker_context);
+    verdict.shown = judging.run(exercise.exercise->program, text.program(code), exercise.shown,
+                                text.region_line() + 1, verdict.faults);
+    if (hidden && exercise.exercise->hidden && verdict.faults.empty()) {
+      verdict.hidden = judging.run(hidden_program(*exercise.exercise), hidden_text(exercise, code),
+                                   exercise.hidden, kCodeLine, verdict.faults);
+    }
+  }
+  // The hand-in's reader knows nothing of the lesson's text.
+  for (Diagnostic& fault : verdict.faults) {
+    fault.notes.clear();
+    if (fault.place.file == exercise.exercise->program.file.text) {
+      fault.place.file = name;
+    } else {
+      fault.place = {name, 0, 0, 1, "", 1};
+    }
+  }
+  return verdict;
+}
+
+}  // namespace mjcourse
