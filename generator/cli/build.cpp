@@ -11,6 +11,7 @@
 #include "page/blocks/themed_assets.h"
 #include "page/foreign_files.h"
 #include "page/site.h"
+#include "page/without_solutions.h"
 
 namespace mjcourse {
 
@@ -25,11 +26,12 @@ int build(const BuildOptions& options) {
     std::cout << "note: no page says when it was last changed: " << history.unknown << '\n';
   }
   if (!options.base_url.empty()) verified.course->url = options.base_url;
+  if (options.without_solutions) withhold_solutions(*verified.course, verified.evaluation);
   try {
     write_site(
         *verified.course, verified.evaluation,
         {options.course, assets_folder(), std::filesystem::absolute(options.out), options.jobs,
-         options.compress},
+         options.compress, !options.without_solutions},
         [&](const Lesson& lesson) { return claims_of_prose(lesson, verified.evaluation); },
         std::move(history.changes));
   } catch (const BrokenTemplate& broken) {

@@ -113,6 +113,9 @@ void declare(CommandLine& line, BuildOptions& options) {
   line.flag("--compress",
             "write NAME.br and NAME.gz beside each text file, for servers that send these",
             options.compress);
+  line.flag("--without-solutions",
+            "leave the solutions of exercises out of the site, for a class that hands in its own",
+            options.without_solutions);
   add_report(line, options);
   add_evaluation(line, options);
 }

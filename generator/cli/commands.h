@@ -41,6 +41,7 @@ struct BuildOptions : VerifyOptions {
   std::filesystem::path out;
   std::string base_url;   // where the site is published; "" as course.yaml says
   bool compress = false;  // the site's files also as servers send them
+  bool without_solutions = false;
 };
 
 struct CheckOptions : VerifyOptions {};

@@ -55,7 +55,8 @@ OutPlaces out_places(const Options& options) {
 // What other programs read is whole as it is.
 template <typename Options>
 bool people_read(const Options& options) {
-  if constexpr (requires { options.format; }) return options.format == decltype(options.format)::text;
+  if constexpr (requires { options.format; })
+    return options.format == decltype(options.format)::text;
   return !std::is_same_v<Options, LspOptions>;
 }
 

@@ -13,6 +13,7 @@
 #include "page/search_index.h"
 #include "page/site_data.h"
 #include "page/web_files.h"
+#include "page/without_solutions.h"
 
 namespace mjcourse {
 namespace {
@@ -60,9 +61,11 @@ void write_lesson(const SiteData& site, std::size_t index, PageRenderer& rendere
                   SiteFiles& directory, Spool& spool, PrintedLength& printed, LessonParts* parts) {
   const Lesson& unloaded = site.course.lessons[index];
   std::optional<Lesson> reloaded;
-  const Lesson& lesson = unloaded.kept == Lesson::Kept::all
-                             ? unloaded
-                             : reloaded.emplace(reload(unloaded, site.files));
+  if (unloaded.kept != Lesson::Kept::all) {
+    reloaded = reload(unloaded, site.files);
+    if (!site.solutions) withhold_solutions(*reloaded, exercise_programs(site.course));
+  }
+  const Lesson& lesson = reloaded ? *reloaded : unloaded;
   const LessonResults& results = site.evaluation.lessons[index];
   const std::string path = page_path(lesson);
   InlineStyles styles;

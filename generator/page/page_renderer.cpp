@@ -43,8 +43,8 @@ PageEngines::PageEngines(const Files& assets, std::size_t memory)
       highlighter(script_bundle(assets, "highlight"), memory) {}
 
 PageContext PageRenderer::context(InlineStyles& styles, const std::string& path) {
-  return {engines_.templates, engines_.highlighter, site_.manifest,      styles, path,
-          &site_.definitions, site_.places,         site_.compiler_bytes};
+  return {engines_.templates, engines_.highlighter, site_.manifest,       styles,         path,
+          &site_.definitions, site_.places,         site_.compiler_bytes, site_.solutions};
 }
 
 void PageRenderer::write(const std::string& path, const PageHead& head, const std::string& body,

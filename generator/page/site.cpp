@@ -37,6 +37,7 @@ void write_site(const Course& course, const Evaluation& evaluation, const SitePa
   SiteDirectory directory(paths.out, paths.course);
   SitePages pages(course, evaluation, paths.course, assets, directory, false, std::move(changes),
                   claims_of_outline);
+  if (!paths.solutions) pages.withhold_solutions();
   // Made on the thread that works with it, at its first page.
   std::vector<std::unique_ptr<PageEngines>> engines(paths.threads);
   const auto engines_of = [&](std::size_t thread) -> PageEngines& {

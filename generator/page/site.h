@@ -24,6 +24,7 @@ struct SitePaths {
   std::filesystem::path out;     // the site
   std::size_t threads = 1;       // on which the lessons are written
   bool compress = false;         // precompressed.h
+  bool solutions = true;         // without_solutions.h
 };
 
 // `claims_of_outline` is asked for the claims of lessons of which an outline is kept, from any

@@ -34,6 +34,7 @@ struct SiteData {
   OutlineClaims claims_of_outline = {};            // of lessons of which an outline is kept
   bool prints = true;                              // it has print.html (page/printed_course.h)
   std::size_t compiler_bytes = 0;                  // as PageContext has it
+  bool solutions = true;                           // exercises are shown with theirs
 };
 
 // What the frame says of a page.

@@ -199,7 +199,7 @@ void SitePages::copy_examples() {
         if (path.empty() || !folders.insert(path).second) continue;
         out_.write(path, zip_of(program_folder({*example, *result, lesson}, site_)));
       } else if (const auto* exercise = std::get_if<Exercise>(&lesson.blocks[block])) {
-        if (files.insert(exercise->program.file.text).second) {
+        if (site_.solutions && files.insert(exercise->program.file.text).second) {
           copy_program(exercise->program.file.text);
         }
         write_exercise(*exercise, lesson, site_.evaluation.lessons[i].get<ExerciseResult>(block));

@@ -35,6 +35,9 @@ class SitePages {
   // written.
   void write_others(PageEngines& engines);
 
+  // Of a course without them (without_solutions.h): nor do exercises lead to theirs.
+  void withhold_solutions() { site_.solutions = false; }
+
  private:
   // Gives the body, which is printed with the course as well.
   std::string write_glossary(PageRenderer& renderer);

@@ -140,6 +140,7 @@ struct Callout {
   bool folded = false;
   Span span{};           // the kind
   std::string source{};  // what its last paragraph `Source: …` says, with the link's target
+  std::size_t end = 0;   // the lesson's block behind the last one that stands in it
 };
 
 // ````demo: a piece of a lesson, shown as it is written and as what it becomes. The blocks of the

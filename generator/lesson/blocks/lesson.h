@@ -65,6 +65,7 @@ struct Lesson {
   Document document;
   std::vector<Block> blocks;                                    // in document order
   std::unordered_map<const cmark_node*, std::size_t> block_of;  // nodes that a block stands for
+  std::vector<Block> withheld{};  // no longer shown; their nodes are still known to block_of
   std::vector<Heading> headings;
   std::vector<Link> links;
   bool sound = true;                      // reading it found no mistake

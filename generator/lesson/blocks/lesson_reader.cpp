@@ -119,7 +119,7 @@ void LessonReader::walk(cmark_node* node, SourceCursor& cursor) {
   if (type == CMARK_NODE_BLOCK_QUOTE) walk_title(node, cursor);
   walk_children(node, cursor);
   if (type == CMARK_NODE_HEADING) read_title(node);
-  if (type == CMARK_NODE_BLOCK_QUOTE) read_source_of(node);
+  if (type == CMARK_NODE_BLOCK_QUOTE) read_end_of(node);
   cursor.at = std::max(cursor.at, behind);
 }
 
@@ -206,12 +206,13 @@ bool LessonReader::stands_alone(cmark_node* node) const {
   return !in_callout_title_;
 }
 
-// Where a callout's claim is from, once what stands in it was read.
-void LessonReader::read_source_of(cmark_node* quote) {
+// Where a callout's claim is from and where it ends, once what stands in it was read.
+void LessonReader::read_end_of(cmark_node* quote) {
   const auto found = lesson_.block_of.find(quote);
   if (found == lesson_.block_of.end()) return;
   if (auto* callout = std::get_if<Callout>(&lesson_.blocks[found->second])) {
     callout->source = source_in(quote);
+    callout->end = lesson_.blocks.size();
   }
 }
 

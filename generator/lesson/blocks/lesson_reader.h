@@ -45,7 +45,7 @@ class LessonReader {
   void read_code_block(cmark_node* node, SourceCursor& cursor);
   void read_demo(cmark_node* node, const class Fence& fence, SourceCursor& cursor);
   void read_callout(cmark_node* node);
-  void read_source_of(cmark_node* quote);
+  void read_end_of(cmark_node* quote);
   void read_heading(cmark_node* node, const SourceCursor& cursor);
   void read_title(cmark_node* heading);
   void read_footnote(cmark_node* node, const SourceCursor& cursor);

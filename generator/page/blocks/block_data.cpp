@@ -115,11 +115,13 @@ json data_of(const Exercise& exercise, const ExerciseResult& result, LessonConte
   data["why_not"] = why_not_data(result);
   json checks = json::array();
   for (const Check& check : result.checks) checks.push_back(check.what);
-  data["exercise"] = {{"checks", std::move(checks)},
-                      {"hidden", result.hidden.size()},
-                      {"solution", context.from_root(exercise.program.file.text)},
-                      {"region", exercise.program.region->text},
-                      {"command", context.lesson.number + " " + exercise.program.name()}};
+  data["exercise"] = {
+      {"checks", std::move(checks)},
+      {"hidden", result.hidden.size()},
+      {"solution", context.page.solutions ? json(context.from_root(exercise.program.file.text))
+                                          : json(nullptr)},
+      {"region", exercise.program.region->text},
+      {"command", context.lesson.number + " " + exercise.program.name()}};
   return data;
 }
 

@@ -34,6 +34,7 @@ struct PageContext {
   const std::map<std::string, std::string>* definitions = nullptr;
   bool places = false;  // a lesson's text has its lines in comments (page/html/place_marks.h)
   std::size_t compiler_bytes = 0;  // of the site's compiler of C++ (page/blocks/program_data.h)
+  bool solutions = true;           // exercises have the address of theirs
 };
 
 // What stands on the site beside a lab's page, by path below the root.
