@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/files.h"
 #include "base/stopwatch.h"
 #include "evaluate/programs/compiled_recipe.h"
 #include "toolchain/warm_header.h"
@@ -28,6 +29,8 @@ Dependencies ExerciseTask::recipe(const RunContext& run_context) const {
 }
 
 bool ExerciseTask::prepare(WorkerContext& worker_context, Finding& finding) {
+  const DiskFiles files(worker_context.root());
+  if (!files.read(exercise().program.file.text)) return false;  // reported as a program
   files_ = read_exercise_files(exercise(), lesson(), worker_context, finding.diagnostics);
   return files_.has_value();
 }

@@ -27,6 +27,8 @@ ShownPrograms shown_programs(const Course& course) {
   ShownPrograms programs;
   for (const Lesson& lesson : course.lessons) {
     for (const Block& block : lesson.blocks) {
+      const auto* exercise = std::get_if<Exercise>(&block);
+      if (exercise != nullptr) programs[exercise->program.file.text].exercises.push_back(exercise);
       const auto* example = std::get_if<Example>(&block);
       if (example == nullptr) continue;
       ShownProgram& program = programs[example->file.text];

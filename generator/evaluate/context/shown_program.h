@@ -15,6 +15,7 @@ namespace mjcourse {
 
 struct ShownProgram {
   std::vector<const Example*> whole, regions;  // in the course's order
+  std::vector<const Exercise*> exercises;      // of which it is the program
 
   // The fence whose text is the file; null where each shows the file as it is.
   const Example* text() const;

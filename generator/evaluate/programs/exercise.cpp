@@ -69,6 +69,11 @@ class Trials {
     bool is_whole = true;
     for (const Variant& variant : text.variants()) {
       const std::optional<Made> made = checks_of(variant, result);
+      if (made && made->shown.empty()) {
+        fail(variant, "E-exercise-check", "the program makes no check",
+             "check what its reader is to write: `expect(CONDITION, \"what should hold\")`");
+        return std::nullopt;
+      }
       if (made && judge(variant, *made)) {
         result.trials.push_back({variant.name, failing(made->all())});
       } else {
@@ -149,10 +154,6 @@ class Trials {
   }
 
   bool judge(const Variant& variant, const Made& made) {
-    if (made.shown.empty()) {
-      return fail(variant, "E-exercise-check", "the program makes no check",
-                  "check what its reader is to write: `expect(CONDITION, \"what should hold\")`");
-    }
     if (!variant.name.empty()) return judge_wrong(variant, made);
     return !failing(made.shown).empty() ||
            fail(variant, "E-exercise-starter", "the starter passes each check",
@@ -222,7 +223,7 @@ std::optional<std::string> read_program(const LocatedText& path, const Lesson& l
   auto text = files.read(path.text);
   if (text) return *std::move(text);
   diagnostics.push_back(error_at(place, "E-example-file", "cannot read " + text.error(),
-                                 "write it: an exercise is a program of the course"));
+                                 "write it: the fence is empty, so its text is the file's"));
   return std::nullopt;
 }
 
@@ -235,6 +236,15 @@ std::optional<ExerciseFiles> read_exercise_files(const Exercise& exercise, const
   const std::string& region = exercise.program.region->text;
   const auto program = read_program(path, lesson, worker_context, diagnostics);
   if (!program) return std::nullopt;
+  const std::string& first =
+      worker_context.run_context().shown().at(path.text).exercises.front()->program.region->text;
+  if (first != region) {
+    diagnostics.push_back(error_at(place_of(*lesson.source, exercise.program.region->span()),
+                                   "E-exercise-text",
+                                   path.text + " is the exercise of its region `" + first + "`",
+                                   "write a program of its own for another"));
+    return std::nullopt;
+  }
   const std::size_t before = diagnostics.size();
   const auto text = read_exercise(SourceText(path.text, *program), region, diagnostics);
   for (std::size_t i = before; i < diagnostics.size(); ++i) {

@@ -1,0 +1,9 @@
+int main() {
+  // #region answer
+  return 0;
+  // #starter
+  // return 1;
+  // #endregion
+  // #region other
+  // #endregion
+}

@@ -1,0 +1,7 @@
+int main() {
+  // #region answer
+  return 0;
+  // #starter
+  return 1;
+  // #endregion
+}

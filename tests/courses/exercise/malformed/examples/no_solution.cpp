@@ -1,0 +1,6 @@
+int main() {
+  // #region answer
+  // #starter
+  // return 1;
+  // #endregion
+}

@@ -1,0 +1,5 @@
+int main() {
+  // #region answer
+  return 0;
+  // #endregion
+}

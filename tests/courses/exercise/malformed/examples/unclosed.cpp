@@ -1,0 +1,6 @@
+int main() {
+  // #region answer
+  return 0;
+  // #starter
+  // return 1;
+}

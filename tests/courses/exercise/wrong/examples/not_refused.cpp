@@ -1,0 +1,17 @@
+#include <mjcourse/mjcourse.hpp>
+
+using namespace mjcourse;
+
+int answer() {
+  // #region answer
+  return 42;
+  // #starter
+  // return 0;
+  // #wrong small: it is positive
+  // return 1;
+  // #endregion
+}
+
+int main() {
+  expect(answer() > 0, "it is positive", "the sign is wrong");
+}

@@ -1,0 +1,18 @@
+#include <mjcourse/mjcourse.hpp>
+
+using namespace mjcourse;
+
+int answer() {
+  // #region answer
+  return 42;
+  // #starter
+  // return 0;
+  // #wrong negative: it is 42
+  // return -42;
+  // #endregion
+}
+
+int main() {
+  expect(answer() > 0, "it is positive", "the sign is wrong");
+  expect(answer() == 42, "it is 42");
+}
