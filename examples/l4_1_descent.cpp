@@ -4,7 +4,8 @@
 // PROCESS  eight steps of gradient descent on |q - target|^2 / 2, back to unit
 //          length after each; and on angle^2 / 2, by mju_subQuat and
 //          mju_quatIntegrate; each from q, and from -q
-// OUTPUT   the angle that is left, step by step; for the lesson, "descent"
+// OUTPUT   the angle that is left, step by step; for the lesson, "descent";
+//          checks a step by the norm that does not depend on the sign
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l4_1_descent
@@ -33,6 +34,57 @@ void step_by_angle(Vector4d& q, const Vector4d& target, double rate) {
 void step_by_norm(Vector4d& q, const Vector4d& target, double rate) {
   q -= rate * (q - target);
   mju_normalize4(q.data());
+}
+
+// The same, but towards the nearer of the target's two names, `target` and
+// `-target`. Both quaternions have unit length; so has q afterwards.
+void step_to_nearer(Vector4d& q, const Vector4d& target, double rate) {
+  // #region answer
+  const double sign = q.dot(target) < 0 ? -1 : 1;
+  q -= rate * (q - sign * target);
+  mju_normalize4(q.data());
+  // #starter
+  // q -= rate * (q - target);  // towards `target` only
+  // mju_normalize4(q.data());
+  // #wrong looks-at-w-only: half the gradient is half the angle
+  // const double sign = q[0] < 0 ? -1 : 1;
+  // q -= rate * (q - sign * target);
+  // mju_normalize4(q.data());
+  // #wrong turns-the-comparison: half the gradient is half the angle
+  // const double sign = q.dot(target) > 0 ? -1 : 1;
+  // q -= rate * (q - sign * target);
+  // mju_normalize4(q.data());
+  // #wrong forgets-the-length: q has unit length
+  // const double sign = q.dot(target) < 0 ? -1 : 1;
+  // q -= rate * (q - sign * target);
+  // #endregion
+}
+
+// Some unit quaternion; another for each n.
+Vector4d some(int n) {
+  const Vector3d axis =
+      Vector3d(std::sin(n), std::cos(3 * n), 0.5).normalized();
+  Vector4d q;
+  mju_axisAngle2Quat(q.data(), axis.data(), 2 * n);
+  return q;
+}
+
+void check(int n) {
+  const Vector4d target = some(n);
+  Vector4d q = some(n + 5);
+  if (q.dot(target) < 0) q = -q;
+  Vector4d stepped = q, negative = -q;
+  step_to_nearer(stepped, target, 0.5);
+  step_to_nearer(negative, target, 0.5);
+  if (!expect_near(stepped.norm(), 1, 1e-9, "q has unit length after a step",
+                   "a sum of two unit quaternions is shorter"))
+    return;
+  if (expect_near(error(stepped, target).norm(), error(q, target).norm() / 2,
+                  1e-9, "half the gradient is half the angle",
+                  "of the target's names it takes the one that is far from q"))
+    expect_near(error(negative, stepped).norm(), 0, 1e-9,
+                "from -q it gets to the same pose as from q",
+                "-q is nearer to the other name of the target");
 }
 
 // The angle to the target, in degrees, before and after each of eight steps.
@@ -66,4 +118,5 @@ int main() {
   table("descent", {{"step", ArrayXd::LinSpaced(9, 0, 8)},
                     {"norm", norm},
                     {"angle", angle}});
+  for (int n = 0; n < 20; ++n) check(n);
 }

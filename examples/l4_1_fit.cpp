@@ -4,7 +4,8 @@
 // PROCESS  fit its quaternion, and two columns of its matrix, by sines and
 //          cosines of how far it has gone; make rotations of what was fitted,
 //          and measure their angles to the true ones, between the samples too
-// OUTPUT   the largest angle and the mean, for more and more waves
+// OUTPUT   the largest angle and the mean, for more and more waves; checks the
+//          fit by waves that are known
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l4_1_fit
@@ -39,6 +40,7 @@ struct AsColumns {
   // #endregion
 };
 
+// A constant, and the cosine and sine of 1 to `waves` waves a turn.
 VectorXd features(double s, int waves) {
   VectorXd f = VectorXd::Ones(1 + 2 * waves);
   for (int w = 1; w <= waves; ++w)
@@ -46,27 +48,88 @@ VectorXd features(double s, int waves) {
   return f;
 }
 
+// Each column of `samples` has a number at evenly spaced places of one turn:
+// row k at s = 2 pi k / samples.rows(). Returns the sum of features that fits
+// it by least squares, at as many `places`: row k at s = 2 pi k / places.
+MatrixXd fitted(const MatrixXd& samples, int waves, int places) {
+  // #region answer
+  const int n = samples.rows();
+  MatrixXd seen(n, 1 + 2 * waves), wanted(places, 1 + 2 * waves);
+  for (int k = 0; k < n; ++k) seen.row(k) = features(2 * M_PI * k / n, waves);
+  for (int k = 0; k < places; ++k)
+    wanted.row(k) = features(2 * M_PI * k / places, waves);
+  const MatrixXd weights = seen.householderQr().solve(samples);
+  return wanted * weights;
+  // #starter
+  // return samples.row(0).replicate(places, 1);  // fits the first place only
+  // #wrong takes-means-of-products: a constant is fitted
+  // const int n = samples.rows();
+  // MatrixXd seen(n, 1 + 2 * waves), wanted(places, 1 + 2 * waves);
+  // for (int k = 0; k < n; ++k)
+  //   seen.row(k) = features(2 * M_PI * k / n, waves);
+  // for (int k = 0; k < places; ++k)
+  //   wanted.row(k) = features(2 * M_PI * k / places, waves);
+  // return wanted * seen.transpose() * samples * 2 / n;
+  // #wrong repeats-the-samples: between the samples
+  // MatrixXd nearest(places, samples.cols());
+  // for (int k = 0; k < places; ++k)
+  //   nearest.row(k) = samples.row(k * samples.rows() / places);
+  // return nearest;
+  // #wrong keeps-the-places-of-the-samples: between the samples
+  // const int n = samples.rows();
+  // MatrixXd seen(n, 1 + 2 * waves), wanted(places, 1 + 2 * waves);
+  // for (int k = 0; k < n; ++k)
+  //   seen.row(k) = features(2 * M_PI * k / n, waves);
+  // for (int k = 0; k < places; ++k)
+  //   wanted.row(k) = features(2 * M_PI * k / n, waves);
+  // return wanted * seen.householderQr().solve(samples);
+  // #endregion
+}
+
 // The angles between the fitted rotations and the true ones, in degrees.
 template <typename Written>
 VectorXd fit(int waves) {
   const int samples = 360, tests = 3600;
   const double turn = 2 * M_PI;
-  MatrixXd seen(samples, 1 + 2 * waves);
   MatrixXd answers(samples, Written::write(tumble(0)).size());
-  for (int k = 0; k < samples; ++k) {
-    seen.row(k) = features(turn * k / samples, waves);
+  for (int k = 0; k < samples; ++k)
     answers.row(k) = Written::write(tumble(turn * k / samples));
-  }
-  const MatrixXd weights = seen.householderQr().solve(answers).transpose();
+  MatrixXd numbers = fitted(answers, waves, tests);
+  if (numbers.rows() != tests || numbers.cols() != answers.cols())
+    numbers.setZero(tests, answers.cols());
 
   VectorXd off(tests);
   for (int k = 0; k < tests; ++k) {
-    const double s = turn * k / tests;
-    const Matrix3d fitted = Written::read(weights * features(s, waves));
-    const Eigen::AngleAxisd missing(tumble(s).transpose() * fitted);
+    const Matrix3d R = Written::read(numbers.row(k).transpose());
+    const Eigen::AngleAxisd missing(tumble(turn * k / tests).transpose() * R);
     off[k] = missing.angle() * 180 / M_PI;
   }
   return off;
+}
+
+// A sum of features with up to two waves, at n places.
+VectorXd sum(const VectorXd& weights, int n) {
+  VectorXd values(n);
+  for (int k = 0; k < n; ++k)
+    values[k] = features(2 * M_PI * k / n, 2).dot(weights);
+  return values;
+}
+
+void check() {
+  const VectorXd level = VectorXd::Unit(5, 0);
+  const VectorXd waves = VectorXd::LinSpaced(5, 1, 3);
+  const auto fit = [](const VectorXd& weights, int places) -> VectorXd {
+    return fitted(sum(weights, 30), 2, places).reshaped();
+  };
+  if (expect_near(fit(level, 30), sum(level, 30), 1e-9,
+                  "a constant is fitted exactly",
+                  "the features are not equally long") &&
+      expect_near(fit(waves, 30), sum(waves, 30), 1e-9,
+                  "waves are fitted exactly, up to the last one",
+                  "a part of the features is missing"))
+    expect_near(fit(waves, 90), sum(waves, 90), 1e-9,
+                "between the samples, the fit is right, too",
+                "at its places, the result has the sum of the features");
 }
 
 int main() {
@@ -83,4 +146,5 @@ int main() {
   result("quaternion", quaternion.maxCoeff());  // with 16 waves
   result("mean", quaternion.mean());
   result("columns", columns.maxCoeff());
+  check();
 }

@@ -1,10 +1,10 @@
 // Lesson 5.1, challenge: the starts that friction could not carry, once more.
 //
 // INPUT    the starts of l5_1_fifty_starts, and its list of those
-// PROCESS  try them with a gripper whose servo asks for twice the pull, of which
-//          the motor has 30 N to give
+// PROCESS  try them with a gripper whose servo asks for twice the pull, of
+//          which the motor has 30 N to give
 // OUTPUT   the weight that friction could carry before and now, and where the
-//          object is
+//          object is; checks that all are in the tray, and the servo
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l5_1_stronger
@@ -14,11 +14,47 @@
 
 using namespace mjcourse;
 
+// Lets the gripper use the force that its motor has. The gripper is the
+// actuator Arm::kGripper, a position servo, whose ctrl is the wanted opening in
+// m. It has mjNGAIN numbers in actuator_gainprm and mjNBIAS in
+// actuator_biasprm; its force is gainprm[0] * ctrl + biasprm[0] + biasprm[1] *
+// opening, within its actuator_forcerange.
+void strengthen(const Model& model) {
+  // #region answer
+  model->actuator_gainprm[Arm::kGripper * mjNGAIN] *= 2;      // kp (ctrl - ...
+  model->actuator_biasprm[Arm::kGripper * mjNBIAS + 1] *= 2;  // ... opening)
+  // #starter
+  // // More force, and still none at the wanted opening:
+  // model->actuator_gainprm[Arm::kGripper * mjNGAIN] *= 1;
+  // #wrong forgets-the-bias: at the wanted opening
+  // model->actuator_gainprm[Arm::kGripper * mjNGAIN] *= 2;
+  // #wrong takes-the-first-bias: at the wanted opening
+  // model->actuator_gainprm[Arm::kGripper * mjNGAIN] *= 2;
+  // model->actuator_biasprm[Arm::kGripper * mjNBIAS] *= 2;
+  // #wrong raises-the-limit: all three objects
+  // model->actuator_forcerange[2 * Arm::kGripper] *= 2;
+  // model->actuator_forcerange[2 * Arm::kGripper + 1] *= 2;
+  // #endregion
+}
+
+// The gripper's force (N) where its fingers are as far open as they should be.
+double idle_force(const Model& model) {
+  const Data data = make_data(model);
+  mj_resetDataKeyframe(model, data, id_of(model, mjOBJ_KEY, "home"));  // open
+  mj_forward(model, data);
+  data->ctrl[Arm::kGripper] = data->actuator_length[Arm::kGripper];
+  mj_forward(model, data);
+  return data->actuator_force[Arm::kGripper];
+}
+
 int main() {
   const Model model = load_model("pick_place");
   const Model strong(mj_copyModel(nullptr, model));
-  strong->actuator_gainprm[Arm::kGripper * mjNGAIN] *= 2;      // kp (ctrl - ...
-  strong->actuator_biasprm[Arm::kGripper * mjNBIAS + 1] *= 2;  // ... opening)
+  strengthen(strong);
+  if (!expect_near(idle_force(strong), 0, 1e-9,
+                   "at the wanted opening, the gripper does not pull",
+                   "a servo's gain is in two places"))
+    return 0;
 
   std::mt19937 random(1);
   std::vector<Start> starts;
@@ -36,4 +72,6 @@ int main() {
   }
   result("slippery", slippery);
   result("placed", placed);
+  expect(placed == 3, "all three objects arrive in the tray",
+         "the pads press as little as before, or something else has changed");
 }

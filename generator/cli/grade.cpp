@@ -2,7 +2,7 @@
 //
 // Steps: find the exercises that were handed in; run their solutions; judge each text of each
 // hand-in, of which nothing but its regions is read; tell what came of them.
-// Tested by tests/grade.
+// Tested by tests/system/grade.mjs.
 #include <algorithm>
 #include <iostream>
 #include <set>

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <random>
 #include <string_view>
 #include <utility>
 
@@ -15,7 +16,7 @@ namespace {
 // What a region has no use for, and what would report checks in the program's place.
 constexpr const char* kForging =
     R"(\b(expect|expect_near|add_check|checks|Checks|record|main|getenv|secure_getenv|environ|asm|)"
-    R"(__asm|__asm__|fork|vfork|execve|ptrace|syscall|MJCOURSE_\w*)\b)";
+    R"(__asm|__asm__|__LINE__|__builtin_LINE|source_location|__builtin_source_location|fork|vfork|execve|ptrace|syscall|MJCOURSE_\w*)\b)";
 
 // A line that goes on in the next is one for the compiler.
 std::string with_whole_lines(std::string code) {
@@ -49,52 +50,70 @@ std::string refusal(const std::string& code, const std::string& solution) {
   return "";
 }
 
-bool is_made_in(const Check& check, int first, int behind) {
-  return check.line >= first && check.line < behind;
+// From which line on the rest of a program is counted where its solution runs; in a run of a
+// hand-in it is a number that nobody knows before.
+constexpr int kRestLine = 2'000'000;
+
+int random_line() {
+  std::random_device device;
+  return std::uniform_int_distribution(2 * kRestLine, 500 * kRestLine)(device);
 }
 
+// The line that a compiler counts `line` of the solution's run as, with `rest` as the first one
+// behind the region.
+int counted_line(int line, int rest) {
+  return line < kRestLine ? line : line - kRestLine + rest;
+}
+
+// `program`, of which a compiler counts what stands behind its region from `rest` on.
+std::string with_rest_at(const std::string& program, const std::string& region, int rest) {
+  const std::size_t begin = program.find("// #region " + region);
+  const std::size_t end = program.find('\n', program.find("// #endregion", begin)) + 1;
+  return program.substr(0, end) + "#line " + std::to_string(rest) + "\n" + program.substr(end);
+}
+
+// As if none had been made.
 std::vector<Check> none_of(std::vector<Check> checks) {
   for (Check& check : checks) check = {check.what, false, "", "", check.points, check.line};
   return checks;
 }
 
-// One program of an exercise, with a text in its region.
+// Runs the programs of an exercise with a text in their region.
 class Judging {
  public:
-  Judging(const JudgedExercise& exercise, const std::string& code, WorkerContext& worker_context)
-      : exercise_(exercise), code_(code), worker_context_(worker_context) {}
+  Judging(const JudgedExercise& exercise, WorkerContext& worker_context)
+      : exercise_(exercise), worker_context_(worker_context) {}
 
-  // Each of `known` with what the run made of it.
+  // Each of `known` with what the run of `program`, whose text is `text`, made of it.
   std::vector<Check> run(const Example& program, const std::string& text,
-                         const std::vector<Check>& known, int code_line,
-                         Diagnostics& faults) const {
+                         const std::vector<Check>& known, Diagnostics& faults) const {
+    const int rest = random_line();
     Diagnostics found;
     const auto result =
-        evaluate_example(program, {text, {}}, *exercise_.lesson, worker_context_, found);
+        evaluate_example(program, {with_rest_at(text, program.region->text, rest), {}},
+                         *exercise_.lesson, worker_context_, found);
     std::vector<Check> checks = none_of(known);
     if (!result) {
       std::erase_if(found, [](const Diagnostic& one) { return one.severity != Severity::error; });
       faults.insert(faults.end(), found.begin(), found.end());
       return checks;
     }
-    const int behind = code_line + static_cast<int>(std::ranges::count(code_, '\n'));
     for (const Check& made : result->records.checks) {
       const auto is = std::ranges::find(checks, made.what, &Check::what);
-      if (is_made_in(made, code_line, behind)) {
-        faults.push_back(error_at({}, "E-hand-in", "a check was made by what was handed in"));
+      if (is == checks.end()) continue;
+      if (made.line != counted_line(is->line, rest)) {
+        faults.push_back(error_at({}, "E-hand-in", "a check was not made by the program itself"));
         return none_of(known);
       }
-      if (is == checks.end()) continue;
-      const double points = is->points;
-      *is = made;
-      is->points = points;
+      is->holds = made.holds;
+      is->meaning = made.meaning;
+      is->found = made.found;
     }
     return checks;
   }
 
  private:
   const JudgedExercise& exercise_;
-  const std::string& code_;
   WorkerContext& worker_context_;
 };
 
@@ -145,7 +164,8 @@ std::optional<JudgedExercise> ExerciseJudge::prepare(const Lesson& lesson, const
   JudgedExercise judged{&lesson, &exercise, *std::move(files), {}, {}, {}};
   const auto run = [&](const Example& program, const std::string& text,
                        std::vector<Check>& checks) {
-    auto result = evaluate_example(program, {text, {}}, lesson, worker_context, diagnostics);
+    const std::string placed = with_rest_at(text, program.region->text, kRestLine);
+    auto result = evaluate_example(program, {placed, {}}, lesson, worker_context, diagnostics);
     if (!result) return false;
     checks = std::move(result->records.checks);
     judged.sources.insert(judged.sources.end(), result->files.begin(), result->files.end());
@@ -153,7 +173,7 @@ std::optional<JudgedExercise> ExerciseJudge::prepare(const Lesson& lesson, const
     return std::ranges::all_of(checks, &Check::holds);
   };
   const ExerciseText& text = judged.files.text;
-  if (!run(exercise.program, std::string(text.file().text()), judged.shown)) return std::nullopt;
+  if (!run(exercise.program, text.program(text.solution()), judged.shown)) return std::nullopt;
   if (exercise.hidden &&
       !run(hidden_program(exercise), hidden_text(judged, text.solution()), judged.hidden)) {
     return std::nullopt;
@@ -174,12 +194,12 @@ Verdict ExerciseJudge::judge(const JudgedExercise& exercise, const std::string& 
   if (const std::string why = refusal(code, text.solution()); !why.empty()) {
     verdict.faults.push_back(error_at({}, "E-hand-in", why));
   } else {
-    const Judging judging(exercise, code, worker_context);
-    verdict.shown = judging.run(exercise.exercise->program, text.program(code), exercise.shown,
-                                text.region_line() + 1, verdict.faults);
+    const Judging judging(exercise, worker_context);
+    verdict.shown =
+        judging.run(exercise.exercise->program, text.program(code), exercise.shown, verdict.faults);
     if (hidden && exercise.exercise->hidden && verdict.faults.empty()) {
       verdict.hidden = judging.run(hidden_program(*exercise.exercise), hidden_text(exercise, code),
-                                   exercise.hidden, kCodeLine, verdict.faults);
+                                   exercise.hidden, verdict.faults);
     }
   }
   // The hand-in's reader knows nothing of the lesson's text.

@@ -1,10 +1,12 @@
 // Hand-ins: what somebody wrote into the region of an exercise, compiled, run and judged.
 //
 // It is a stranger's: of all that was handed in, only the region's text is taken, and it runs as
-// confined as a lesson's program. It shares a process with the checks, so a determined one could
-// still report what it likes; what would do so by name, or by lines of its own, is refused.
+// confined as a lesson's program. It shares a process with the checks, so it is refused where it
+// names what belongs to them. What stands behind the region has lines that begin at another random
+// number in each run, and a check counts only from its own line. So a forged one would have to find
+// that number in the machine code; the file of reports cannot be read.
 // Enter at ExerciseJudge.
-// Tested by tests/grade.
+// Tested by tests/system/grade.mjs.
 #pragma once
 
 #include <optional>

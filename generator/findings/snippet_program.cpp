@@ -25,6 +25,7 @@ Example snippet_program(const Lesson& lesson, std::size_t block) {
   program.native = snippet.native;
   program.span = snippet.span;
   program.outputs = snippet.outputs;
+  program.quoted = false;
   return program;
 }
 

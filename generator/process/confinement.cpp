@@ -52,10 +52,16 @@ Confinement::Confinement(const Sandbox* sandbox, bool watch, double seconds)
              {RLIMIT_MSGQUEUE, 0, 0},
              {RLIMIT_MEMLOCK, 0, 0},
              {RLIMIT_CORE, 0, 0}};
-  for (const std::string& path : readable_system_paths()) rules_.push_back({path, false});
-  for (const std::string& path : writable_system_paths()) rules_.push_back({path, true});
-  for (const std::string& path : sandbox->read) rules_.push_back({path, false});
-  for (const std::string& path : sandbox->write) rules_.push_back({path, true});
+  using Access = LandlockRule::Access;
+  const auto allow = [&](const std::vector<std::string>& paths, Access access) {
+    for (const std::string& path : paths) {
+      rules_.push_back({path, path == sandbox->add ? Access::add : access});
+    }
+  };
+  allow(readable_system_paths(), Access::read);
+  allow(writable_system_paths(), Access::write);
+  allow(sandbox->read, Access::read);
+  allow(sandbox->write, Access::write);
   owned_ = sandbox->write;
   reads_all_ = sandbox->reads_all && level_.landlock > 0;  // which says what is read
   if (level_.filter) {

@@ -53,12 +53,17 @@ constexpr Rights kRead = kExecute | kReadFile | kReadFolder;
 // Those that a file can have; the kernel minds others.
 constexpr Rights kOfFile = kExecute | kWriteFile | kReadFile | kTruncate | kDeviceControl;
 
+Rights rights_of(LandlockRule::Access access) {
+  if (access == LandlockRule::Access::add) return kWriteFile;
+  return access == LandlockRule::Access::write ? kChange : kRead;
+}
+
 bool add_rule(int ruleset, int abi, const LandlockRule& rule) {
   const int path = open(rule.path.c_str(), O_PATH | O_CLOEXEC);
   if (path < 0) return errno == ENOENT || errno == ENOTDIR || errno == EACCES;
   struct stat status {};
   bool added = fstat(path, &status) == 0;
-  Rights rights = (rule.write ? kChange : kRead) & handled(abi);
+  Rights rights = rights_of(rule.access) & handled(abi);
   if (!S_ISDIR(status.st_mode)) rights &= kOfFile;
   const landlock_path_beneath_attr beneath{rights, path};
   added = added &&

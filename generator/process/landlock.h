@@ -12,7 +12,7 @@ namespace mjcourse {
 
 struct LandlockRule {
   std::string path;  // a file or a folder; passed over where there is none
-  bool write;        // else read and execute
+  enum class Access { read, add, write } access;  // `read` is to execute as well
 };
 
 // The ABI from which on signals stay among those that are confined together.

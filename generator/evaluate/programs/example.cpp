@@ -43,6 +43,7 @@ Records records_in(const fs::path& file, const LocatedText& code, const Example&
   std::vector<RecordFault> faults;
   Records records =
       read_records(DiskFiles(file.parent_path()).read(file.filename()).value(), faults);
+  if (!example.quoted) return records;
   for (const RecordFault& fault : faults) {
     const std::size_t at = code.text.find("\"" + fault.name + "\"");
     const bool found = !fault.name.empty() && at != code.text.npos && !code.offsets.empty();

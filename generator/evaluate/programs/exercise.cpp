@@ -52,6 +52,12 @@ struct Made {
   }
 };
 
+// The lesson quotes the solution's.
+Example not_quoted(Example program) {
+  program.quoted = false;
+  return program;
+}
+
 class Trials {
  public:
   Trials(const Exercise& exercise, const ExerciseFiles& files, const Lesson& lesson,
@@ -139,11 +145,11 @@ class Trials {
   std::optional<ExampleResult> try_text(const Example& program, const std::string& text,
                                         const Variant* variant) {
     Diagnostics found;
-    auto result = evaluate_example(program, {text, {}}, lesson_, worker_context_, found);
+    auto result =
+        evaluate_example(not_quoted(program), {text, {}}, lesson_, worker_context_, found);
     for (Diagnostic& one : found) {
-      // What is left to be written uses not all that is there for it, and may report nonsense to a
-      // lesson that quotes the solution alone.
-      if (one.severity == Severity::warning || one.id == "E-example-record") continue;
+      // What is left to be written uses not all that is there for it.
+      if (one.severity == Severity::warning) continue;
       if (variant != nullptr) {
         one.notes.push_back({"with " + name_of(*variant) + " in the place of the solution",
                              place_of_line(files_.text.file(), variant->mark)});

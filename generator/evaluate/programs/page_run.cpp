@@ -13,7 +13,6 @@
 #include "evaluate/programs/record_diff.h"
 #include "evaluate/programs/records.h"
 #include "findings/path_in_folder.h"
-#include "findings/snippet_program.h"
 #include "lesson/syntax/linked_libraries.h"
 
 namespace mjcourse {
@@ -121,10 +120,12 @@ PageRun judge(const json& answer, const Example& example, const ExampleResult& n
   run.otherwise = other_end(end, example.exit_code);
   auto output = answer.at("out").get<std::string>();
   if (output != native.output) run.output = std::move(output);
-  if (!run.otherwise.empty() || is_snippet_program(example)) return run;  // nobody quotes one
+  if (!run.otherwise.empty()) return run;
   std::vector<RecordFault> faults;  // natively, there were none
   const Records records = read_records(answer.at("records").get<std::string>(), faults);
-  if (const std::string differs = record_diff(native.records, records); !differs.empty()) {
+  const std::string differs = example.quoted ? record_diff(native.records, records)
+                                             : check_diff(native.records.checks, records.checks);
+  if (!differs.empty()) {
     run.otherwise = "reports otherwise: " + differs;
   }
   return run;

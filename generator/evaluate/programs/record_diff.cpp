@@ -83,7 +83,17 @@ std::string first_difference(const std::string& kind, const std::map<std::string
 
 }  // namespace
 
-std::string first_difference(const std::vector<Check>& native, const std::vector<Check>& page) {
+std::string record_diff(const Records& native, const Records& page) {
+  for (const std::string& found : {first_difference("result", native.results, page.results),
+                                   first_difference("table", native.tables, page.tables),
+                                   first_difference("snapshot", native.snapshots, page.snapshots),
+                                   check_diff(native.checks, page.checks)}) {
+    if (!found.empty()) return found;
+  }
+  return "";
+}
+
+std::string check_diff(const std::vector<Check>& native, const std::vector<Check>& page) {
   for (const Check& check : native) {
     const auto other = std::ranges::find(page, check.what, &Check::what);
     const std::string what = "the check `" + check.what + "`";
@@ -96,16 +106,6 @@ std::string first_difference(const std::vector<Check>& native, const std::vector
     if (std::ranges::count(native, check.what, &Check::what) == 0) {
       return "the check `" + check.what + "` is made there alone";
     }
-  }
-  return "";
-}
-
-std::string record_diff(const Records& native, const Records& page) {
-  for (const std::string& found : {first_difference("result", native.results, page.results),
-                                   first_difference("table", native.tables, page.tables),
-                                   first_difference("snapshot", native.snapshots, page.snapshots),
-                                   first_difference(native.checks, page.checks)}) {
-    if (!found.empty()) return found;
   }
   return "";
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "findings/result.h"
 
@@ -11,5 +12,7 @@ namespace mjcourse {
 // does. Numbers may differ by a hundred-thousandth of themselves, more than a text quotes: each
 // C library rounds its own way, and what a program fits or extrapolates enlarges that.
 std::string record_diff(const Records& native, const Records& page);
+// Of what they checked alone.
+std::string check_diff(const std::vector<Check>& native, const std::vector<Check>& page);
 
 }  // namespace mjcourse

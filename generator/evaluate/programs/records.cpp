@@ -137,7 +137,7 @@ class Reader {
     return true;
   }
 
-  // Of two of one name, the later failed, and the former did not.
+  // Of several of one name, the first that failed counts.
   bool add_check(const json& record) {
     if (!record.is_object() || !record.contains("check") || !record.contains("value")) return false;
     try {
@@ -145,7 +145,7 @@ class Reader {
       const auto known = std::ranges::find(records_.checks, check.what, &Check::what);
       if (known == records_.checks.end()) {
         records_.checks.push_back(std::move(check));
-      } else {
+      } else if (known->holds) {
         *known = std::move(check);
       }
       return true;

@@ -53,6 +53,7 @@ struct Example {
   std::string native{};                  // why no page is to run it; "" where one may
   Span span{};                           // the opening fence
   std::vector<std::size_t> outputs{};    // the blocks that state its output
+  bool quoted = true;                    // may a lesson quote what it reports?
 
   std::string name() const;  // "x" of "examples/x.cpp"
 };

@@ -69,6 +69,12 @@ std::string joined_lines(const SourceText& file, int begin, int end) {
   return text;
 }
 
+// `lines`, of which each ends; a SourceText counts an empty one behind the end of its last.
+std::string with_the_end_of(std::string_view file, std::string lines) {
+  if (file.ends_with('\n')) lines.pop_back();
+  return lines;
+}
+
 // "NAME: CHECK" behind `// #wrong`.
 bool read_wrong(const std::string& words, ExerciseText::Variant& variant) {
   static const RE2 form(R"(([A-Za-z0-9_-]+):\s+(\S.*))");
@@ -87,9 +93,7 @@ std::string ExerciseText::program(std::string_view code) const {
     text.append(file_.line(line)).append("\n");
     if (line == begin_) text += code;
   }
-  if (!file_.text().ends_with('\n')) return text;
-  text.pop_back();  // of the empty line behind the last
-  return text;
+  return with_the_end_of(file_.text(), std::move(text));
 }
 
 std::string ExerciseText::in_place(const Variant& variant) const {
@@ -104,7 +108,7 @@ std::string ExerciseText::in_place(const Variant& variant) const {
     }
     text.append(as_it_is).append("\n");
   }
-  return text;
+  return with_the_end_of(file_.text(), std::move(text));
 }
 
 // Reads the one region; each step gives false (reported) where no more can be understood.

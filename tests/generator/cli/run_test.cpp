@@ -85,7 +85,7 @@ TEST(Run, NeedsACommandThatThereIs) {
   EXPECT_EQ(usage_error({"biuld"}), "mjcourse: there is no command biuld; did you mean `build`?");
   EXPECT_EQ(usage_error({"frobnicate"}),
             "mjcourse: there is no command frobnicate; known: build, preview, lsp, check, "
-            "accept, explain, list, new, init, doctor, store");
+            "accept, explain, try, grade, list, new, init, doctor, …");
 }
 
 TEST(Run, NeedsOptionsThatThereAre) {
@@ -98,7 +98,7 @@ TEST(Run, NeedsOptionsThatThereAre) {
   EXPECT_EQ(error_of({"explain", "-s"}),
             "mjcourse: explain has no option -s; known: --course, --store");
   EXPECT_EQ(error_of({"check", "--out", "x"}),
-            "mjcourse: check has no option --out; it belongs to build");
+            "mjcourse: check has no option --out; it belongs to build, try");
   EXPECT_EQ(error_of({"accept", "--timings"}),
             "mjcourse: accept has no option --timings; it belongs to build, check");
   EXPECT_EQ(error_of({"check", "1.2"}), "mjcourse: check takes only options, not 1.2");

@@ -26,12 +26,12 @@ std::string choices(const std::string& info) {
 TEST(FenceSuggestions, AreKindsWithWhatTheyNeed) {
   Suggestions found;
   add_fences(found);
-  EXPECT_EQ(
-      names(found),
-      "cpp file=|cpp snippet model=|sh run|xml model=|xml mjcf|text|io|lab simlab|quiz|figure|plot|"
-      "demo|sh unchecked because=|cmake unchecked because=|python unchecked because=|"
-      "yaml unchecked because=|json unchecked because=|markdown unchecked because=|"
-      "cpp unchecked because=|xml unchecked because=|text unchecked because=|");
+  EXPECT_EQ(names(found),
+            "cpp file=|cpp exercise file=|cpp snippet model=|sh run|xml model=|xml "
+            "mjcf|text|io|lab simlab|quiz|figure|plot|"
+            "demo|sh unchecked because=|cmake unchecked because=|python unchecked because=|"
+            "yaml unchecked because=|json unchecked because=|markdown unchecked because=|"
+            "cpp unchecked because=|xml unchecked because=|text unchecked because=|");
 }
 
 TEST(FenceSuggestions, AreTheWordsAndOptionsOfAKind) {

@@ -42,5 +42,20 @@ TEST(RecordDiff, ComparesTablesAndSnapshots) {
   EXPECT_EQ(record_diff(native, page), "the snapshot `s` is another");
 }
 
+TEST(RecordDiff, ComparesWhatWasChecked) {
+  const auto with = [](std::vector<Check> checks) {
+    Records records;
+    records.checks = std::move(checks);
+    return records;
+  };
+  const Check holds{"it falls", true, "", ""}, fails{"it falls", false, "", "it is 1"};
+  EXPECT_EQ(record_diff(with({holds}), with({holds})), "");
+  EXPECT_EQ(record_diff(with({holds}), with({fails})), "the check `it falls` fails there");
+  EXPECT_EQ(record_diff(with({fails}), with({holds})),
+            "the check `it falls` holds there, and not natively");
+  EXPECT_EQ(record_diff(with({holds}), with({})), "the check `it falls` is not made there");
+  EXPECT_EQ(record_diff(with({}), with({holds})), "the check `it falls` is made there alone");
+}
+
 }  // namespace
 }  // namespace mjcourse

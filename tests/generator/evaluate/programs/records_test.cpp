@@ -38,6 +38,25 @@ TEST(Records, AreReadByTheirKinds) {
   EXPECT_TRUE(records.snapshots.at("x").at("act").empty());
 }
 
+// The helper header tells of a check when it is made first, and when it first fails.
+TEST(Records, HaveOfACheckTheOneThatFailed) {
+  std::vector<RecordFault> faults;
+  const auto check = [](const std::string& name, const std::string& holds) {
+    return "{\"check\": \"" + name + "\", \"value\": {\"holds\": " + holds +
+           R"(, "meaning": "m", "found": "f", "points": 2, "line": 7}})" + "\n";
+  };
+  const Records records =
+      read_records(check("a", "true") + check("b", "true") + check("a", "false"), faults);
+  EXPECT_TRUE(faults.empty());
+  ASSERT_EQ(records.checks.size(), 2u);
+  EXPECT_EQ(records.checks[0].what, "a");
+  EXPECT_FALSE(records.checks[0].holds);
+  EXPECT_EQ(records.checks[0].points, 2);
+  EXPECT_EQ(records.checks[0].line, 7);
+  EXPECT_TRUE(records.checks[1].holds);
+  EXPECT_NE(faults_of(check("a", "1")), "") << "no truth value";
+}
+
 TEST(Records, KeepTheDigitsOfWholeNumbers) {
   std::vector<RecordFault> faults;
   const Records records = read_records(

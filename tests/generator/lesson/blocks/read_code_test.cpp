@@ -52,6 +52,17 @@ TEST(ReadCode, TakesARegion) {
   EXPECT_EQ(region.code.text, "x;\n");
 }
 
+TEST(ReadCode, TakesAnExercise) {
+  const ReadingOf reading = reading_of(
+      "```cpp exercise file=examples/a.cpp#answer hidden=examples/b.cpp timeout=3\n```\n");
+  EXPECT_EQ(reading.mistakes(), "");
+  const auto& exercise = reading.only<Exercise>();
+  EXPECT_EQ(exercise.program.file.text, "examples/a.cpp");
+  EXPECT_EQ(exercise.program.region.value().text, "answer");
+  EXPECT_EQ(exercise.program.seconds, 3);
+  EXPECT_EQ(exercise.hidden.value().text, "examples/b.cpp");
+}
+
 TEST(ReadCode, HidesTheLinesOfASnippetThatSayIt) {
   const ReadingOf reading = reading_of(
       "```cpp snippet model=ball timeout=2\n//| int n = 2;\nuse(n);\n  //| }\n//|\n```\n");

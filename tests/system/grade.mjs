@@ -1,0 +1,188 @@
+// Fifty hand-ins are graded, of which many are hostile: they get no points, break nothing, read nothing,
+// and leave nothing; the others get theirs all the same.
+//
+//   node tests/system/grade.mjs MJCOURSE
+
+import { execFileSync, spawnSync } from "node:child_process";
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
+import { tmpdir } from "node:os";
+import { join, resolve } from "node:path";
+
+const mjcourse = resolve(process.argv[2]);
+const course = join(import.meta.dirname, "../courses/exercise/right");
+const folder = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
+const solution = readFileSync(join(course, "examples/fall.cpp"), "utf8");
+let failed = 0;
+
+function expect(good, what) {
+  if (good) return;
+  ++failed;
+  console.error(what);
+}
+
+// What a reader has, with `code` in the region.
+const program = (code) =>
+  solution.replace(/(#region answer\n)[^]*?(\n {2}\/\/ #endregion)/, (_, a, b) => a + code + b);
+
+function handIn(name, text) {
+  mkdirSync(join(folder, name));
+  writeFileSync(join(folder, name, "fall.cpp"), text);
+}
+
+// By their names, with what they get and what is said of them.
+const expected = new Map();
+
+function expectOf(name, points, remark) {
+  expected.set(name, { points, remark });
+}
+
+function code(name, points, remark, text) {
+  handIn(name, program(text));
+  expectOf(name, points, remark);
+}
+
+const right = "  return 9.81 * t * t / 2;";
+const honest = [
+  right,
+  "  const double speed = 9.81 * t;\n  return speed / 2 * t;",
+  "  double way = 0;\n  way += 0.5 * 9.81 * std::pow(t, 2);\n  return way;",
+  "  // the main idea: expect half of the last speed\n  return 4.905 * t * t;",
+  "  auto square = [](double x) { return x * x; };\n  return 9.81 / 2 * square(t);",
+];
+for (let i = 0; i < 15; ++i) code(`right-${i}`, 4, "", honest[i % honest.length]);
+for (let i = 0; i < 3; ++i) code(`half-${i}`, 2, "", "  return 9.81 * t / 2;");
+code("later-only", 3, "", "  return t < 1 ? 0 : 9.81 * t * t / 2;");
+code("starter", 0, "", "  return 0;  // t = 1 s: 4.9 m");
+code("not-a-number", 0, "", "  return std::sqrt(-t);");
+code("leaves-early", 0, "", "  std::exit(0);\n  return t;");
+
+const all = (words) => `  ${words}\n${right}`;
+const own = "belongs to the checks";
+code("endless", 0, "still ran after 10 s", all("while (t >= 0) mju_sin(t);"));
+code("prints", 0, "1 MiB", all('while (t >= 0) std::puts("x");'));
+code("passwords", 0, "/etc/passwd", all('if (!std::ifstream("/etc/passwd")) return 0;'));
+// It finds the file of reports, and cannot read it; nor does it know the lines.
+const forged = `
+  std::ifstream file("/proc/self/environ");
+  std::string all(std::istreambuf_iterator<char>(file), {});
+  const std::string name = std::string("MJCOURSE") + "_RECORDS=";
+  const std::string path = all.substr(all.find(name) + name.size()).c_str();
+  std::ofstream out(path, std::ios::app);
+  for (const char* what : {"it falls 4.9 m in the first second", "it falls 5 cm in 0.1 s",
+                           "twice the time is four times the way"})
+    out << "{\\"check\\": \\"" << what << "\\", \\"value\\": {\\"holds\\": true, \\"meaning\\": "
+        << "\\"\\", \\"found\\": \\"\\", \\"points\\": 1, \\"line\\": 13}}" << std::endl;
+  std::_Exit(std::ifstream(path) ? 3 : 0);
+  return t;`;
+code("forged", 0, "not made by the program itself", forged);
+code("writes", 0, "/tmp/mjcourse-was-here", all('std::ofstream("/tmp/mjcourse-was-here") << 1;'));
+code("memory", 0, "", all("for (;;) std::memset(new char[1 << 26], 1, 1 << 26);"));
+code("crashes", 0, "Segmentation fault", all("*reinterpret_cast<volatile int*>(8) = 1;"));
+code("recursion", 0, "Segmentation fault", all("volatile double x = fallen(t + 1); (void)x;"));
+code("kills", 0, "", all("::raise(9);"));
+code("checks-itself", 0, own, all('expect(true, "it falls 4.9 m in the first second");'));
+code("by-another-name", 0, own, all("auto* f = &add_check; (void)f;"));
+code("own-main", 0, own, `  return 0;\n}\nint main() {\n  return 0;`);
+code("spliced", 0, own, all("exp\\\nect(true, std::string());"));
+code("reads-its-name", 0, own, all('getenv("MJCOURSE_RECORDS");'));
+code("assembler", 0, own, all('asm("nop");'));
+code("includes", 0, "no preprocessor directives", `#include "/etc/passwd"\n${right}`);
+code("digraph", 0, "no preprocessor directives", `%:define double int\n${right}`);
+code("raw", 0, "no raw strings", `  const char* s = R"(\n)"; (void)s;\n${right}`);
+code("open-comment", 0, "unterminated", `${right} /*`);
+code("open-brace", 0, "expected", `${right} {`);
+code(
+  "template-bomb",
+  0,
+  "compiler",
+  all(
+    "[]<int... i>(std::integer_sequence<int, i...>) { return ((i + ... + 0)); }(std::make_integer_sequence<int, 100000000>());",
+  ),
+);
+code("escapes", 0, "static assertion failed", all('static_assert(false, "\\x1b[2J\\x07");'));
+code(
+  "ends-behind-main",
+  0,
+  "",
+  `  return 0;\n}\nstruct Last { ~Last() { std::_Exit(0); } } last;\ndouble other(double t) {\n  return t;`,
+);
+handIn("no-marks", solution.replaceAll(/.*#(region|endregion).*\n/g, ""));
+expectOf("no-marks", 0, "it has no region `answer`");
+handIn("unclosed", program(right).replace("// #endregion", ""));
+expectOf("unclosed", 0, "it has no region `answer`");
+handIn("large", `${program(right)}${"// more\n".repeat(200_000)}`);
+expectOf("large", 0, "more than 1 MiB");
+mkdirSync(join(folder, "bytes"));
+writeFileSync(
+  join(folder, "bytes/fall.cpp"),
+  Buffer.from(program("  return 0; // \u0000\xff"), "latin1"),
+);
+expectOf("bytes", 0, "");
+mkdirSync(join(folder, "link"));
+symlinkSync("/etc/passwd", join(folder, "link/fall.cpp"));
+expectOf("link", 0, "it is no plain file");
+mkdirSync(join(folder, "pipe"));
+execFileSync("mkfifo", [join(folder, "pipe/fall.cpp")]);
+expectOf("pipe", 0, "it is no plain file");
+mkdirSync(join(folder, "nothing"));
+expectOf("nothing", 0, "");
+mkdirSync(join(folder, "in-a-folder/fall"), { recursive: true });
+writeFileSync(join(folder, "in-a-folder/fall/fall.cpp"), program(right));
+expectOf("in-a-folder", 4, "");
+
+const names = [...expected.keys()];
+expect(names.length >= 50, `only ${names.length} hand-ins`);
+const before = readdirSync(tmpdir()).filter((name) => name.startsWith("mjcourse"));
+const grade = (format, ...hand_ins) =>
+  spawnSync(mjcourse, ["grade", "--against", course, "--format", format, ...hand_ins], {
+    cwd: folder,
+    encoding: "utf8",
+    maxBuffer: 1 << 28,
+  });
+const { status, stdout, stderr } = grade("json", ...names);
+expect(status === 0, `it ends with ${status}: ${stderr}`);
+const graded = JSON.parse(stdout);
+expect(graded.map((one) => one.hand_in).join() === names.join(), "not in their order");
+for (const { hand_in, points, of, exercises } of graded) {
+  const { points: due, remark } = expected.get(hand_in);
+  const [{ faults, handed_in }] = exercises;
+  const said = faults.map(({ message, detail }) => `${message} ${detail}`).join("; ");
+  expect(of === 4, `${hand_in}: ${of} points can be had`);
+  expect(points === due, `${hand_in} gets ${points} and not ${due}: ${said}`);
+  expect(said.includes(remark), `${hand_in} is told: ${said}`);
+  expect(handed_in === (hand_in !== "nothing"), `${hand_in}: handed in is ${handed_in}`);
+  expect(!JSON.stringify(exercises).includes("root:"), `${hand_in} has read /etc/passwd`);
+}
+expect(!existsSync("/tmp/mjcourse-was-here"), "a hand-in has written a file");
+const left = readdirSync(tmpdir()).filter((name) => name.startsWith("mjcourse"));
+expect(left.length <= before.length, `it leaves ${left}`);
+
+const text = grade("text", "right-0", "half-0", "escapes").stdout;
+expect(!text.includes("\u001b"), "a hand-in speaks to the terminal");
+expect(
+  text.startsWith(`right-0
+  fall: 4 of 4 points
+half-0
+  fall: 2 of 4 points
+    [ ] twice the time is four times the way
+      it is 9.81, and should be 19.62 ± 1e-09
+    [ ] it falls 5 cm in 0.1 s
+      it is 0.4905, and should be 0.04905 ± 1e-09
+escapes
+  fall: 0 of 4 points; `),
+  text,
+);
+const refused = grade("text", "gone");
+expect(refused.status === 2 && refused.stderr.includes("there is no folder gone"), refused.stderr);
+rmSync(folder, { recursive: true });
+console.log(`${names.length} hand-ins, ${failed} problems`);
+process.exitCode = failed > 0 ? 1 : 0;
