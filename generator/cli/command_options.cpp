@@ -193,7 +193,7 @@ void declare(CommandLine& line, NewOptions& options) {
   line.words("KIND NAME",
              "of a level or a lesson, then its title: `level 2-dynamics \"Dynamics\"`, "
              "`lesson 2-dynamics \"Forces\"`; of a model: `model pendulum`; of an example, then "
-             "its model: `example l2_1_forces pendulum`",
+             "its model: `example l2_1_forces pendulum`; of an exercise, likewise",
              options.words);
   add_course(line, options.course);
 }

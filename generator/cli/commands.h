@@ -108,7 +108,7 @@ int check(const CheckOptions& options);
 
 // Say what results depend on, and whether they would be used again. Works nothing out.
 int explain(const ExplainOptions& options);
-// Begin a level, a lesson, a model or an example of the course: `new KIND NAME`.
+// Begin a level, a lesson, a model, an example or an exercise of the course: `new KIND NAME`.
 int make_new(const NewOptions& options);
 // Begin a course: `init DIR`.
 int init(const InitOptions& options);

@@ -1,4 +1,5 @@
-// What `mjcourse new` makes: a level, a lesson, a model or an example, as the files to write.
+// What `mjcourse new` makes: a level, a lesson, a model, an example or an exercise, as the files to
+// write.
 //
 // Enter at new_part. Nothing here writes; the course is only looked at, and a course with mistakes
 // in its lessons is as good as another.
@@ -30,6 +31,8 @@ NewPartOrRefusal new_level(const Files& course, const std::vector<std::string>& 
 NewPartOrRefusal new_lesson(const Files& course, const Files& assets,
                             const std::vector<std::string>& words);
 NewPartOrRefusal new_model(const Files& assets, const std::vector<std::string>& words);
+NewPartOrRefusal new_exercise(const Files& course, const Files& assets,
+                              const std::vector<std::string>& words);
 NewPartOrRefusal new_example(const Files& course, const Files& assets,
                              const std::vector<std::string>& words);
 

@@ -1,4 +1,4 @@
-// A model and an example: one file each.
+// A model, an example and an exercise: one file each.
 // Tested by tests/generator/cli/new_part_test.cpp.
 #include <re2/re2.h>
 
@@ -37,7 +37,7 @@ tl::expected<std::string, Refusal> name_of(const std::string& kind, const std::s
   std::string likely = slug_of(name);
   std::replace(likely.begin(), likely.end(), '-', '_');
   return wrong_words(
-      "`" + words[0] + "` is not a name for " + (kind == "example" ? "an " : "a ") + kind,
+      "`" + words[0] + "` is not a name for " + (kind == "model" ? "a " : "an ") + kind,
       "small letters, digits and underscores, as in " + form +
           (RE2::FullMatch(likely, good) ? "; did you mean `" + likely + "`?" : ""));
 }
@@ -61,6 +61,26 @@ tl::expected<std::string, Refusal> model_for(const Files& course, const std::str
                       our_command("new model NAME") + " makes one");
 }
 
+struct NamedProgram {
+  std::string name, model;
+};
+
+// Of a `kind` ("example") that is a program.
+tl::expected<NamedProgram, Refusal> named_program(const std::string& kind, const Files& course,
+                                                  const std::vector<std::string>& words) {
+  const std::string form = our_command("new " + kind + " l2_1_forces") + " or " +
+                           our_command("new " + kind + " l2_1_forces MODEL");
+  const auto name = name_of(kind, "examples/", ".cpp", words, form);
+  if (!name) return tl::unexpected(name.error());
+  if (words.size() > 2) {
+    return wrong_words("new " + kind + " takes a name and a model, not `" + words[2] + "`",
+                       "as in " + form);
+  }
+  const auto model = model_for(course, *name, words);
+  if (!model) return tl::unexpected(model.error());
+  return NamedProgram{*name, *model};
+}
+
 }  // namespace
 
 NewPartOrRefusal new_model(const Files& assets, const std::vector<std::string>& words) {
@@ -81,24 +101,30 @@ NewPartOrRefusal new_model(const Files& assets, const std::vector<std::string>& 
 
 NewPartOrRefusal new_example(const Files& course, const Files& assets,
                              const std::vector<std::string>& words) {
-  const std::string form = our_command("new example l2_1_forces") + " or " +
-                           our_command("new example l2_1_forces MODEL");
-  const auto name = name_of("example", "examples/", ".cpp", words, form);
-  if (!name) return tl::unexpected(name.error());
-  if (words.size() > 2) {
-    return wrong_words("new example takes a name and a model, not `" + words[2] + "`",
-                       "as in " + form);
-  }
-  const auto model = model_for(course, *name, words);
-  if (!model) return tl::unexpected(model.error());
-  return NewPart{{{"examples/" + *name + ".cpp",
-                   filled_skeleton(assets, "example.cpp", {{"name", *name}, {"model", *model}})}},
+  const auto named = named_program("example", course, words);
+  if (!named) return tl::unexpected(named.error());
+  const auto& [name, model] = *named;
+  return NewPart{{{"examples/" + name + ".cpp",
+                   filled_skeleton(assets, "example.cpp", {{"name", name}, {"model", model}})}},
                  "",
-                 "it loads models/" + *model +
+                 "it loads models/" + model +
                      ".xml; a lesson runs it with a fence "
                      "`cpp file=examples/" +
-                     *name + ".cpp`, and " + our_command("accept") +
+                     name + ".cpp`, and " + our_command("accept") +
                      " writes what it prints into an empty `text` fence below"};
+}
+
+NewPartOrRefusal new_exercise(const Files& course, const Files& assets,
+                              const std::vector<std::string>& words) {
+  const auto named = named_program("exercise", course, words);
+  if (!named) return tl::unexpected(named.error());
+  const auto& [name, model] = *named;
+  return NewPart{{{"examples/" + name + ".cpp",
+                   filled_skeleton(assets, "exercise.cpp", {{"name", name}, {"model", model}})}},
+                 "",
+                 "a lesson asks for it with an empty fence `cpp exercise file=examples/" + name +
+                     ".cpp#answer` in an `[!exercise]`, and " + our_command("check") +
+                     " proves its starter, its solution and its wrong variants"};
 }
 
 }  // namespace mjcourse

@@ -141,7 +141,8 @@ const std::vector<NamedCommand>& commands() {
             "still fails"),
       named("grade", grade, "judge what others handed in"),
       named("list", list, "the lessons, and the state of each"),
-      named("new", make_new, "begin a level, a lesson, a model or an example of the course"),
+      named("new", make_new,
+            "begin a level, a lesson, a model, an example or an exercise of the course"),
       named("init", init, "begin a course in a new folder"),
       named("doctor", doctor, "check what this machine has of all that courses need"),
       named("store", store, "forget the results that have gone unused longest")};

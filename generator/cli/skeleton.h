@@ -1,6 +1,6 @@
-// Skeletons: what a new lesson, model, example or course begins with. They are files of the assets,
-// in skeleton/ (cli/skeleton in the sources), with marks as `@name@` for what is not the same in
-// each.
+// Skeletons: what a new lesson, model, example, exercise or course begins with. They are files of
+// the assets, in skeleton/ (cli/skeleton in the sources), with marks as `@name@` for what is not
+// the same in each.
 #pragma once
 
 #include <map>

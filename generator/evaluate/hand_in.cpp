@@ -13,38 +13,34 @@
 namespace mjcourse {
 namespace {
 
-// What a region has no use for, and what would report checks in the program's place.
+// What a region has no use for, and what could report checks in the program's place.
 constexpr const char* kForging =
-    R"(\b(expect|expect_near|add_check|checks|Checks|record|main|getenv|secure_getenv|environ|asm|)"
-    R"(__asm|__asm__|__LINE__|__builtin_LINE|source_location|__builtin_source_location|fork|vfork|execve|ptrace|syscall|MJCOURSE_\w*)\b)";
+    R"(\b(expect|expect_near|add_check|checks|Checks|record|main|getenv|secure_getenv|environ|)"
+    R"(asm|__asm|__asm__|__LINE__|__builtin_LINE|source_location|__builtin_source_location|)"
+    R"(fork|vfork|execve|ptrace|syscall|MJCOURSE_\w*)\b)";
 
-// A line that goes on in the next is one for the compiler.
-std::string with_whole_lines(std::string code) {
+// The text as the compiler takes it: a line that ends with a backslash goes on in the next; without
+// numbers, in which a quote may stand, comments, and what stands between quotes.
+std::string code_alone(std::string code) {
   RE2::GlobalReplace(&code, R"(\\[ \t]*\r?\n)", "");
+  static const RE2 words(R"((\b[0-9][\w.']*|//[^\n]*|/\*(?s:.*?)\*/|)"
+                         R"("(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'))");
+  RE2::GlobalReplace(&code, words, " ");
   return code;
 }
 
-// Without comments and what stands between quotes, as far as that matters for a name.
-std::string code_alone(const std::string& code) {
-  static const RE2 words(R"((//[^\n]*|/\*(?s:.*?)\*/|"(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'))");
-  std::string alone = code;
-  RE2::GlobalReplace(&alone, words, " ");
-  return alone;
-}
-
 // Why the text is not run; "" where it is.
-std::string refusal(const std::string& code, const std::string& solution) {
-  const std::string whole = with_whole_lines(code);
-  static const RE2 directive(R"((?m)^[ \t]*(?:#|%:|\?\?=))"), raw(R"(\bR")");
-  const bool has_directives = RE2::PartialMatch(whole, directive);
-  if (has_directives && !RE2::PartialMatch(solution, directive)) {
+std::string refusal(const std::string& text, const std::string& solution) {
+  const std::string code = code_alone(text), known = code_alone(solution);
+  static const RE2 directive(R"((?m)^\s*(?:#|%:|\?\?=))"), raw(R"(\b(?:u8|[uUL])?R")");
+  if (RE2::PartialMatch(code, directive) && !RE2::PartialMatch(known, directive)) {
     return "a region of this exercise has no preprocessor directives";
   }
-  if (RE2::PartialMatch(whole, raw)) return "a region has no raw strings";
+  if (RE2::PartialMatch(text, raw)) return "a region has no raw strings";
   static const RE2 forging(kForging);
   std::string word;
-  if (RE2::PartialMatch(code_alone(whole), forging, &word) &&
-      !RE2::PartialMatch(code_alone(solution), "\\b" + RE2::QuoteMeta(word) + "\\b")) {
+  if (RE2::PartialMatch(code, forging, &word) &&
+      !RE2::PartialMatch(known, "\\b" + RE2::QuoteMeta(word) + "\\b")) {
     return "what is written uses `" + word + "`, which belongs to the checks";
   }
   return "";
@@ -67,8 +63,7 @@ int counted_line(int line, int rest) {
 
 // `program`, of which a compiler counts what stands behind its region from `rest` on.
 std::string with_rest_at(const std::string& program, const std::string& region, int rest) {
-  const std::size_t begin = program.find("// #region " + region);
-  const std::size_t end = program.find('\n', program.find("// #endregion", begin)) + 1;
+  const std::size_t end = behind_region(program, region).value();
   return program.substr(0, end) + "#line " + std::to_string(rest) + "\n" + program.substr(end);
 }
 

@@ -81,6 +81,18 @@ it is a draft: \`mjcourse check\` proves it, and the site does not have it until
   assert.deepEqual(run("new", "lesson", "1.2-two-rods", ...course)[0], 0);
   assert.deepEqual(run("new", "model", "one_more", ...course)[0], 0);
   assert.deepEqual(run("new", "example", "one_more", ...course)[0], 0);
+  assert.deepEqual(run("new", "exercise", "weigh", "pendulum", ...course), [
+    0,
+    `wrote examples/weigh.cpp
+a lesson asks for it with an empty fence \`cpp exercise file=examples/weigh.cpp#answer\` in an \`[!exercise]\`, and \`mjcourse check\` proves its starter, its solution and its wrong variants
+`,
+    "",
+  ]);
+  const lesson = "rigid-bodies/content/1-first-steps/1.1-a-pendulum.md";
+  writeFileSync(
+    join(folder, lesson),
+    `${read(lesson)}\n\`\`\`cpp exercise file=examples/weigh.cpp#answer\n\`\`\`\n`,
+  );
   assert.equal(
     read("rigid-bodies/content/course.yaml"),
     before +
@@ -93,6 +105,7 @@ it is a draft: \`mjcourse check\` proves it, and the site does not have it until
   assert.match(read("rigid-bodies/examples/one_more.cpp"), /load_model\("one_more"\)/);
   const lessons = check();
   assert.equal(lessons.length, 3);
+  assert.match(lessons[0], /1\.1 {2}A pendulum: 2 programs run, 2 in the page, 1 exercise tried, /);
   assert.match(lessons[1], /1\.2 {2}Two rods: 1 program run, .*; a draft, not in the site$/);
   assert.match(lessons[2], /2\.1 {2}Forces, "torques" & more: 1 program run, /);
 });

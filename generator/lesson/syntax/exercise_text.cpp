@@ -243,6 +243,19 @@ std::optional<std::string> code_in_region(std::string_view program, std::string_
   return std::nullopt;
 }
 
+std::optional<std::size_t> behind_region(std::string_view program, std::string_view region) {
+  bool inside = false;
+  for (const std::string_view line : lines_of(program)) {
+    const auto mark = mark_in(line);
+    if (inside && mark && mark->word == "endregion") {
+      const auto begin = static_cast<std::size_t>(line.data() - program.data());
+      return std::min(program.find('\n', begin), program.size() - 1) + 1;
+    }
+    inside = inside || opens(line, region);
+  }
+  return std::nullopt;
+}
+
 std::optional<std::string> with_code_in_region(std::string_view program, std::string_view region,
                                                std::string_view code, const std::string& path) {
   std::string text;

@@ -72,6 +72,9 @@ bool begins_variant(std::string_view line);
 // gone.
 std::optional<std::string> code_in_region(std::string_view program, std::string_view region);
 
+// Where the line behind the region's last mark begins; nothing where a mark is gone.
+std::optional<std::size_t> behind_region(std::string_view program, std::string_view region);
+
 // `program` with `code` between these marks; nothing where one is gone. A compiler counts its lines
 // from kCodeLine on, and those behind it as in `program`, which it is told is `path`.
 inline constexpr int kCodeLine = 1'000'000;

@@ -19,7 +19,8 @@ Words made(const Words& words, std::map<std::string, std::string> more = {}) {
                {"models/box.xml", ""}});
   const MemoryFiles assets({{"skeleton/lesson.md", "@title@ @number@ @model@ @example@\n"},
                             {"skeleton/model.xml", "@name@\n"},
-                            {"skeleton/example.cpp", "@name@ @model@\n"}});
+                            {"skeleton/example.cpp", "@name@ @model@\n"},
+                            {"skeleton/exercise.cpp", "@name@ asks of @model@\n"}});
   const auto part = new_part(MemoryFiles(std::move(more)), assets, words);
   if (!part) {
     return {std::to_string(part.error().code) + " " + part.error().message + " | " +
@@ -39,7 +40,8 @@ std::string one(const Words& words, std::map<std::string, std::string> more = {}
 
 TEST(NewPart, NeedsAKind) {
   EXPECT_EQ(one({}),
-            "2 new what? | a level, a lesson, a model or an example, as in `mjcourse new lesson "
+            "2 new what? | a level, a lesson, a model, an example or an exercise, as in `mjcourse "
+            "new lesson "
             "2-dynamics \"Forces\"`");
   EXPECT_EQ(one({"lesso"}), "2 new cannot make `lesso` | did you mean `lesson`?");
 }
@@ -150,6 +152,10 @@ TEST(NewModel, IsOneFile) {
 TEST(NewExample, LoadsAModelOfTheCourse) {
   EXPECT_EQ(made({"example", "l1_3_fall"}), Words{"examples/l1_3_fall.cpp"});
   EXPECT_EQ(made({"example", "examples/l1_3_fall.cpp", "box"}), Words{"examples/l1_3_fall.cpp"});
+  EXPECT_EQ(made({"exercise", "l1_3_mass", "box"}), Words{"examples/l1_3_mass.cpp"});
+  EXPECT_EQ(one({"exercise", "1_mass"}),
+            "2 `1_mass` is not a name for an exercise | small letters, digits and underscores, as "
+            "in `mjcourse new exercise l2_1_forces` or `mjcourse new exercise l2_1_forces MODEL`");
   EXPECT_EQ(one({"example", "l1_3_fall", "bx"}),
             "1 there is no model bx in models/ | did you mean `box`?");
   EXPECT_EQ(

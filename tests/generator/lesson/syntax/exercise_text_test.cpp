@@ -105,6 +105,13 @@ TEST(ExerciseText, TakesTheTextOfARegionOutOfAProgramAndIntoAnother) {
   EXPECT_EQ(with_code_in_region("f {\n// #region answer\n", "answer", "a;\n", "h"), std::nullopt);
 }
 
+TEST(ExerciseText, TellsWhereARegionEnds) {
+  EXPECT_EQ(behind_region("a;\n // #region answer \nb;\n// #endregion\nc;", "answer"), 41u);
+  EXPECT_EQ(behind_region("// #region answer\n// #endregion", "answer"), 32u);
+  EXPECT_EQ(behind_region("// #region answer\n", "answer"), std::nullopt);
+  EXPECT_EQ(behind_region("// #endregion\n", "answer"), std::nullopt);
+}
+
 TEST(ExerciseText, StandsCarriageReturns) {
   std::string text = kProgram;
   for (std::size_t at = 0; (at = text.find('\n', at)) != text.npos; at += 2) {
