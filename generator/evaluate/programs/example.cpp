@@ -63,24 +63,24 @@ std::string without_folders(std::string text, const std::vector<fs::path>& folde
   return text;
 }
 
-// The command line that runs `binary`, made of `code`, in an empty folder inside `folder`; what it
-// reports goes into the file `records`.
-Command run_command(const Example& example, const LocatedText& code, const fs::path& binary,
-                    const fs::path& folder, const fs::path& root, const fs::path& records) {
+// The command line that runs `program` in an empty folder of its own; what it reports goes into the
+// file `records`.
+Command run_command(const Example& example, const CompiledExample& program, const fs::path& own,
+                    const fs::path& root, const fs::path& records) {
   Command command;
-  command.arguments = {binary.string()};
+  command.arguments = {program.binary.string()};
   command.arguments.insert(command.arguments.end(), example.arguments.begin(),
                            example.arguments.end());
-  command.folder = folder / "run";
+  command.folder = own;
   fs::create_directory(command.folder);
   command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string(),
                          "MJCOURSE_RECORDS=" + fs::absolute(records).string()};
   command.seconds = example.seconds;
   write_file(records, "");
-  command.sandbox = program_sandbox(binary, command.folder, records, root);
+  command.sandbox = program_sandbox(program.binary, command.folder, records, root);
   command.record_opened = true;
-  if (draws(code.text)) {
-    const LentShaders shaders = lend_shaders_to(fs::absolute(folder / "shaders"));
+  if (draws(program.code.text)) {
+    const LentShaders shaders = lend_shaders_to(fs::absolute(program.folder->path() / "shaders"));
     command.environment.insert(command.environment.end(), shaders.variables.begin(),
                                shaders.variables.end());
     command.sandbox->write.push_back(shaders.own);
@@ -117,63 +117,97 @@ std::optional<Diagnostic> refused_beside(const Example& example, const fs::path&
   return std::nullopt;
 }
 
+// How a compiler's messages call the text, and from which line on it counts there. The refusal on
+// the page is what a learner who builds the file sees.
+CompiledText name_of(const Example& example, const LocatedText& code, const Lesson& lesson) {
+  if (code.offsets.empty() || !example.compiles) return {code, 1, example.file.text, example.span};
+  return {code, lesson.source->position(code.span(0, 0).begin).line, lesson.source->path(),
+          example.span};
+}
+
+// Without a place; it is the example's.
+Diagnostic& place_at(const Example& example, const Lesson& lesson, Diagnostic wrong,
+                     Diagnostics& diagnostics) {
+  wrong.place = place_of(*lesson.source, example.span);
+  return diagnostics.emplace_back(std::move(wrong));
+}
+
 }  // namespace
 
-std::optional<ExampleResult> evaluate_example(const Example& example, const LocatedText& code,
-                                              const Lesson& lesson, WorkerContext& worker_context,
-                                              Diagnostics& diagnostics) {
+std::optional<CompiledExample> compile_example(const Example& example, const LocatedText& code,
+                                               const Lesson& lesson, WorkerContext& worker_context,
+                                               Diagnostics& diagnostics) {
   const auto report = [&](Diagnostic wrong) {
-    wrong.place = place_of(*lesson.source, example.span);
-    diagnostics.push_back(std::move(wrong));
+    place_at(example, lesson, std::move(wrong), diagnostics);
     return std::nullopt;
   };
   if (auto why = worker_context.run_context().why_nothing_runs()) return report(*std::move(why));
   const std::optional<Compiler>& compiler = worker_context.run_context().compiler();
   if (!compiler) return report(no_compiler());
-  const fs::path& root = worker_context.root();
   const fs::path beside = folder_beside(example, code, worker_context);
   if (!beside.empty()) {
-    if (auto refused = refused_beside(example, root)) return report(*std::move(refused));
+    if (auto refused = refused_beside(example, worker_context.root())) {
+      return report(*std::move(refused));
+    }
   }
-  const std::string shown = as_shown(code.text);
-  const TemporaryFolder folder;
-  // The refusal on the page is what a learner who builds the file sees.
-  const bool in_file = code.offsets.empty() || !example.compiles;
-  const std::string shown_as = in_file ? example.file.text : lesson.source->path();
-  const int first_line = in_file ? 1 : lesson.source->position(code.span(0, 0).begin).line;
-  const fs::path source = folder.path() / (example.name() + ".cpp");
-  const fs::path binary = folder.path() / example.name();
-  write_file(source, "#line " + std::to_string(first_line) + " \"" + shown_as + "\"\n" + code.text);
+  CompiledExample program{std::make_unique<TemporaryFolder>(), code, {}, {}};
+  const fs::path& folder = program.folder->path();
+  const CompiledText text = name_of(example, code, lesson);
+  const fs::path source = folder / (example.name() + ".cpp");
+  program.binary = folder / example.name();
+  write_file(source,
+             "#line " + std::to_string(text.first_line) + " \"" + text.name + "\"\n" + code.text);
+  program.compiled = compiler->compile(source, program.binary, folder, example.optimize, beside);
+  trace_compilation(program.compiled, folder, worker_context);
+  return program;
+}
 
-  const Compiled compiled =
-      compiler->compile(source, binary, folder.path(), example.optimize, beside);
-  trace_compilation(compiled, folder.path(), worker_context);
-  if (!example.compiles && compiled.refused()) {
-    return ExampleResult{shown,
-                         without_folders(compiled.raw, {fs::absolute(root), root, folder.path()})};
+std::optional<ExampleResult> run_example(const Example& example, CompiledExample& program,
+                                         const Lesson& lesson, WorkerContext& worker_context,
+                                         Diagnostics& diagnostics) {
+  const fs::path& folder = program.folder->path();
+  const std::string run_name = "run-" + std::to_string(++program.runs);
+  const fs::path records = folder / (run_name + ".records");
+  const Stopwatch stopwatch;
+  Outcome outcome =
+      run(run_command(example, program, folder / run_name, worker_context.root(), records));
+  const double seconds = stopwatch.seconds();
+  trace_run(outcome, folder, worker_context);
+  std::vector<std::string> files =
+      program_files(program.compiled, outcome, worker_context.run_context());
+  if (auto wrong = judge_run(outcome, {"program", example.seconds, example.exit_code})) {
+    place_at(example, lesson, *std::move(wrong), diagnostics);
+    return std::nullopt;
   }
-  report_compile_messages(compiled, {code, first_line, shown_as, example.span}, lesson, root,
-                          diagnostics);
+  ExampleResult result{as_shown(program.code.text), std::move(outcome.out),
+                       records_in(records, program.code, example, lesson, diagnostics), seconds,
+                       std::move(files)};
+  result.page = run_in_page(example, program.code.text, result, worker_context);
+  return result;
+}
+
+std::optional<ExampleResult> evaluate_example(const Example& example, const LocatedText& code,
+                                              const Lesson& lesson, WorkerContext& worker_context,
+                                              Diagnostics& diagnostics) {
+  auto program = compile_example(example, code, lesson, worker_context, diagnostics);
+  if (!program) return std::nullopt;
+  const fs::path& root = worker_context.root();
+  const Compiled& compiled = program->compiled;
+  if (!example.compiles && compiled.refused()) {
+    const std::vector<fs::path> folders{fs::absolute(root), root, program->folder->path()};
+    return ExampleResult{as_shown(code.text), without_folders(compiled.raw, folders)};
+  }
+  report_compile_messages(compiled, name_of(example, code, lesson), lesson, root, diagnostics);
   if (!compiled.succeeded) return std::nullopt;
   if (!example.compiles) {
-    return report(error_at({}, "E-example-compiles",
-                           "the program compiles, but the lesson says that it does not",
-                           "remove `expect=compile-error`, or correct what the lesson says"));
+    place_at(example, lesson,
+             error_at({}, "E-example-compiles",
+                      "the program compiles, but the lesson says that it does not",
+                      "remove `expect=compile-error`, or correct what the lesson says"),
+             diagnostics);
+    return std::nullopt;
   }
-  const fs::path records = folder.path() / "records";
-  const Stopwatch stopwatch;
-  Outcome outcome = run(run_command(example, code, binary, folder.path(), root, records));
-  const double seconds = stopwatch.seconds();
-  trace_run(outcome, folder.path(), worker_context);
-  std::vector<std::string> files = program_files(compiled, outcome, worker_context.run_context());
-  if (auto wrong = judge_run(outcome, {"program", example.seconds, example.exit_code})) {
-    return report(*std::move(wrong));
-  }
-  ExampleResult result{shown, std::move(outcome.out),
-                       records_in(records, code, example, lesson, diagnostics), seconds,
-                       std::move(files)};
-  result.page = run_in_page(example, code.text, result, worker_context);
-  return result;
+  return run_example(example, *program, lesson, worker_context, diagnostics);
 }
 
 }  // namespace mjcourse

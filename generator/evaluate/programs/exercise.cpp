@@ -7,7 +7,7 @@
 #include "base/files.h"
 #include "base/nearest.h"
 #include "base/running_text.h"
-#include "evaluate/programs/example.h"
+#include "evaluate/programs/version_runs.h"
 #include "report/refused_file.h"
 
 namespace mjcourse {
@@ -58,6 +58,31 @@ Example not_quoted(Example program) {
   return program;
 }
 
+Example hidden_program(const Exercise& exercise) {
+  Example program = not_quoted(exercise.program);
+  program.file = *exercise.hidden;
+  program.native = "no page has its checks";
+  return program;
+}
+
+std::vector<std::string> shown_versions(const ExerciseText& text) {
+  std::vector<std::string> versions;
+  for (const Variant& variant : text.variants()) versions.push_back(text.in_place(variant));
+  return versions;
+}
+
+std::vector<std::string> hidden_versions(const Exercise& exercise, const ExerciseFiles& files) {
+  std::vector<std::string> versions;
+  const auto add = [&](const std::string& code) {
+    const std::string& region = exercise.program.region->text;
+    versions.push_back(
+        with_code_in_region(*files.hidden, region, code, exercise.hidden->text).value());
+  };
+  add(files.text.solution());
+  for (const Variant& variant : files.text.variants()) add(variant.code);
+  return versions;
+}
+
 class Trials {
  public:
   Trials(const Exercise& exercise, const ExerciseFiles& files, const Lesson& lesson,
@@ -65,16 +90,21 @@ class Trials {
       : exercise_(exercise),
         files_(files),
         lesson_(lesson),
-        worker_context_(worker_context),
-        diagnostics_(diagnostics) {}
+        diagnostics_(diagnostics),
+        shown_(not_quoted(exercise.program), shown_versions(files.text), lesson, worker_context) {
+    if (!files.hidden) return;
+    hidden_.emplace(hidden_program(exercise), hidden_versions(exercise, files), lesson,
+                    worker_context);
+  }
 
   std::optional<ExerciseResult> run() {
     const ExerciseText& text = files_.text;
     ExerciseResult result{text.program(text.starter().code), {}, {}};
-    if (files_.hidden && !try_hidden_solution(result.hidden)) return std::nullopt;
+    if (hidden_ && !try_hidden_solution(result.hidden)) return std::nullopt;
     bool is_whole = true;
-    for (const Variant& variant : text.variants()) {
-      const std::optional<Made> made = checks_of(variant, result);
+    for (std::size_t i = 0; i < text.variants().size(); ++i) {
+      const Variant& variant = text.variants()[i];
+      const std::optional<Made> made = checks_of(i, result);
       if (made && made->shown.empty()) {
         fail(variant, "E-exercise-check", "the program makes no check",
              "check what its reader is to write: `expect(CONDITION, \"what should hold\")`");
@@ -96,16 +126,18 @@ class Trials {
  private:
   // What the hidden checks say of themselves; false (reported) where the solution fails one.
   bool try_hidden_solution(std::vector<std::string>& names) {
-    const auto checks = hidden_checks(files_.text.solution(), nullptr);
-    if (!checks) return false;
-    for (const Check& check : *checks) names.push_back(check.what);
-    report_failing_checks(hidden_program(), *files_.hidden, *checks, lesson_, diagnostics_);
-    return failing(*checks).empty();
+    const auto ran = run(*hidden_, 0, nullptr);
+    if (!ran) return false;
+    const Checks& checks = ran->records.checks;
+    for (const Check& check : checks) names.push_back(check.what);
+    report_failing_checks(hidden_program(exercise_), *files_.hidden, checks, lesson_, diagnostics_);
+    return failing(checks).empty();
   }
 
   // With the variant in the solution's place.
-  std::optional<Made> checks_of(const Variant& variant, ExerciseResult& result) {
-    auto ran = try_text(exercise_.program, files_.text.in_place(variant), &variant);
+  std::optional<Made> checks_of(std::size_t index, ExerciseResult& result) {
+    const Variant& variant = files_.text.variants()[index];
+    auto ran = run(shown_, index, &variant);
     if (!ran) return std::nullopt;
     if (ran->page) {
       if (variant.name.empty()) result.why_not = ran->page->why_not;
@@ -118,35 +150,18 @@ class Trials {
       }
     }
     Made made{std::move(ran->records.checks), {}};
-    if (!files_.hidden) return made;
-    auto hidden = hidden_checks(variant.code, &variant);
-    if (!hidden) return std::nullopt;
-    made.hidden = *std::move(hidden);
+    if (!hidden_) return made;
+    auto more = run(*hidden_, index + 1, &variant);
+    if (!more) return std::nullopt;
+    made.hidden = std::move(more->records.checks);
     return made;
   }
 
-  std::optional<Checks> hidden_checks(const std::string& code, const Variant* variant) {
-    const std::string& path = exercise_.hidden->text;
-    const auto text =
-        with_code_in_region(*files_.hidden, exercise_.program.region->text, code, path);
-    auto ran = try_text(hidden_program(), text.value(), variant);
-    if (!ran) return std::nullopt;
-    return std::move(ran->records.checks);
-  }
-
-  Example hidden_program() const {
-    Example program = exercise_.program;
-    program.file = *exercise_.hidden;
-    program.native = "no page has its checks";
-    return program;
-  }
-
   // What is reported says of which variant it is.
-  std::optional<ExampleResult> try_text(const Example& program, const std::string& text,
-                                        const Variant* variant) {
+  std::optional<ExampleResult> run(VersionRuns& versions, std::size_t index,
+                                   const Variant* variant) {
     Diagnostics found;
-    auto result =
-        evaluate_example(not_quoted(program), {text, {}}, lesson_, worker_context_, found);
+    auto result = versions.run(index, found);
     for (Diagnostic& one : found) {
       // What is left to be written uses not all that is there for it.
       if (one.severity == Severity::warning) continue;
@@ -214,8 +229,9 @@ class Trials {
   const Exercise& exercise_;
   const ExerciseFiles& files_;
   const Lesson& lesson_;
-  WorkerContext& worker_context_;
   Diagnostics& diagnostics_;
+  VersionRuns shown_;                  // of the variants
+  std::optional<VersionRuns> hidden_;  // of the solution, and then of the variants
 };
 
 std::optional<std::string> read_program(const LocatedText& path, const Lesson& lesson,

@@ -110,7 +110,7 @@ std::string other_end(const json& end, int expected) {
 
 PageRun judge(const json& answer, const Example& example, const ExampleResult& native) {
   if (!answer.at("ok").get<bool>()) {
-    return {"the page's compiler says: " + first_error(answer.at("diagnostics")), {}, ""};
+    return {kPageRefuses + first_error(answer.at("diagnostics")), {}, ""};
   }
   const json& end = answer.at("end");
   if (end.at("how") == "memory") return {"it takes more memory than a page has", {}, ""};

@@ -14,6 +14,9 @@
 
 namespace mjcourse {
 
+// How a PageRun says why a program that the page's compiler refuses does not run there.
+inline constexpr const char* kPageRefuses = "the page's compiler says: ";
+
 // `code` is all of the program, and `native` what came of its first run. Nothing where the build
 // has no compiler of a page.
 std::optional<PageRun> run_in_page(const Example& example, const std::string& code,

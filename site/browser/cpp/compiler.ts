@@ -64,6 +64,17 @@ interface Objects {
   readonly how: Omit<Linking, "out" | "tableBegin">;
 }
 
+/** The program that was compiled last. */
+interface Built {
+  readonly program: Program;
+  /** Nothing where it does not compile. */
+  readonly code: Uint8Array | undefined;
+  readonly diagnostics: readonly Diagnostic[];
+  /** Seconds. */
+  readonly compile: number;
+  readonly link: number;
+}
+
 /** The linker puts a trap in its place. One that a macro or a header writes is not seen here. */
 const noMain = "it has no main(), where a program begins";
 const hasMain = ({ main, files }: Program) => /\bmain\s*\(/.test(asText(files[main] ?? ""));
@@ -72,6 +83,7 @@ const recordsPath = "/records";
 
 export class Compiler {
   #isPrepared = false;
+  #built: Built | undefined;
 
   private constructor(
     private readonly parts: Parts,
@@ -98,13 +110,9 @@ export class Compiler {
   /** Gives nothing where the program does not compile. */
   async run(program: Program, listener: Listener): Promise<Finished | undefined> {
     const clock = new Stopwatch();
-    const objects = this.#compile(program);
-    const compile = clock.lap();
-    const linked = this.#link(objects);
-    const link = clock.lap();
-
-    const { code } = linked;
-    listener.compiled(code !== undefined, [...objects.diagnostics, ...linked.diagnostics]);
+    const { code, diagnostics, compile, link } = this.#build(program);
+    clock.lap();
+    listener.compiled(code !== undefined, diagnostics);
     if (code === undefined) return undefined;
 
     const files = filesToRun(program);
@@ -140,6 +148,20 @@ export class Compiler {
   /** What a run has printed with what it is to print. */
   compare(printed: string, stated: readonly StatedOutput[]): Promise<OutputChanges> {
     return outputChanges(this.parts.engine, printed, stated);
+  }
+
+  /** A program that is run again, perhaps with other arguments, is not compiled again. */
+  #build(program: Program): Built {
+    if (this.#built && areSame(this.#built.program, program)) {
+      return { ...this.#built, compile: 0, link: 0 };
+    }
+    const clock = new Stopwatch();
+    const objects = this.#compile(program);
+    const compile = clock.lap();
+    const { code, diagnostics } = this.#link(objects);
+    const all = [...objects.diagnostics, ...diagnostics];
+    this.#built = { program, code, diagnostics: all, compile, link: clock.lap() };
+    return this.#built;
   }
 
   #compile(program: Program, withLines = false): Objects {
@@ -181,6 +203,23 @@ function nameForReader(path: string): string {
   const folders = [programFolder, "/include/eigen3", "/include", "/usr/include/c++/v1"];
   const folder = folders.find((one) => path.startsWith(`${one}/`));
   return folder === undefined ? path : path.slice(folder.length + 1);
+}
+
+/** Are they compiled of the same? Models are for the run. */
+function areSame(one: Program, other: Program): boolean {
+  const compiled = ({ files, models }: Program) =>
+    Object.entries(files).filter(([name]) => !name.startsWith(`${models}/`));
+  const files = compiled(one);
+  return (
+    one.main === other.main &&
+    files.length === compiled(other).length &&
+    files.every(([name, content]) => isSame(content, other.files[name]))
+  );
+}
+
+function isSame(one: string | Uint8Array, other: string | Uint8Array | undefined): boolean {
+  if (typeof one === "string" || typeof other === "string") return one === other;
+  return one.length === other?.length && one.every((byte, i) => byte === other[i]);
 }
 
 const nameOf = (path: string) => path.slice(path.lastIndexOf("/") + 1).replace(/\.cpp$/, "");

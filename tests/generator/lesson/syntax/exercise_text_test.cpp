@@ -106,8 +106,8 @@ TEST(ExerciseText, TakesTheTextOfARegionOutOfAProgramAndIntoAnother) {
 }
 
 TEST(ExerciseText, TellsWhereARegionEnds) {
-  EXPECT_EQ(behind_region("a;\n // #region answer \nb;\n// #endregion\nc;", "answer"), 41u);
-  EXPECT_EQ(behind_region("// #region answer\n// #endregion", "answer"), 32u);
+  EXPECT_EQ(behind_region("a;\n // #region answer \nb;\n// #endregion\nc;", "answer"), 40u);
+  EXPECT_EQ(behind_region("// #region answer\n// #endregion", "answer"), 31u);
   EXPECT_EQ(behind_region("// #region answer\n", "answer"), std::nullopt);
   EXPECT_EQ(behind_region("// #endregion\n", "answer"), std::nullopt);
 }
