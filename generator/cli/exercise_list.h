@@ -1,4 +1,5 @@
 // The exercises of a course, as the command line names them.
+// Tested by tests/system/try.mjs.
 #pragma once
 
 #include <string>

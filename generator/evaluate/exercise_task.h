@@ -1,5 +1,6 @@
 // ExerciseTask: the starter and the wrong variants of an exercise, compiled and run. Its solution
-// is the work of a ProgramTask. Tested by tests/courses/exercise.
+// is the work of a ProgramTask.
+// Tested by tests/courses/exercise.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,6 @@
 // A site for a class that hands in its own solutions: it has none of the course's, in no page,
-// file, zip or index. What their programs print, the text may still quote. Tested by
-// tests/site/without-solutions.mjs.
+// file, zip or index. What their programs print, the text may still quote.
+// Tested by tests/site/without-solutions.mjs.
 #pragma once
 
 #include <set>

@@ -3,6 +3,7 @@
 // The solution is a program like any other, and runs as one (evaluate/program_task.h). Here its
 // place is taken by the starter, which compiles and fails a check; and by the mistakes, each of
 // which fails the check that is to refuse it, and no other. Each runs as the page will run it, too.
+// Tested by tests/courses/exercise.
 #pragma once
 
 #include <optional>

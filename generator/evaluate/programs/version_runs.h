@@ -1,5 +1,6 @@
 // Runs of several versions of a program, which are compiled once where they can be joined
 // (joined_programs.h), and one by one where they cannot.
+// Tested by tests/courses/exercise.
 #pragma once
 
 #include <cstddef>

@@ -20,7 +20,6 @@ int main() {
                    "its speed is 9.8 m/s at the end only", 2))
     return 0;
   for (double t : {1, 2, 3}) {
-    expect_near(fallen(2 * t), 4 * fallen(t), 1e-9,
-                "twice the time is four times the way");
+    expect_near(fallen(2 * t), 4 * fallen(t), 1e-9, "twice the time is four times the way");
   }
 }
