@@ -47,11 +47,12 @@ json program_of(const Asked& asked, const Lesson& own, const std::string& name) 
   return found;
 }
 
-// The program's file; of a region, the line that names it first.
+// The program's file; of a region, its first line.
 json file_of(const Asked& asked, const std::string& file, const std::string& region) {
   const auto text = asked.documents.text_or_saved(file);
   if (!text) return nullptr;
-  const std::size_t at = region.empty() ? text->text().npos : text->text().find(region);
+  const std::size_t at =
+      region.empty() ? text->text().npos : text->text().find("#region " + region);
   return line_of_file(asked, file, at == text->text().npos ? 1 : text->position(at).line);
 }
 

@@ -60,8 +60,9 @@ void add_options(Suggestions& found, const std::string& info) {
       found.all.push_back({next, Kind::keyword, std::string(kind.meaning)});
     }
   }
-  // Of a region of a program nothing more is said.
-  if (own == nullptr || info.find('#') != info.npos) return;
+  // Of a region that is shown nothing more is said.
+  const bool is_region = own != nullptr && own->words == "cpp" && info.find('#') != info.npos;
+  if (own == nullptr || is_region) return;
   for (const FenceOption& option : own->options) {
     const std::string text = text_of(option);
     const bool given = std::ranges::any_of(words, [&](const std::string& word) {

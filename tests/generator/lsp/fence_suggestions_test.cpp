@@ -46,6 +46,8 @@ TEST(FenceSuggestions, AreNotWhatIsThereAlready) {
   EXPECT_EQ(options("cpp file=examples/a.cpp optimize "),
             "timeout=|expect=|args=|native|because=|");
   EXPECT_EQ(options("cpp file=examples/a.cpp#part "), "");
+  EXPECT_EQ(options("cpp exercise file=examples/a.cpp#part "),
+            "hidden=|timeout=|args=|optimize|native|because=|");
 }
 
 TEST(FenceSuggestions, AreTheValuesOfAnOption) {
