@@ -84,8 +84,10 @@ class Judging {
                          const std::vector<Check>& known, Diagnostics& faults) const {
     const int rest = random_line();
     Diagnostics found;
+    Example strange = program;
+    strange.handed_in = true;
     const auto result =
-        evaluate_example(program, {with_rest_at(text, program.region->text, rest), {}},
+        evaluate_example(strange, {with_rest_at(text, program.region->text, rest), {}},
                          *exercise_.lesson, worker_context_, found);
     std::vector<Check> checks = none_of(known);
     if (!result) {

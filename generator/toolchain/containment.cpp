@@ -16,10 +16,7 @@ Sandbox program_sandbox(const fs::path& binary, const fs::path& run, const fs::p
   // A link there would open to the program whatever it leads to.
   if (DiskFiles(root).is_folder("models")) sandbox.read.push_back(fs::absolute(root / "models"));
   sandbox.write = {fs::absolute(run)};
-  if (!records.empty()) {
-    sandbox.add = fs::absolute(records);
-    sandbox.write.push_back(sandbox.add);
-  }
+  if (!records.empty()) sandbox.write.push_back(fs::absolute(records));
   sandbox.file_bytes = kMostProgramBytes;
   sandbox.reads_all = !can_be_reached_by_all(binary) || !can_be_reached_by_all(run) ||
                       !can_be_read_by_all(root / "models");
