@@ -40,13 +40,16 @@ int steps_needed(double allowed, double t, double g) {
 
 void check(const Model& model, double allowed, double t, double g) {
   const int n = steps_needed(allowed, t, g);
+  const std::string here =
+      "for " + to_text(1000 * allowed) + " mm in " + to_text(t) + " s, ";
   if (!expect(n > 0, "the number of steps is positive")) return;
   const bool is_enough = expect(
       below(model, n, t) <= allowed, "the box stays within what is allowed",
-      "these steps are too long, even if only by a little");
+      here + "these steps are too long, even if only by a little");
   if (is_enough && n > 1)
-    expect(below(model, n - 1, t) > allowed, "one step fewer is too few",
-           "longer steps would do: there are more of them than necessary");
+    expect(
+        below(model, n - 1, t) > allowed, "one step fewer is too few",
+        here + "longer steps would do: there are more of them than necessary");
 }
 
 int main() {

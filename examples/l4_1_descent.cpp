@@ -54,6 +54,9 @@ void step_to_nearer(Vector4d& q, const Vector4d& target, double rate) {
   // const double sign = q.dot(target) > 0 ? -1 : 1;
   // q -= rate * (q - sign * target);
   // mju_normalize4(q.data());
+  // #wrong ignores-the-rate: the whole gradient is the whole angle
+  // const double sign = q.dot(target) < 0 ? -1 : 1;
+  // q = (q + sign * target).normalized();
   // #wrong forgets-the-length: q has unit length
   // const double sign = q.dot(target) < 0 ? -1 : 1;
   // q -= rate * (q - sign * target);
@@ -79,12 +82,17 @@ void check(int n) {
   if (!expect_near(stepped.norm(), 1, 1e-9, "q has unit length after a step",
                    "a sum of two unit quaternions is shorter"))
     return;
-  if (expect_near(error(stepped, target).norm(), error(q, target).norm() / 2,
-                  1e-9, "half the gradient is half the angle",
-                  "of the target's names it takes the one that is far from q"))
-    expect_near(error(negative, stepped).norm(), 0, 1e-9,
-                "from -q it gets to the same pose as from q",
-                "-q is nearer to the other name of the target");
+  if (!expect_near(error(stepped, target).norm(), error(q, target).norm() / 2,
+                   1e-9, "half the gradient is half the angle",
+                   "of the target's names it takes the one that is far from q"))
+    return;
+  expect_near(error(negative, stepped).norm(), 0, 1e-9,
+              "from -q it gets to the same pose as from q",
+              "-q is nearer to the other name of the target");
+  step_to_nearer(q, target, 1);
+  expect_near(error(q, target).norm(), 0, 1e-6,
+              "the whole gradient is the whole angle",
+              "the rate does not say how far it goes");
 }
 
 // The angle to the target, in degrees, before and after each of eight steps.

@@ -30,7 +30,7 @@ std::vector<ListedExercise> exercises_of(const Course& course) {
 tl::expected<ListedExercise, Refusal> find_exercise(const Course& course,
                                                     const std::filesystem::path& root,
                                                     const std::vector<std::string>& words) {
-  const std::string form = "as in " + our_command("try 1.2");
+  const std::string form = "as in " + our_command("try 1.1 l1_1_sensors");
   if (words.empty() || words.size() > 2) {
     return wrong_words("try takes a lesson and the name of an exercise", form);
   }

@@ -139,6 +139,11 @@ int grade(const GradeOptions& options) {
     print_diagnostics(diagnostics);
     return kCourseErrors;
   }
+  if (exercises.empty()) {
+    return tell(Refusal{kWrongUsage, "nothing was handed in here",
+                        "name the folder of each hand-in, with NAME.cpp or NAME/NAME.cpp of an "
+                        "exercise of the course"});
+  }
   std::vector<GradedHandIn> graded;
   for (const std::string& folder : options.hand_ins) {
     graded.push_back({folder, std::vector<Grade>(exercises.size())});

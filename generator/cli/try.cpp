@@ -4,17 +4,21 @@
 // needed; write what is not there yet; judge the text, and again whenever it was saved, until all
 // checks hold.
 // Tested by tests/system/try.mjs.
+#include <algorithm>
 #include <iostream>
 #include <stop_token>
 #include <string>
 
 #include "base/beneath.h"
 #include "base/counted.h"
+#include "base/text_lines.h"
+#include "base/utf8.h"
 #include "cli/commands.h"
 #include "cli/exercise_list.h"
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "evaluate/hand_in.h"
+#include "evaluate/versions.h"
 #include "lesson/syntax/exercise_text.h"
 #include "page/program_folder.h"
 #include "process/subprocess.h"
@@ -24,6 +28,26 @@ namespace mjcourse {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string without_returns(std::string text) {
+  std::erase(text, '\r');
+  return text;
+}
+
+constexpr std::size_t kMostShown = 30;  // lines
+
+// The first lines of what a program printed, set apart.
+std::string shown(const std::string& output) {
+  std::string text;
+  const std::vector<std::string_view> lines = lines_of(output);
+  for (std::size_t i = 0; i < std::min(lines.size(), kMostShown); ++i) {
+    text += "  | " + readable(std::string(lines[i])) + "\n";
+  }
+  if (lines.size() > kMostShown) {
+    text += "  and " + std::to_string(lines.size() - kMostShown) + " lines more\n";
+  }
+  return text;
+}
 
 class Trying {
  public:
@@ -68,7 +92,7 @@ class Trying {
                 << std::flush;
       return false;
     }
-    if (judged_.files.text.program(*code) != *text) {
+    if (judged_.files.text.program(*code) != without_returns(*text)) {
       std::cout << "note: what you changed outside of the region does not count here\n";
     }
     const Verdict verdict = judge_.judge(judged_, *code, path, false);
@@ -80,6 +104,7 @@ class Trying {
   fs::path file() const { return folder_ / (listed_.name + ".cpp"); }
 
   static void tell(const Verdict& verdict) {
+    if (!verdict.output.empty()) std::cout << "it printed\n" << shown(verdict.output) << '\n';
     print_diagnostics(verdict.faults);
     std::string failing, holding;
     int held = 0;
@@ -133,7 +158,9 @@ int try_exercise(const TryOptions& options) {
       fs::absolute(options.folder.empty() ? fs::path(listed->name) : options.folder)
           .lexically_normal();
   const Trying trying(*listed, *judged, judge, folder);
-  trying.write_missing({course, verified.evaluation, files, assets, {}, {}});
+  Evaluation evaluation;
+  evaluation.versions = known_versions(assets);
+  trying.write_missing({course, evaluation, files, assets, {}, {}});
   trying.tell_what_to_do();
   if (options.open) open_editor(folder / (listed->name + ".cpp"));
   if (options.once) return trying.judge_and_tell() ? kClean : kCourseErrors;

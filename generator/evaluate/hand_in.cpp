@@ -22,7 +22,7 @@ constexpr const char* kForging =
 // The text as the compiler takes it: a line that ends with a backslash goes on in the next; without
 // numbers, in which a quote may stand, comments, and what stands between quotes.
 std::string code_alone(std::string code) {
-  RE2::GlobalReplace(&code, R"(\\[ \t]*\r?\n)", "");
+  RE2::GlobalReplace(&code, R"(\\[ \t\r]*\n)", "");
   static const RE2 words(R"((\b[0-9][\w.']*|//[^\n]*|/\*(?s:.*?)\*/|)"
                          R"("(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'))");
   RE2::GlobalReplace(&code, words, " ");
@@ -31,6 +31,9 @@ std::string code_alone(std::string code) {
 
 // Why the text is not run; "" where it is.
 std::string refusal(const std::string& text, const std::string& solution) {
+  // A compiler takes some for blanks, where this does not.
+  static const RE2 control(R"([\x00-\x08\x0b\x0c\x0e-\x1f\x7f])");
+  if (RE2::PartialMatch(text, control)) return "a region has no control characters";
   const std::string code = code_alone(text), known = code_alone(solution);
   static const RE2 directive(R"((?m)^\s*(?:#|%:|\?\?=))"), raw(R"(\b(?:u8|[uUL])?R")");
   if (RE2::PartialMatch(code, directive) && !RE2::PartialMatch(known, directive)) {
@@ -55,10 +58,11 @@ int random_line() {
   return std::uniform_int_distribution(2 * kRestLine, 500 * kRestLine)(device);
 }
 
-// The line that a compiler counts `line` of the solution's run as, with `rest` as the first one
-// behind the region.
-int counted_line(int line, int rest) {
-  return line < kRestLine ? line : line - kRestLine + rest;
+// Was it made by the program's own lines? These are the ones behind the region, and before it, that
+// on which the solution's run made it.
+bool is_own(const Check& made, const Check& known, int rest, int lines) {
+  return (made.line >= rest && made.line < rest + lines) ||
+         (made.line < kRestLine && made.line == known.line);
 }
 
 // `program`, of which a compiler counts what stands behind its region from `rest` on.
@@ -69,7 +73,9 @@ std::string with_rest_at(const std::string& program, const std::string& region, 
 
 // As if none had been made.
 std::vector<Check> none_of(std::vector<Check> checks) {
-  for (Check& check : checks) check = {check.what, false, "", "", check.points, check.line};
+  for (Check& check : checks) {
+    check = {check.what, false, "it was not reached", "", check.points, check.line};
+  }
   return checks;
 }
 
@@ -81,7 +87,7 @@ class Judging {
 
   // Each of `known` with what the run of `program`, whose text is `text`, made of it.
   std::vector<Check> run(const Example& program, const std::string& text,
-                         const std::vector<Check>& known, Diagnostics& faults) const {
+                         const std::vector<Check>& known, Verdict& verdict) const {
     const int rest = random_line();
     Diagnostics found;
     Example strange = program;
@@ -90,16 +96,19 @@ class Judging {
         evaluate_example(strange, {with_rest_at(text, program.region->text, rest), {}},
                          *exercise_.lesson, worker_context_, found);
     std::vector<Check> checks = none_of(known);
+    const auto lines = static_cast<int>(std::ranges::count(text, '\n'));
     if (!result) {
       std::erase_if(found, [](const Diagnostic& one) { return one.severity != Severity::error; });
-      faults.insert(faults.end(), found.begin(), found.end());
+      verdict.faults.insert(verdict.faults.end(), found.begin(), found.end());
       return checks;
     }
+    if (verdict.output.empty()) verdict.output = result->output;
     for (const Check& made : result->records.checks) {
       const auto is = std::ranges::find(checks, made.what, &Check::what);
       if (is == checks.end()) continue;
-      if (made.line != counted_line(is->line, rest)) {
-        faults.push_back(error_at({}, "E-hand-in", "a check was not made by the program itself"));
+      if (!is_own(made, *is, rest, lines)) {
+        verdict.faults.push_back(
+            error_at({}, "E-hand-in", "a check was not made by the program itself"));
         return none_of(known);
       }
       is->holds = made.holds;
@@ -186,17 +195,17 @@ Verdict ExerciseJudge::judge(const JudgedExercise& exercise, const std::string& 
                              const std::string& name, bool hidden) const {
   WorkerContext worker_context(run_context_);
   Verdict verdict{
-      none_of(exercise.shown), hidden ? none_of(exercise.hidden) : std::vector<Check>(), {}};
+      none_of(exercise.shown), hidden ? none_of(exercise.hidden) : std::vector<Check>(), {}, ""};
   const ExerciseText& text = exercise.files.text;
   if (const std::string why = refusal(code, text.solution()); !why.empty()) {
     verdict.faults.push_back(error_at({}, "E-hand-in", why));
   } else {
     const Judging judging(exercise, worker_context);
     verdict.shown =
-        judging.run(exercise.exercise->program, text.program(code), exercise.shown, verdict.faults);
+        judging.run(exercise.exercise->program, text.program(code), exercise.shown, verdict);
     if (hidden && exercise.exercise->hidden && verdict.faults.empty()) {
       verdict.hidden = judging.run(hidden_program(*exercise.exercise), hidden_text(exercise, code),
-                                   exercise.hidden, verdict.faults);
+                                   exercise.hidden, verdict);
     }
   }
   // The hand-in's reader knows nothing of the lesson's text.

@@ -33,6 +33,7 @@ struct Verdict {
   std::vector<Check> shown, hidden;
   // Why the text has no checks, or none that count: it does not compile, does not end …
   Diagnostics faults;
+  std::string output = {};  // of the program that its reader knows
 
   bool holds() const;
   double points() const;

@@ -3,6 +3,9 @@
 #include <cstddef>
 #include <utility>
 #include <variant>
+#include <vector>
+
+#include "course/uses.h"
 
 namespace mjcourse {
 namespace {
@@ -53,10 +56,11 @@ void withhold_solutions(Lesson& lesson, const std::set<std::string>& programs) {
 
 void withhold_solutions(Course& course, Evaluation& evaluation) {
   const std::set<std::string> programs = exercise_programs(course);
+  std::vector<std::set<std::size_t>> withheld;
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
     Lesson& lesson = course.lessons[i];
     LessonResults& results = evaluation.lessons[i];
-    const std::set<std::size_t> blocks = solutions_in(lesson, programs);
+    const std::set<std::size_t>& blocks = withheld.emplace_back(solutions_in(lesson, programs));
     for (const std::size_t block : blocks) results.of_block.erase(block);
     std::erase_if(results.claims, [&](const Claim& claim) {
       return blocks.contains(claim.block) && claim.kind != Claim::Kind::citation;
@@ -64,6 +68,14 @@ void withhold_solutions(Course& course, Evaluation& evaluation) {
     results.tally = tally_of(results.claims);
     withhold(lesson, blocks);
   }
+  // Nor is it told which of MuJoCo's names a solution uses.
+  std::erase_if(evaluation.api, [&](ApiEntry& entry) {
+    const std::size_t erased = std::erase_if(entry.uses_in_code, [&](const CodeUse& use) {
+      return use.page < withheld.size() && withheld[use.page].contains(use.block);
+    });
+    return erased > 0 && entry.uses_in_code.empty() &&
+           uses_of_link(course, "api:" + entry.name).empty();
+  });
 }
 
 }  // namespace mjcourse

@@ -63,6 +63,17 @@ function tryOut(zip, place) {
   return spawnSync("sh", ["-c", start], options);
 }
 
+// Says whether the starter of an exercise ends by itself, with words about its checks alone.
+function failsACheck(zip, complaints, status, visitor) {
+  const others = complaints.replace(/^(?:\[[ x]\] | {4}).*\n/gm, "");
+  const fails = /^\[ \] /m.test(complaints);
+  return [
+    visitor.expect(status === 0, zip, `ends with ${status}`),
+    visitor.expect(others === "", zip, others),
+    visitor.expect(fails, zip, "its starter fails no check"),
+  ].every(Boolean);
+}
+
 // Says whether it prints what each page shows of it.
 function compare(zip, outputs, visitor) {
   const place = mkdtempSync(join(tmpdir(), "mjcourse-"));
@@ -70,6 +81,7 @@ function compare(zip, outputs, visitor) {
     const { stdout, stderr, status } = tryOut(zip, place);
     // A lesson may show how a simulation breaks.
     const complaints = stderr.replace(/^MuJoCo warning: .*\n+/gm, "");
+    if (zip.startsWith("exercises/")) return failsACheck(zip, complaints, status, visitor);
     let good = visitor.expect(complaints === "", zip, complaints);
     for (const { path, label, printed } of outputs) {
       const code = Number(/exits with code (\d+)/.exec(label)?.[1] ?? 0);
@@ -88,13 +100,13 @@ await testSite(async (visitor) => {
   for (const path of pagesWith('.zip"')) {
     await visitor.visit(path, { javaScript: false }, async (page) => {
       for (const { zip, label, printed } of await page.evaluate(listings)) {
-        const [, file] = /\/((?:examples|snippets)\/.*)$/.exec(zip);
+        const [, file] = /\/((?:examples|snippets|exercises)\/.*)$/.exec(zip);
         const known = shown.get(file) ?? [];
         shown.set(file, label ? [...known, { path, label, printed }] : known);
       }
     });
   }
-  const zips = globSync("{examples,snippets}/**/*.zip", { cwd: folder }).sort();
+  const zips = globSync("{examples,snippets,exercises}/**/*.zip", { cwd: folder }).sort();
   visitor.expect(zips.length > 0, folder, "there is no program to build");
   const lost = zips.filter((zip) => !shown.has(zip));
   visitor.expect(lost.length === 0, folder, `${lost} have no links`);

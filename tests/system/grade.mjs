@@ -97,6 +97,7 @@ code("reads-its-name", 0, own, all('getenv("MJCOURSE_RECORDS");'));
 code("assembler", 0, own, all('asm("nop");'));
 code("includes", 0, "no preprocessor directives", `#include "/etc/passwd"\n${right}`);
 code("digraph", 0, "no preprocessor directives", `%:define double int\n${right}`);
+code("form-feed", 0, "no control characters", `  return 0;\n%\\\f\n:define exp\\\f\nect 1\n`);
 code("behind-a-comment", 0, "no preprocessor directives", `/* */ #define double int\n${right}`);
 code("behind-a-quote", 0, own, all("int n = 1'0; expect(n, std::string()); n = 2'0;"));
 code("raw-utf8", 0, "no raw strings", `  auto s = u8R"(\n)"; (void)s;\n${right}`);

@@ -44,6 +44,7 @@ test("it writes the starter, and says what fails", () => {
       its speed is 9.8 m/s at the end only
       it is 0, and should be 4.905 ± 1e-09
   [ ] twice the time is four times the way
+      it was not reached
 0 of 2 checks hold
 
 `,
@@ -132,11 +133,11 @@ test("it says which exercises there are", () => {
   );
   assert.equal(
     refused("1.7"),
-    "2: mjcourse: there is no lesson 1.7; did you mean `1.1`?\n  cure: as in `mjcourse try 1.2`\n",
+    "2: mjcourse: there is no lesson 1.7; did you mean `1.1`?\n  cure: as in `mjcourse try 1.1 l1_1_sensors`\n",
   );
   assert.equal(
     refused(),
-    "2: mjcourse: try takes a lesson and the name of an exercise\n  cure: as in `mjcourse try 1.2`\n",
+    "2: mjcourse: try takes a lesson and the name of an exercise\n  cure: as in `mjcourse try 1.1 l1_1_sensors`\n",
   );
   assert.ok(!existsSync(join(folder, "fal")));
 });

@@ -404,7 +404,8 @@ inline bool expect_near(const Eigen::Ref<const Eigen::VectorXd>& value,
                     ((value - expected).array().abs() <= tolerance).all();
   return add_check(
       {what, near, meaning,
-       "it is " + to_text(value) + ", and should be " + to_text(expected)},
+       "it is " + to_text(value, 6) + ", and should be " +
+           to_text(expected, 6) + " to within " + to_json(tolerance)},
       points, line);
 }
 

@@ -234,8 +234,9 @@ class Trials {
   std::optional<VersionRuns> hidden_;  // of the solution, and then of the variants
 };
 
-std::optional<std::string> read_program(const LocatedText& path, const Lesson& lesson,
-                                        WorkerContext& worker_context, Diagnostics& diagnostics) {
+std::optional<std::string> read_program(const LocatedText& path, const std::string& cure,
+                                        const Lesson& lesson, WorkerContext& worker_context,
+                                        Diagnostics& diagnostics) {
   const DiskFiles files(worker_context.root());
   const Place place = place_of(*lesson.source, path.span());
   if (const auto refusal = files.refusal(path.text)) {
@@ -244,8 +245,7 @@ std::optional<std::string> read_program(const LocatedText& path, const Lesson& l
   }
   auto text = files.read(path.text);
   if (text) return *std::move(text);
-  diagnostics.push_back(error_at(place, "E-example-file", "cannot read " + text.error(),
-                                 "write it: the fence is empty, so its text is the file's"));
+  diagnostics.push_back(error_at(place, "E-example-file", "cannot read " + text.error(), cure));
   return std::nullopt;
 }
 
@@ -256,7 +256,8 @@ std::optional<ExerciseFiles> read_exercise_files(const Exercise& exercise, const
                                                  Diagnostics& diagnostics) {
   const LocatedText& path = exercise.program.file;
   const std::string& region = exercise.program.region->text;
-  const auto program = read_program(path, lesson, worker_context, diagnostics);
+  const auto program = read_program(path, "write it: the fence is empty, so its text is the file's",
+                                    lesson, worker_context, diagnostics);
   if (!program) return std::nullopt;
   const std::string& first =
       worker_context.run_context().shown().at(path.text).exercises.front()->program.region->text;
@@ -276,7 +277,9 @@ std::optional<ExerciseFiles> read_exercise_files(const Exercise& exercise, const
   if (!text) return std::nullopt;
   ExerciseFiles files{*text, std::nullopt};
   if (!exercise.hidden) return files;
-  files.hidden = read_program(*exercise.hidden, lesson, worker_context, diagnostics);
+  files.hidden =
+      read_program(*exercise.hidden, "write it, with an empty region `" + region + "` and checks",
+                   lesson, worker_context, diagnostics);
   if (!files.hidden) return std::nullopt;
   const auto inside = code_in_region(*files.hidden, region);
   if (inside && inside->find_first_not_of(" \t\r\n") == inside->npos) return files;

@@ -142,6 +142,12 @@ class Reader {
     if (!record.is_object() || !record.contains("check") || !record.contains("value")) return false;
     try {
       Check check = check_of(record["check"].get<std::string>(), record["value"]);
+      if (check.points < 0) {
+        faults_.push_back({check.what,
+                           "the check \"" + beginning(check.what) + "\" has fewer than 0 points",
+                           "give 0 or more"});
+        return true;
+      }
       const auto known = std::ranges::find(records_.checks, check.what, &Check::what);
       if (known == records_.checks.end()) {
         records_.checks.push_back(std::move(check));

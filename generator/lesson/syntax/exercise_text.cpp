@@ -128,11 +128,17 @@ class ExerciseReader {
   bool find_begin(const std::string& region) {
     const SourceText& file = exercise_.file_;
     int line = 1;
-    while (line <= file.line_count() && !opens(file.line(line), region)) ++line;
+    std::vector<std::string> known;
+    for (; line <= file.line_count() && !opens(file.line(line), region); ++line) {
+      const auto mark = mark_in(file.line(line));
+      if (mark && mark->word == "region") known.push_back(mark->rest);
+    }
     exercise_.begin_ = line;
     return line <= file.line_count() ||
            fail(1, "the program has no region `" + region + "`",
-                "put the solution between `// #region " + region + "` and `// #endregion`");
+                known.empty()
+                    ? "put the solution between `// #region " + region + "` and `// #endregion`"
+                    : suggest(region, known));
   }
 
   bool read_lines() {
@@ -195,6 +201,11 @@ class ExerciseReader {
     if (trimmed(exercise_.solution_).empty()) {
       fail(exercise_.begin_, "the region has no solution",
            "write it as code, before `// #starter`");
+    }
+    static const RE2 checks(R"(\bexpect(?:_near)?\s*\()");
+    if (RE2::PartialMatch(exercise_.solution_, checks)) {
+      fail(exercise_.begin_, "the solution makes a check, which nobody else would make",
+           "make the checks outside of the region");
     }
     std::vector<ExerciseText::Variant>& all = exercise_.variants_;
     const auto starter = std::ranges::find(all, "", &ExerciseText::Variant::name);

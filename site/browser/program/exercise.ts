@@ -8,7 +8,7 @@ import { recallAnswer, rememberAnswer } from "../client/quiz/answers.js";
 import { reviewed } from "../client/quiz/schedule.js";
 import type { End } from "../cpp/messages.js";
 import { type Check, readChecks } from "./records.js";
-import { counted } from "./sentences.js";
+import { closed, counted } from "./sentences.js";
 
 type Mark = "fails" | "open" | "holds";
 
@@ -73,14 +73,7 @@ function item(name: string, mark: Mark, check: Check | undefined): HTMLElement {
   const sign = make("span", { class: "check-sign", "aria-hidden": "true" }, signs[mark]);
   const word = make("span", { class: "unseen" }, words[mark]);
   const told = [check?.meaning, check?.found].filter((text) => text && mark === "fails");
-  return make(
-    "li",
-    { class: mark },
-    sign,
-    word,
-    name,
-    ...told.map((text) => make("p", {}, capitalized(text!))),
-  );
+  return make("li", { class: mark }, sign, word, name, ...told.map((text) => make("p", {}, text!)));
 }
 
 function notYet(
@@ -92,7 +85,5 @@ function notYet(
   const sentence = `${held} of ${counted(all, "check")} ${held === 1 ? "holds" : "hold"}. `;
   if (mark === "open") return `${sentence}The run did not get to “${name}”.`;
   const meaning = made.get(name)?.meaning;
-  return `${sentence}“${name}” does not${meaning ? `: ${meaning}` : ""}.`;
+  return closed(`${sentence}“${name}” does not${meaning ? `: ${meaning}` : ""}`);
 }
-
-const capitalized = (text: string): string => text.charAt(0).toUpperCase() + text.slice(1);

@@ -37,7 +37,7 @@ export function comparisonSentence({ gone, come }: OutputChanges): string {
 }
 
 /** What others say has a full stop or not. */
-const closed = (sentence: string) => sentence.replace(/[^.!?]$/, "$&.");
+export const closed = (sentence: string): string => sentence.replace(/[^.!?]$/, "$&.");
 
 /** "1 line", "2 lines" */
 export function counted(count: number, noun: string): string {

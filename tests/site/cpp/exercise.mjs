@@ -28,8 +28,8 @@ async function startsWithTheStarter(page, expect) {
   const told = "0 of 2 checks hold. “it falls 4.9 m in the first second” does not: ";
   expect(said === `${told}its speed is 9.8 m/s at the end only.`, said);
   const [top, other] = await checks(page);
-  const means = "Its speed is 9.8 m/s at the end only";
-  expect(top.startsWith(`✗ Fails: ${first} ${means} It is 0, and should be 4.905`), top);
+  const means = "its speed is 9.8 m/s at the end only";
+  expect(top.startsWith(`✗ Fails: ${first} ${means} it is 0, and should be 4.905`), top);
   expect(other === `– Was not reached: ${second}`, other);
   return program;
 }

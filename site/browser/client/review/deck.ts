@@ -58,5 +58,6 @@ export function openedCards(): Card[] {
   const lessons = globalThis.mjcourseQuestions ?? [];
   return lessons
     .filter(({ href }) => recallReading(new URL(href, location.href).pathname) !== undefined)
-    .flatMap((lesson) => lesson.questions.map((question) => new Card(lesson, question)));
+    .flatMap((lesson) => lesson.questions.map((question) => new Card(lesson, question)))
+    .filter((card) => !card.isExercise || card.review);
 }
