@@ -4,7 +4,7 @@
 //   node tests/site/without-solutions.mjs MJCOURSE COURSE SITE
 
 import { execFileSync } from "node:child_process";
-import { globSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { globSync, mkdtempSync, readFileSync, rmSync, statSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
@@ -31,13 +31,15 @@ function wordsOf(path) {
     return words(text) + (name.endsWith(".html") ? words(plain(text)) : "");
   }
   const options = { encoding: "utf8", maxBuffer: 1 << 28 };
-  return words(execFileSync("unzip", ["-p", path, "*.cpp", "*.hpp", "*.txt"], options));
+  return words(execFileSync("unzip", ["-p", path], options));
 }
 
 // The lines of the file's region that say something: those of the solution, and the others.
 function linesOf(file) {
   const text = readFileSync(file, "utf8");
-  const [, region] = /#region .*\n([^]*?\/\/ #starter[^]*?)\n *\/\/ #endregion/.exec(text) ?? [];
+  // No other region begins or ends between its mark and the starter's.
+  const form = /#region [^\n]*\n((?:(?!#region|#endregion)[^])*?#starter[^]*?)\n *\/\/ #endregion/;
+  const [, region] = form.exec(text) ?? [];
   if (region === undefined) return undefined;
   const [solution, starter, ...wrong] = region.split(/^ *\/\/ #(?:starter|wrong).*$/m);
   const lines = (part) =>
@@ -47,6 +49,7 @@ function linesOf(file) {
       .filter((line) => line.length >= 16 && /[();]/.test(line));
   return {
     solution: lines(solution),
+    whole: words(solution),
     wrong: wrong.flatMap(lines),
     rest: words(text.replace(region, "") + starter),
   };
@@ -66,12 +69,15 @@ const lessons = globSync("content/**/*.md", { cwd: course }).map((file) =>
 const elsewhere = [...others, ...lessons, ...exercises.map(({ rest }) => rest)].join("\n");
 const own = (lines) => [...new Set(lines)].filter((line) => !elsewhere.includes(line));
 const solutions = own(exercises.flatMap(({ solution }) => solution));
+const right = exercises.map(({ whole }) => whole).join("\n");
 const mistakes = own(exercises.flatMap(({ wrong }) => wrong)).filter(
-  (line) => !solutions.some((one) => one.includes(line)),
+  (line) => !right.includes(line),
 );
 
 function siteWords(site) {
-  const paths = globSync("**/*.*", { cwd: site }).map((path) => join(site, path));
+  const paths = globSync("**/*.*", { cwd: site })
+    .map((path) => join(site, path))
+    .filter((path) => statSync(path).isFile());
   return paths.map((path) => [path, wordsOf(path)]);
 }
 
