@@ -31,13 +31,17 @@ async function tryMemory(visitor, page, path) {
   const verdicts = () => page.locator('.question[data-verdict="right"]').count();
   const visible = (selector) => page.locator(selector).filter({ visible: true }).count();
   const all = await page.locator(".question").count();
-  const hints = await page.locator("details.hint").count();
+  const hints = await page.locator(".question details.hint").count();
   const orders = () => page.locator("li[data-letter]").evaluateAll((l) => l.map((i) => i.id));
   await page.reload();
   const sorted = await orders();
   visitor.expect((await verdicts()) === all, path, "a reload forgets the answers");
   visitor.expect((await visible(".explain")) === all, path, "a reload folds the answers");
-  visitor.expect((await visible(".hint > div")) === hints, path, "a reload takes back a hint");
+  visitor.expect(
+    (await visible(".question .hint > div")) === hints,
+    path,
+    "a reload takes back a hint",
+  );
   const forget = page.getByRole("button", { name: "Forget my answers" });
   visitor.expect(
     (await forget.count()) === (await page.locator(".quiz").count()),
@@ -51,7 +55,7 @@ async function tryMemory(visitor, page, path) {
     const forgotten = async (good, what) => visitor.expect(good, path, `${what} ${when}`);
     await forgotten((await verdicts()) === 0, "the answers are not forgotten");
     await forgotten((await visible(".explain")) === 0, "the answers stay unfolded");
-    await forgotten((await visible(".hint")) === 0, "the hints stay");
+    await forgotten((await visible(".question .hint")) === 0, "the hints stay");
     await forgotten(
       (await page.locator(".quiz input:checked").count()) === 0,
       "an option is chosen",
