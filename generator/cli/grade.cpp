@@ -92,13 +92,8 @@ Grade grade_of(const std::string& folder, const JudgedExercise& exercise,
                const ExerciseJudge& judge) {
   const std::string name = exercise.exercise->program.name();
   const HandedIn found = handed_in(folder, name);
-  Grade grade{name, exercise.lesson->number, found.text || !found.fault.empty(), {}};
-  grade.verdict.shown = exercise.shown;
-  grade.verdict.hidden = exercise.hidden;
-  grade.most = points_of(exercise.shown) + points_of(exercise.hidden);
-  for (std::vector<Check>* checks : {&grade.verdict.shown, &grade.verdict.hidden}) {
-    for (Check& check : *checks) check.holds = false;
-  }
+  Grade grade{name, exercise.lesson->number, found.text || !found.fault.empty(),
+              nothing_made(exercise), points_of(exercise.shown) + points_of(exercise.hidden)};
   const auto refuse = [&](const std::string& why) {
     Place place;
     place.file = name + ".cpp";

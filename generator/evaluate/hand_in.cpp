@@ -123,19 +123,6 @@ class Judging {
   WorkerContext& worker_context_;
 };
 
-Example hidden_program(const Exercise& exercise) {
-  Example program = exercise.program;
-  program.file = *exercise.hidden;
-  return program;
-}
-
-std::string hidden_text(const JudgedExercise& exercise, const std::string& code) {
-  const Exercise& asked = *exercise.exercise;
-  return with_code_in_region(*exercise.files.hidden, asked.program.region->text, code,
-                             asked.hidden->text)
-      .value();
-}
-
 }  // namespace
 
 double points_of(const std::vector<Check>& checks) {
@@ -151,6 +138,10 @@ double Verdict::points() const {
 bool Verdict::holds() const {
   return faults.empty() && std::ranges::all_of(shown, &Check::holds) &&
          std::ranges::all_of(hidden, &Check::holds);
+}
+
+Verdict nothing_made(const JudgedExercise& exercise) {
+  return {none_of(exercise.shown), none_of(exercise.hidden), {}};
 }
 
 ExerciseJudge::ExerciseJudge(const Course& course, const EvaluationSettings& settings)
@@ -175,13 +166,15 @@ std::optional<JudgedExercise> ExerciseJudge::prepare(const Lesson& lesson, const
     if (!result) return false;
     checks = std::move(result->records.checks);
     judged.sources.insert(judged.sources.end(), result->files.begin(), result->files.end());
-    report_failing_checks(program, text, checks, lesson, diagnostics);
+    report_failing_checks(program, SourceText(program.file.text, placed), checks, lesson,
+                          diagnostics);
     return std::ranges::all_of(checks, &Check::holds);
   };
   const ExerciseText& text = judged.files.text;
   if (!run(exercise.program, text.program(text.solution()), judged.shown)) return std::nullopt;
   if (exercise.hidden &&
-      !run(hidden_program(exercise), hidden_text(judged, text.solution()), judged.hidden)) {
+      !run(hidden_program(exercise), hidden_text(exercise, judged.files, text.solution()),
+           judged.hidden)) {
     return std::nullopt;
   }
   // Those of both programs.
@@ -194,8 +187,8 @@ std::optional<JudgedExercise> ExerciseJudge::prepare(const Lesson& lesson, const
 Verdict ExerciseJudge::judge(const JudgedExercise& exercise, const std::string& code,
                              const std::string& name, bool hidden) const {
   WorkerContext worker_context(run_context_);
-  Verdict verdict{
-      none_of(exercise.shown), hidden ? none_of(exercise.hidden) : std::vector<Check>(), {}, ""};
+  Verdict verdict = nothing_made(exercise);
+  if (!hidden) verdict.hidden.clear();
   const ExerciseText& text = exercise.files.text;
   if (const std::string why = refusal(code, text.solution()); !why.empty()) {
     verdict.faults.push_back(error_at({}, "E-hand-in", why));
@@ -204,7 +197,8 @@ Verdict ExerciseJudge::judge(const JudgedExercise& exercise, const std::string& 
     verdict.shown =
         judging.run(exercise.exercise->program, text.program(code), exercise.shown, verdict);
     if (hidden && exercise.exercise->hidden && verdict.faults.empty()) {
-      verdict.hidden = judging.run(hidden_program(*exercise.exercise), hidden_text(exercise, code),
+      verdict.hidden = judging.run(hidden_program(*exercise.exercise),
+                                   hidden_text(*exercise.exercise, exercise.files, code),
                                    exercise.hidden, verdict);
     }
   }

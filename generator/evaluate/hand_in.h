@@ -42,6 +42,9 @@ struct Verdict {
 // Of those that hold.
 double points_of(const std::vector<Check>& checks);
 
+// Of a hand-in that has nothing to be run.
+Verdict nothing_made(const JudgedExercise& exercise);
+
 class ExerciseJudge {
  public:
   // Both outlive it.

@@ -50,7 +50,9 @@ bool ProgramTask::work(WorkerContext& worker_context, Finding& finding) {
       evaluate_example(program_, code_->text, lesson(), worker_context, finding.diagnostics);
   if (!result) return false;
   const std::vector<Check> checks = result->records.checks;
-  report_failing_checks(program_, file_.value_or(code_->text.text), checks, lesson(),
+  const SourceText in_file(program_.file.text, code_->text.text);
+  const bool is_in_file = code_->text.offsets.empty();
+  report_failing_checks(program_, is_in_file ? in_file : *lesson().source, checks, lesson(),
                         finding.diagnostics);
   if (std::ranges::any_of(checks, [](const Check& check) { return !check.holds; })) return false;
   finding.results[block()] = *std::move(result);

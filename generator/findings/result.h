@@ -84,6 +84,8 @@ struct ExerciseResult {
   std::vector<Check> checks = {};
   std::vector<std::string> files = {};
   std::optional<PageRun> page = {};
+
+  bool runs_in_page() const { return page && page->why_not.empty() && why_not.empty(); }
 };
 
 struct ValueResult {

@@ -47,8 +47,7 @@ std::string how_tried(const ExerciseResult& result) {
         "; " + counted(mistakes, "wrong variant") +
         (mistakes == 1 ? " fails the check that refuses it" : " fail the check that refuses each");
   }
-  const bool in_page = result.page && result.page->why_not.empty() && result.why_not.empty();
-  return text + (in_page ? "; natively and on the page's engine" : "; natively");
+  return text + (result.runs_in_page() ? "; natively and on the page's engine" : "; natively");
 }
 
 std::string how_run(const Snippet& snippet, const Versions& versions) {

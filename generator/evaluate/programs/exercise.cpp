@@ -6,7 +6,6 @@
 
 #include "base/files.h"
 #include "base/nearest.h"
-#include "base/running_text.h"
 #include "evaluate/programs/version_runs.h"
 #include "report/refused_file.h"
 
@@ -58,13 +57,6 @@ Example not_quoted(Example program) {
   return program;
 }
 
-Example hidden_program(const Exercise& exercise) {
-  Example program = not_quoted(exercise.program);
-  program.file = *exercise.hidden;
-  program.native = "no page has its checks";
-  return program;
-}
-
 std::vector<std::string> shown_versions(const ExerciseText& text) {
   std::vector<std::string> versions;
   for (const Variant& variant : text.variants()) versions.push_back(text.in_place(variant));
@@ -72,14 +64,10 @@ std::vector<std::string> shown_versions(const ExerciseText& text) {
 }
 
 std::vector<std::string> hidden_versions(const Exercise& exercise, const ExerciseFiles& files) {
-  std::vector<std::string> versions;
-  const auto add = [&](const std::string& code) {
-    const std::string& region = exercise.program.region->text;
-    versions.push_back(
-        with_code_in_region(*files.hidden, region, code, exercise.hidden->text).value());
-  };
-  add(files.text.solution());
-  for (const Variant& variant : files.text.variants()) add(variant.code);
+  std::vector<std::string> versions{hidden_text(exercise, files, files.text.solution())};
+  for (const Variant& variant : files.text.variants()) {
+    versions.push_back(hidden_text(exercise, files, variant.code));
+  }
   return versions;
 }
 
@@ -130,7 +118,9 @@ class Trials {
     if (!ran) return false;
     const Checks& checks = ran->records.checks;
     for (const Check& check : checks) names.push_back(check.what);
-    report_failing_checks(hidden_program(exercise_), *files_.hidden, checks, lesson_, diagnostics_);
+    report_failing_checks(hidden_program(exercise_),
+                          SourceText(exercise_.hidden->text, *files_.hidden), checks, lesson_,
+                          diagnostics_);
     return failing(checks).empty();
   }
 
@@ -300,13 +290,26 @@ std::optional<ExerciseResult> evaluate_exercise(const Exercise& exercise,
   return Trials(exercise, files, lesson, worker_context, diagnostics).run();
 }
 
-void report_failing_checks(const Example& program, const std::string& code,
+Example hidden_program(const Exercise& exercise) {
+  Example program = not_quoted(exercise.program);
+  program.file = *exercise.hidden;
+  program.native = "no page has its checks";
+  return program;
+}
+
+std::string hidden_text(const Exercise& exercise, const ExerciseFiles& files,
+                        const std::string& code) {
+  return with_code_in_region(*files.hidden, exercise.program.region->text, code,
+                             exercise.hidden->text)
+      .value();
+}
+
+void report_failing_checks(const Example& program, const SourceText& text,
                            const std::vector<Check>& checks, const Lesson& lesson,
                            Diagnostics& diagnostics) {
-  const SourceText file(program.file.text, code);
   for (const Check& check : checks) {
     if (check.holds) continue;
-    Diagnostic wrong = error_at(place_of_line(file, check.line), "E-check-fails",
+    Diagnostic wrong = error_at(place_of_line(text, check.line), "E-check-fails",
                                 "the program fails its own check `" + check.what + "`",
                                 "correct the program, or what is checked");
     for (const std::string& words : {check.meaning, check.found}) {

@@ -33,8 +33,15 @@ std::optional<ExerciseResult> evaluate_exercise(const Exercise& exercise,
                                                 WorkerContext& worker_context,
                                                 Diagnostics& diagnostics);
 
-// The checks of `program`, of which `code` is the text, that do not hold though it is the solution.
-void report_failing_checks(const Example& program, const std::string& code,
+// The program with the hidden checks of an exercise that has them, and its text with `code` in the
+// region.
+Example hidden_program(const Exercise& exercise);
+std::string hidden_text(const Exercise& exercise, const ExerciseFiles& files,
+                        const std::string& code);
+
+// The checks of `program` that do not hold though it is the solution; their lines are those of
+// `text`.
+void report_failing_checks(const Example& program, const SourceText& text,
                            const std::vector<Check>& checks, const Lesson& lesson,
                            Diagnostics& diagnostics);
 

@@ -8,7 +8,6 @@
 
 #include "base/nearest.h"
 #include "base/text_lines.h"
-#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {

@@ -47,8 +47,6 @@ class ExerciseText {
   // The file with the variant in the solution's place. Each of its words is in the same line as
   // in the file, so the words of a compiler lead there.
   std::string in_place(const Variant& variant) const;
-  // The line of the region's mark.
-  int region_line() const { return begin_; }
 
  private:
   friend class ExerciseReader;

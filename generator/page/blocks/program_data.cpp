@@ -32,14 +32,10 @@ bool runs_in_page(const ExampleResult& result) {
   return result.page && result.page->why_not.empty();
 }
 
-bool runs_in_page(const ExerciseResult& result) {
-  return result.page && result.page->why_not.empty() && result.why_not.empty();
-}
-
 bool any_runs_in_page(const LessonResults& results) {
   return std::ranges::any_of(results.of_block, [](const auto& block) {
     if (const auto* exercise = std::get_if<ExerciseResult>(&block.second)) {
-      return runs_in_page(*exercise);
+      return exercise->runs_in_page();
     }
     const auto* result = std::get_if<ExampleResult>(&block.second);
     return result != nullptr && runs_in_page(*result);
@@ -88,7 +84,7 @@ json run_data(const Example& example, const ExampleResult* result, const LessonC
 
 json run_data(const Exercise& exercise, const ExerciseResult& result,
               const LessonContext& context) {
-  if (!has_compiler(context.page.manifest) || !runs_in_page(result)) return nullptr;
+  if (!has_compiler(context.page.manifest) || !result.runs_in_page()) return nullptr;
   return run_data(exercise.program, "", context);
 }
 
@@ -106,7 +102,7 @@ json why_not_data(const ExampleResult* result) {
 }
 
 json why_not_data(const ExerciseResult& result) {
-  if (!result.page || runs_in_page(result)) return nullptr;
+  if (!result.page || result.runs_in_page()) return nullptr;
   return result.why_not.empty() ? result.page->why_not : result.why_not;
 }
 

@@ -57,7 +57,7 @@ export class Exercise {
     const [first] = sorted;
     const held = sorted.filter(([, mark]) => mark === "holds").length;
     if (first && held < sorted.length) return notYet(held, sorted.length, first, made);
-    if (end.how !== "exit") return "";
+    if (end.how !== "exit" || end.code !== 0) return "All checks hold, but it has to end well.";
     this.#remember();
     return `Solved: ${sorted.length === 1 ? "the check holds" : `all ${sorted.length} checks hold`}.`;
   }
