@@ -12,6 +12,7 @@
 
 #include <array>
 #include <mjcourse/mjcourse.hpp>
+#include <string>
 
 using namespace mjcourse;
 using Eigen::Map, Eigen::Vector3d, Eigen::VectorXd;
@@ -97,16 +98,17 @@ std::array<VectorXd, 4> check(const Model& model, const char* name,
   const auto alone = effect(model, data, body, wrench, zero);
   const auto by_wrench = effect(model, data, body, pull.wrench, zero);
 
+  const std::string of = std::string(name) + ": ";
   expect_near(by_joints, expected, 1e-8,
               "the joint forces act like a pull at this point",
-              "the Jacobian must be that of this point of the body");
+              of + "mj_jac writes the Jacobian of this point row by row");
   if (expect_near(effect(model, data, body, there.wrench, zero), alone, 1e-8,
                   "at the centre of mass, the wrench is the force alone",
-                  "the torque is not about the centre of mass"))
+                  of + "the torque is not about the centre of mass"))
     expect_near(by_wrench, expected, 1e-8,
                 "the wrench acts like a pull at this point",
-                "xfrc_applied acts at the centre of mass: what does a pull at "
-                "this point do besides?");
+                of + "xfrc_applied acts at the centre of mass: what does a "
+                     "pull at this point do besides?");
   return {by_joints, expected, by_wrench, alone};
 }
 

@@ -84,7 +84,10 @@ function readPage(xml) {
     });
   const margin = 60; // points; heads and numbers stand in there
   const inMargin = ({ top, bottom }) => bottom < margin || top > height - margin;
-  const body = lines.filter((line) => !inMargin(line)).sort((one, other) => one.top - other.top);
+  // A table's columns come one after the other.
+  const body = lines
+    .filter((line) => !inMargin(line))
+    .sort((one, other) => one.top - other.top || one.left - other.left);
   return {
     height,
     width: Number(xml.match(/width="([\d.]+)"/)[1]),

@@ -45,7 +45,7 @@ try {
   for (const part of ["content", "examples", "models"]) {
     cpSync(join(course, part), join(copy, part), { recursive: true });
   }
-  expect(commands.length === 5, `the chapter has ${commands.length} commands that begin something`);
+  expect(commands.length === 6, `the chapter has ${commands.length} commands that begin something`);
   for (const command of commands) {
     const { status, said } = run(command);
     expect(status === 0, `\`${command.join(" ")}\` exits with ${status}: ${said}`);

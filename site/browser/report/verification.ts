@@ -103,6 +103,7 @@ export type Status =
 
 export type Kind =
   | "program"
+  | "exercise"
   | "page"
   | "region"
   | "snippet"
