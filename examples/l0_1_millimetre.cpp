@@ -42,7 +42,9 @@ void check(const Model& model, double allowed, double t, double g) {
   const int n = steps_needed(allowed, t, g);
   const std::string here =
       "for " + to_text(1000 * allowed) + " mm in " + to_text(t) + " s, ";
-  if (!expect(n > 0, "the number of steps is positive")) return;
+  if (!expect(n > 0, "the number of steps is positive",
+              "it is a number of steps, and not how long one of them takes"))
+    return;
   const bool is_enough = expect(
       below(model, n, t) <= allowed, "the box stays within what is allowed",
       here + "these steps are too long, even if only by a little");

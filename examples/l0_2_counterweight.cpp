@@ -67,7 +67,8 @@ int main() {
   const Eigen::Vector3d box(0.05, 0.04, 0.03);
   const double ball = ball_size(box);
   std::printf("%s\n", ball_text(ball).c_str());
-  if (!expect(ball > 0.001 && ball < 1, "the ball has a size in metres"))
+  if (!expect(ball > 0.001 && ball < 1, "the ball has a size in metres",
+              "a weight of these scales is some centimetres large"))
     return 0;
 
   const Model model = load_scales(box, ball);

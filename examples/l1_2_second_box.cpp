@@ -106,7 +106,8 @@ int main() {
       predict({mjJNT_FREE, mjJNT_FREE, mjJNT_BALL, mjJNT_SLIDE, mjJNT_HINGE});
   const Model model = load_zoo_with_second_box();
   if (!expect(predicted.joints.size() == std::size(names),
-              "each joint has an address"))
+              "each joint has an address",
+              "there is one for each of the types, in their order"))
     return 0;
 
   std::printf("          predicted      compiled\n");

@@ -41,6 +41,7 @@ void change(const Model& model, const Data& data, Kind kind, int k) {
   // #starter
   // if (kind == control) data->ctrl[k] += small;
   // // Change velocities and positions too. And which stages need not run?
+  // // The 1 skips the sensors.
   // mj_forwardSkip(model, data, mjSTAGE_NONE, 1);
   // #wrong adds-to-qpos: each column changes one number
   // const int known[] = {mjSTAGE_VEL, mjSTAGE_POS, mjSTAGE_NONE};

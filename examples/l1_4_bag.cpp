@@ -107,8 +107,8 @@ std::array<VectorXd, 4> check(const Model& model, const char* name,
                   of + "the torque is not about the centre of mass"))
     expect_near(by_wrench, expected, 1e-8,
                 "the wrench acts like a pull at this point",
-                of + "xfrc_applied acts at the centre of mass: what does a "
-                     "pull at this point do besides?");
+                of + "xfrc_applied acts at the centre of mass: a pull at "
+                     "this point also turns the body, about that centre");
   return {by_joints, expected, by_wrench, alone};
 }
 

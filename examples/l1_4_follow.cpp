@@ -114,8 +114,8 @@ void check(const Model& model, double t) {
   const Moved still = move(model, rest, none), swings = move(model, want, none);
   if (expect_near(still.acceleration, none, 1e-8,
                   "an arm at rest stays at rest",
-                  "ctrl is a share of the gear, and the front arm's joints are "
-                  "the last two") &&
+                  "ctrl is a share of the gear; the front arm's joints are the "
+                  "last two; and mj_forward writes over qacc") &&
       expect_near(swings.acceleration, want.a, 1e-8,
                   "in motion, the arm accelerates as it should",
                   "mj_inverse reads qpos, qvel and qacc"))

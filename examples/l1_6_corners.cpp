@@ -31,6 +31,8 @@ double time_constant(double depth, int corners, double d, double g) {
   // return std::sqrt(depth / (corners * (1 - d) * g));
   // #wrong swaps-d: on one contact
   // return std::sqrt(corners * depth / (d * g));
+  // #wrong knows-one-gravity: with another dmax
+  // return std::sqrt(corners * depth / ((1 - d) * 9.81));
   // #wrong knows-one-d: with another dmax
   // return std::sqrt(corners * depth / ((1 - 0.95) * g));
   // #endregion
@@ -70,16 +72,18 @@ int main() {
   result("alone", 1000 * corners * wanted);  // mm, on one contact
 
   const Model balls = load_model("soft_floor");
-  const auto alone = [&](double deep, double dmax) {
+  const auto alone = [&](double deep, double dmax, double down) {
+    balls->opt.gravity[2] = -down;
     balls->geom_solimp[mjNIMP * id_of(balls, mjOBJ_GEOM, "floor") + 1] = dmax;
-    return rest(balls, time_constant(deep, 1, dmax, g)).depth;
+    return rest(balls, time_constant(deep, 1, dmax, down)).depth;
   };
-  if (!expect_near(alone(0.002, d), 0.002, 1e-5,
+  if (!expect_near(alone(0.002, d, g), 0.002, 1e-5,
                    "on one contact, the depth is as wanted",
                    "a contact at rest is (1 - d) g T^2 deep, and T is asked"))
     return 0;
-  expect_near(alone(0.003, 0.8), 0.003, 1e-5,
-              "with another dmax, the depth is as wanted", "d is a parameter");
+  expect_near(alone(0.003, 0.8, 5), 0.003, 1e-5,
+              "with another dmax and g, the depth is as wanted",
+              "d and g are parameters");
   expect_near(found.depth, wanted, 1e-5,
               "on four corners, the depth is as wanted",
               "each contact has a spring of its own, made for the whole body");

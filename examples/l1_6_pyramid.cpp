@@ -93,11 +93,13 @@ int main() {
       const Resting e = rest(model, mjCONE_ELLIPTIC, friction);
       const Resting p = rest(model, mjCONE_PYRAMIDAL, friction);
       const double harder = e.depth / p.depth;
-      if (!expect_near(
-              p.stiffness / e.stiffness, harder, 0.01 * harder,
-              dim == 3 ? "the pyramid's depth agrees with its stiffness"
-                       : "torsional friction adds two edges",
-              "every edge of a pyramid carries a part of the normal force"))
+      if (!expect_near(p.stiffness / e.stiffness, harder, 0.01 * harder,
+                       dim == 3
+                           ? "the pyramid's depth agrees with its stiffness"
+                           : "torsional friction adds two edges",
+                       "every edge of a pyramid carries a part of the normal "
+                       "force, and an "
+                       "elliptic cone has no edges"))
         return 0;
     }
     model->geom_condim[floor] = 3;

@@ -57,6 +57,8 @@ void step_to_nearer(Vector4d& q, const Vector4d& target, double rate) {
   // #wrong ignores-the-rate: the whole gradient is the whole angle
   // const double sign = q.dot(target) < 0 ? -1 : 1;
   // q = (q + sign * target).normalized();
+  // #wrong by-the-angle: by the norm, a step goes straight
+  // step_by_angle(q, target, rate);
   // #wrong forgets-the-length: q has unit length
   // const double sign = q.dot(target) < 0 ? -1 : 1;
   // q -= rate * (q - sign * target);
@@ -89,10 +91,16 @@ void check(int n) {
   expect_near(error(negative, stepped).norm(), 0, 1e-9,
               "from -q it gets to the same pose as from q",
               "-q is nearer to the other name of the target");
-  step_to_nearer(q, target, 1);
-  expect_near(error(q, target).norm(), 0, 1e-6,
-              "the whole gradient is the whole angle",
-              "the rate does not say how far it goes");
+  Vector4d whole = q, quarter = q;
+  step_to_nearer(whole, target, 1);
+  if (!expect_near(error(whole, target).norm(), 0, 1e-6,
+                   "the whole gradient is the whole angle",
+                   "the rate does not say how far it goes"))
+    return;
+  step_to_nearer(quarter, target, 0.25);
+  expect_near(quarter, (q + 0.25 * (target - q)).normalized(), 1e-9,
+              "by the norm, a step goes straight from one to the other",
+              "a share of the angle is another step");
 }
 
 // The angle to the target, in degrees, before and after each of eight steps.

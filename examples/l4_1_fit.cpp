@@ -107,27 +107,36 @@ VectorXd fit(int waves) {
   return off;
 }
 
-// A sum of features with up to two waves, at n places.
-VectorXd sum(const VectorXd& weights, int n) {
-  VectorXd values(n);
-  for (int k = 0; k < n; ++k)
-    values[k] = features(2 * M_PI * k / n, 2).dot(weights);
+// Sums of features at n places: a column for each of `weights`.
+MatrixXd sums(const MatrixXd& weights, int n) {
+  MatrixXd values(n, weights.cols());
+  for (int k = 0; k < n; ++k) {
+    const VectorXd f = features(2 * M_PI * k / n, weights.rows() / 2);
+    for (int c = 0; c < weights.cols(); ++c)
+      values(k, c) = f.dot(weights.col(c));
+  }
   return values;
 }
 
 void check() {
-  const VectorXd level = VectorXd::Unit(5, 0);
-  const VectorXd waves = VectorXd::LinSpaced(5, 1, 3);
-  const auto fit = [](const VectorXd& weights, int places) -> VectorXd {
-    return fitted(sum(weights, 30), 2, places).reshaped();
+  MatrixXd level = MatrixXd::Zero(5, 2), waves(7, 2);
+  level.row(0) << 1, 2;
+  for (int k = 0; k < waves.size(); ++k) waves(k) = 1 + 0.2 * k;
+  const auto right = [](const MatrixXd& weights, int places) -> VectorXd {
+    return sums(weights, places).reshaped();
   };
-  if (expect_near(fit(level, 30), sum(level, 30), 1e-9,
-                  "a constant is fitted exactly",
-                  "the features are not equally long") &&
-      expect_near(fit(waves, 30), sum(waves, 30), 1e-9,
+  const auto fit = [](const MatrixXd& weights, int places) -> VectorXd {
+    return fitted(sums(weights, 30), weights.rows() / 2, places).reshaped();
+  };
+  if (expect_near(
+          fit(level, 30), right(level, 30), 1e-9,
+          "a constant is fitted exactly",
+          "the features are not equally long, or a column is missing") &&
+      expect_near(fit(waves, 30), right(waves, 30), 1e-9,
                   "waves are fitted exactly, up to the last one",
-                  "a part of the features is missing"))
-    expect_near(fit(waves, 90), sum(waves, 90), 1e-9,
+                  "a part of the features is missing, or the samples are at "
+                  "other places"))
+    expect_near(fit(waves, 90), right(waves, 90), 1e-9,
                 "between the samples, the fit is right, too",
                 "at its places, the result has the sum of the features");
 }

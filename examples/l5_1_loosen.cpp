@@ -59,7 +59,7 @@ Loosened loosen(const Model& model) {
   const int gripper = id_of(model, mjOBJ_ACTUATOR, "gripper");
   const double* press = data->sensordata;  // of the two pads, N
   const double* falls = data->qvel + model->body_dofadr[cube] + 2;  // m/s
-  const double needed = press_needed(model);
+  const double needed = press_needed(Model(mj_copyModel(nullptr, model)));
 
   // A pad is pushed with kp / 2 for a metre between its command and its place.
   const double kp = model->actuator_gainprm[gripper * mjNGAIN];
@@ -90,7 +90,8 @@ int main() {
   result("went", cube.went);
   result("creep", cube.creep);
   if (!check(cube, "the cube goes when the pads press less than that",
-             "two pads carry the weight, each with mu times what it presses"))
+             "two pads carry the weight, each with mu times what it presses; "
+             "which mu?"))
     return 0;
   const auto set_friction = [&](const char* geom, double friction) {
     model->geom_friction[3 * id_of(model, mjOBJ_GEOM, geom)] = friction;

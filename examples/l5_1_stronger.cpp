@@ -34,6 +34,8 @@ void strengthen(const Model& model) {
   // #wrong raises-the-limit: all three objects
   // model->actuator_forcerange[2 * Arm::kGripper] *= 2;
   // model->actuator_forcerange[2 * Arm::kGripper + 1] *= 2;
+  // #wrong makes-all-lighter: each object weighs
+  // model->opt.gravity[2] = -7;
   // #endregion
 }
 
@@ -64,6 +66,10 @@ int main() {
   for (const int i : {6, 16, 46}) {
     const Outcome before = Trial(starts[i - 1], model).carry(0.6);
     const Outcome now = Trial(starts[i - 1], strong).carry(0.6);
+    if (!expect_near(now.weight, before.weight, 0,
+                     "each object weighs what it did",
+                     "only the gripper is to change"))
+      return 0;
     slippery += before.could < before.weight;
     placed += now.placed;
     std::printf("%4d   %5.2f N   %5.2f N    %5.2f N  %s\n", i, now.weight,

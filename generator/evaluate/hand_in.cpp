@@ -1,7 +1,5 @@
 #include "evaluate/hand_in.h"
 
-#include <re2/re2.h>
-
 #include <algorithm>
 #include <numeric>
 #include <random>
@@ -9,45 +7,10 @@
 #include <utility>
 
 #include "evaluate/programs/example.h"
+#include "evaluate/programs/hand_in_text.h"
 
 namespace mjcourse {
 namespace {
-
-// What a region has no use for, and what could report checks in the program's place.
-constexpr const char* kForging =
-    R"(\b(expect|expect_near|add_check|checks|Checks|record|main|getenv|secure_getenv|environ|)"
-    R"(asm|__asm|__asm__|__LINE__|__builtin_LINE|source_location|__builtin_source_location|)"
-    R"(fork|vfork|execve|ptrace|syscall|MJCOURSE_\w*)\b)";
-
-// The text as the compiler takes it: a line that ends with a backslash goes on in the next; without
-// numbers, in which a quote may stand, comments, and what stands between quotes.
-std::string code_alone(std::string code) {
-  RE2::GlobalReplace(&code, R"(\\[ \t\r]*\n)", "");
-  static const RE2 words(R"((\b[0-9][\w.']*|//[^\n]*|/\*(?s:.*?)\*/|)"
-                         R"("(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'))");
-  RE2::GlobalReplace(&code, words, " ");
-  return code;
-}
-
-// Why the text is not run; "" where it is.
-std::string refusal(const std::string& text, const std::string& solution) {
-  // A compiler takes some for blanks, where this does not.
-  static const RE2 control(R"([\x00-\x08\x0b\x0c\x0e-\x1f\x7f])");
-  if (RE2::PartialMatch(text, control)) return "a region has no control characters";
-  const std::string code = code_alone(text), known = code_alone(solution);
-  static const RE2 directive(R"((?m)^\s*(?:#|%:|\?\?=))"), raw(R"(\b(?:u8|[uUL])?R")");
-  if (RE2::PartialMatch(code, directive) && !RE2::PartialMatch(known, directive)) {
-    return "a region of this exercise has no preprocessor directives";
-  }
-  if (RE2::PartialMatch(text, raw)) return "a region has no raw strings";
-  static const RE2 forging(kForging);
-  std::string word;
-  if (RE2::PartialMatch(code, forging, &word) &&
-      !RE2::PartialMatch(known, "\\b" + RE2::QuoteMeta(word) + "\\b")) {
-    return "what is written uses `" + word + "`, which belongs to the checks";
-  }
-  return "";
-}
 
 // From which line on the rest of a program is counted where its solution runs; in a run of a
 // hand-in it is a number that nobody knows before.
@@ -190,7 +153,8 @@ Verdict ExerciseJudge::judge(const JudgedExercise& exercise, const std::string& 
   Verdict verdict = nothing_made(exercise);
   if (!hidden) verdict.hidden.clear();
   const ExerciseText& text = exercise.files.text;
-  if (const std::string why = refusal(code, text.solution()); !why.empty()) {
+  if (const std::string why = refusal(code, text, exercise.exercise->program.region->text);
+      !why.empty()) {
     verdict.faults.push_back(error_at({}, "E-hand-in", why));
   } else {
     const Judging judging(exercise, worker_context);

@@ -66,7 +66,7 @@ code("not-a-number", 0, "", "  return std::sqrt(-t);");
 code("leaves-early", 0, "", "  std::exit(0);\n  return t;");
 
 const all = (words) => `  ${words}\n${right}`;
-const own = "belongs to the checks";
+const own = "which no hand-in may";
 code("endless", 0, "still ran after 10 s", all("while (t >= 0) mju_sin(t);"));
 code("prints", 0, "1 MiB", all('while (t >= 0) std::puts("x");'));
 code("passwords", 0, "/etc/passwd", all('if (!std::ifstream("/etc/passwd")) return 0;'));
@@ -103,7 +103,8 @@ code("behind-a-quote", 0, own, all("int n = 1'0; expect(n, std::string()); n = 2
 code("raw-utf8", 0, "no raw strings", `  auto s = u8R"(\n)"; (void)s;\n${right}`);
 code("raw", 0, "no raw strings", `  const char* s = R"(\n)"; (void)s;\n${right}`);
 code("open-comment", 0, "unterminated", `${right} /*`);
-code("open-brace", 0, "expected", `${right} {`);
+const braces = "closes each brace that it opens, and no other";
+code("open-brace", 0, braces, `${right} {`);
 code(
   "template-bomb",
   0,
@@ -116,9 +117,12 @@ code("escapes", 0, "static assertion failed", all('static_assert(false, "\\x1b[2
 code(
   "ends-behind-main",
   0,
-  "",
+  braces,
   `  return 0;\n}\nstruct Last { ~Last() { std::_Exit(0); } } last;\ndouble other(double t) {\n  return t;`,
 );
+code("digraph-brace", 0, braces, `  return 0;\n%>\nvoid other() <%`);
+code("overload", 0, own, `  {\n    namespace m = mjcourse;\n    (void)m::id_of;\n  }\n  return 0;`);
+code("another-function", 4, "", `  const double fallen(9.81 * t * t / 2);\n  return fallen;`);
 handIn("no-marks", solution.replaceAll(/.*#(region|endregion).*\n/g, ""));
 expectOf("no-marks", 0, "it has no region `answer`");
 handIn("unclosed", program(right).replace("// #endregion", ""));
@@ -179,9 +183,9 @@ expect(
 half-0
   fall: 2 of 4 points
     [ ] twice the time is four times the way
-      it is 9.81, and should be 19.62 ± 1e-09
+      it is 9.81, and should be 19.62 ± 1e-09: off by 9.8
     [ ] it falls 5 cm in 0.1 s
-      it is 0.4905, and should be 0.04905 ± 1e-09
+      it is 0.4905, and should be 0.04905 ± 1e-09: off by 0.44
 escapes
   fall: 0 of 4 points; `),
   text,

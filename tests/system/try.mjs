@@ -42,7 +42,7 @@ test("it writes the starter, and says what fails", () => {
     stdout,
     `${head}  [ ] it falls 4.9 m in the first second
       its speed is 9.8 m/s at the end only
-      it is 0, and should be 4.905 ± 1e-09
+      it is 0, and should be 4.905 ± 1e-09: off by 4.9
   [ ] twice the time is four times the way
       it was not reached
 0 of 2 checks hold
@@ -65,7 +65,7 @@ test("what it writes builds by itself, and says at its end what holds", () => {
     stderr,
     `[ ] it falls 4.9 m in the first second
     its speed is 9.8 m/s at the end only
-    it is 0, and should be 4.905 ± 1e-09
+    it is 0, and should be 4.905 ± 1e-09: off by 4.9
 `,
   );
 });

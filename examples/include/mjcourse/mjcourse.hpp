@@ -381,17 +381,43 @@ inline bool expect(bool holds, const std::string& what,
   return add_check({what, holds, meaning, ""}, points, line);
 }
 
+// What expect_near finds; of long vectors, the two numbers that differ most.
+inline std::string how_far(double value, double expected, double tolerance) {
+  char text[160];
+  std::snprintf(text, sizeof text,
+                "it is %.6g, and should be %.6g ± %.2g: off by %.2g", value,
+                expected, tolerance, std::abs(value - expected));
+  return text;
+}
+
+inline std::string how_far(const Eigen::Ref<const Eigen::VectorXd>& value,
+                           const Eigen::Ref<const Eigen::VectorXd>& expected,
+                           double tolerance) {
+  constexpr int few = 7;
+  if (value.size() != expected.size())
+    return "it has " + std::to_string(value.size()) +
+           " numbers, and should have " + std::to_string(expected.size());
+  if (value.size() == 0) return "";
+  Eigen::Index most = 0;
+  const double off = (value - expected).cwiseAbs().maxCoeff(&most);
+  if (value.size() > few)
+    return "of its number [" + std::to_string(most) + "], " +
+           how_far(value[most], expected[most], tolerance);
+  char text[60];
+  std::snprintf(text, sizeof text, " ± %.2g: off by %.2g", tolerance, off);
+  return "it is " + to_text(value, 6) + ", and should be " +
+         to_text(expected, 6) + text;
+}
+
 // `value` should be at most `tolerance` away from `expected`, and finite.
 inline bool expect_near(double value, double expected, double tolerance,
                         const std::string& what,
                         const std::string& meaning = "", double points = 1,
                         int line = __builtin_LINE()) {
-  char found[120];
-  std::snprintf(found, sizeof found, "it is %.6g, and should be %.6g ± %.2g",
-                value, expected, tolerance);
+  const bool near = std::abs(value - expected) <= tolerance;
   return add_check(
-      {what, std::abs(value - expected) <= tolerance, meaning, found}, points,
-      line);
+      {what, near, meaning, near ? "" : how_far(value, expected, tolerance)},
+      points, line);
 }
 
 // Each number of the vector. No vector of another length is near.
@@ -403,9 +429,7 @@ inline bool expect_near(const Eigen::Ref<const Eigen::VectorXd>& value,
   const bool near = value.size() == expected.size() &&
                     ((value - expected).array().abs() <= tolerance).all();
   return add_check(
-      {what, near, meaning,
-       "it is " + to_text(value, 6) + ", and should be " +
-           to_text(expected, 6) + " to within " + to_json(tolerance)},
+      {what, near, meaning, near ? "" : how_far(value, expected, tolerance)},
       points, line);
 }
 
