@@ -8,10 +8,10 @@
 
 namespace mjcourse {
 
-// Why `code`, which somebody wrote into `region` of the exercise, is not run; "" where it is. It
+// Why `text`, which somebody wrote into `region` of the exercise, is not run; "" where it is. It
 // must stay in the region's scope, and name nothing that reports checks, or stands behind the
 // region. What the solution has, a hand-in may have.
-std::string refusal(const std::string& code, const ExerciseText& exercise,
+std::string refusal(const std::string& text, const ExerciseText& exercise,
                     const std::string& region);
 
 }  // namespace mjcourse
