@@ -14,40 +14,22 @@
 
 #include "base/descriptor.h"
 #include "base/folder_size.h"
-#include "base/sha256.h"
+#include "base/store_entry.h"
 
 namespace mjcourse {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view kAnyMark = "mjcourse-store ", kMark = "mjcourse-store 2 ";
 // All that lies in a store: results, their bytes, what is being written, headers made beforehand,
 // and two stamps.
 constexpr std::array kParts{"ac", "cas", "tmp", "prepared", "lock", "pruned"};
-constexpr off_t kMostBytes = off_t{1} << 30;  // of an entry
-constexpr std::time_t kHour = 3600;           // seconds
+constexpr std::time_t kHour = 3600;  // seconds
 
 void mark_used(const fs::path& path) {
   struct stat status {};
   if (stat(path.c_str(), &status) != 0 || std::time(nullptr) - status.st_mtime < kHour) return;
   utimensat(AT_FDCWD, path.c_str(), nullptr, 0);
-}
-
-// Whether `name` is one of a store's. It may come out of an entry that anybody wrote, and becomes a
-// path.
-bool is_name(std::string_view name) {
-  for (const std::string_view kind : {"ac/", "cas/"}) {
-    if (!name.starts_with(kind)) continue;
-    const std::string_view hash = name.substr(kind.size());
-    return hash.size() == 64 && hash.find_first_not_of("0123456789abcdef") == hash.npos;
-  }
-  return false;
-}
-
-// Of the name too, so that no entry can take another's place.
-std::string hash_of_entry(const std::string& name, std::string_view bytes) {
-  return Sha256().add(name).add(bytes).hex();
 }
 
 // The bytes of the file at `path`; nothing where there is none. What is no file of a store (a link,
@@ -57,7 +39,7 @@ std::optional<std::string> read_entry(const fs::path& path) {
   if (file.get() < 0) return errno == ELOOP ? std::optional("") : std::nullopt;
   struct stat status {};
   if (fstat(file.get(), &status) != 0) return std::nullopt;
-  if (!S_ISREG(status.st_mode) || status.st_size > kMostBytes) return "";
+  if (!S_ISREG(status.st_mode) || std::cmp_greater(status.st_size, kMostEntryBytes)) return "";
   std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
   std::size_t size = 0;
   while (size < bytes.size()) {
@@ -67,25 +49,6 @@ std::optional<std::string> read_entry(const fs::path& path) {
     size += static_cast<std::size_t>(count);
   }
   bytes.resize(size);
-  return bytes;
-}
-
-// Written by another version of the generator, it is as good as none.
-bool is_of_another_version(std::string_view bytes) {
-  return bytes.starts_with(kAnyMark) && !bytes.starts_with(kMark);
-}
-
-// The bytes of the entry `name` whose file holds `bytes`; nothing where it is damaged.
-std::optional<std::string> verified(const std::string& name, std::string bytes) {
-  if (name.starts_with("cas/")) {
-    if (sha256(bytes) != name.substr(4)) return std::nullopt;
-    return bytes;
-  }
-  const std::size_t begin = kMark.size() + 64 + 1;
-  if (bytes.size() < begin || !bytes.starts_with(kMark)) return std::nullopt;
-  const std::string_view all = bytes;
-  if (hash_of_entry(name, all.substr(begin)) != all.substr(kMark.size(), 64)) return std::nullopt;
-  bytes.erase(0, begin);
   return bytes;
 }
 
@@ -150,16 +113,18 @@ void DiskStore::prepare() {
 
 fs::path DiskStore::path_of(const std::string& name) const {
   const std::size_t hash = name.find('/') + 1;
-  return folder_ / name.substr(0, hash) / name.substr(hash, 2) / name.substr(hash + 2);
+  // What is sealed says itself of which kind it is.
+  const char* const kind = name.starts_with("cas/") ? "cas" : "ac";
+  return folder_ / kind / name.substr(hash, 2) / name.substr(hash + 2);
 }
 
 std::optional<std::string> DiskStore::get(const std::string& name) {
-  if (!is_name(name)) return std::nullopt;
+  if (!is_store_name(name)) return std::nullopt;
   const fs::path path = path_of(name);
   if (fs::is_symlink(path.parent_path())) return std::nullopt;
   std::optional<std::string> bytes = read_entry(path);
   if (!bytes || is_of_another_version(*bytes)) return std::nullopt;
-  std::optional<std::string> content = verified(name, *std::move(bytes));
+  std::optional<std::string> content = unsealed(name, *std::move(bytes));
   if (content) {
     mark_used(path);
   } else {
@@ -171,13 +136,12 @@ std::optional<std::string> DiskStore::get(const std::string& name) {
 }
 
 bool DiskStore::put(const std::string& name, std::string_view bytes) {
-  if (!writable_ || !is_name(name)) return false;
+  if (!writable_ || !is_store_name(name)) return false;
   const fs::path path = path_of(name);
   const bool blob = name.starts_with("cas/");
   if (blob && get(name)) return true;
   try {
-    write(path, blob ? std::string(bytes)
-                     : std::string(kMark) + hash_of_entry(name, bytes) + "\n" + std::string(bytes));
+    write(path, sealed(name, bytes));
   } catch (const std::system_error& error) {
     if (writable_.exchange(false)) {
       note("results are not kept from here on: " + std::string(error.what()));
@@ -249,7 +213,7 @@ std::vector<Entry> entries_of(const fs::path& folder) {
   for (const char* kind : {"ac", "cas"}) {
     if (!fs::exists(folder / kind)) continue;
     for (const fs::directory_entry& file : fs::recursive_directory_iterator(folder / kind)) {
-      if (file.is_regular_file() && is_name(name_of(kind, file.path()))) {
+      if (file.is_regular_file() && is_store_name(name_of(kind, file.path()))) {
         entries.push_back({file.path(), file.file_size(), file.last_write_time()});
       }
     }

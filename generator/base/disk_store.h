@@ -1,12 +1,10 @@
 // DiskStore: a Store in a folder, shared by all runs of a user.
 //
-//     ac/3f/2a91…   "mjcourse-store 2 SHA256\n", then the bytes
 //     cas/77/b0c4…  the bytes
+//     ac/3f/2a91…   sealed bytes (store_entry.h), of all other kinds of names
 //     tmp/XXXXXX    what is being written, and what a killed process left of that
 //     prepared/…    folders of what programs share (cache/prepared_folders.h)
 //     lock          held shared by each run, and alone by the one that prunes
-//
-// The first hash is of the entry's name and its bytes, so no entry can take another's place.
 //
 // An entry is written aside, synced and renamed, so it is there as a whole or not at all; and it is
 // verified whenever it is read, since disks and people damage files too. A damaged entry is removed

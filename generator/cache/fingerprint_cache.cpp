@@ -16,7 +16,7 @@ constexpr std::chrono::milliseconds kTick{12};
 constexpr std::chrono::seconds kCoarseTick{3};
 
 std::string name_of(const std::filesystem::path& root) {
-  return "ac/" + Sha256().add("files").add(std::filesystem::absolute(root).string()).hex();
+  return "here/" + Sha256().add("files").add(std::filesystem::absolute(root).string()).hex();
 }
 
 }  // namespace

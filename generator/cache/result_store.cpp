@@ -16,6 +16,7 @@ using Pairs = std::vector<std::pair<std::string, std::string>>;
 // Of a model that is changed back and forth, as many versions are remembered.
 constexpr std::size_t kMostLists = 8;
 
+// Of lists and of results, which a shared store has side by side.
 std::string hash_of_all(std::string_view kind, const Dependencies& recipe,
                         const Dependencies& traced = {}) {
   Sha256 hash;
@@ -24,7 +25,20 @@ std::string hash_of_all(std::string_view kind, const Dependencies& recipe,
     hash.add(std::to_string(part->size()));
     for (const Dependency& one : *part) hash.add(one.name).add(one.value);
   }
-  return "ac/" + hash.hex();
+  return hash.hex();
+}
+
+std::string name_of_lists(const Dependencies& recipe) {
+  return "list/" + hash_of_all("recipe", recipe);
+}
+
+std::string name_of_result(const Dependencies& recipe, const Dependencies& traced) {
+  return "ac/" + hash_of_all("result", recipe, traced);
+}
+
+std::vector<std::vector<std::string>> lists_in(const std::optional<std::string>& entry) {
+  using Lists = std::vector<std::vector<std::string>>;
+  return stored_json<Lists>(entry).value_or(Lists{});
 }
 
 // One line.
@@ -38,10 +52,6 @@ std::string text_of(const Dependencies& recipe, const Dependencies& traced) {
 
 }  // namespace
 
-std::vector<ResultStore::Names> ResultStore::looked_at(const std::string& recipe) {
-  return stored_json<std::vector<Names>>(store_.get(recipe)).value_or(std::vector<Names>{});
-}
-
 Dependencies ResultStore::known(const Names& names) {
   Dependencies found;
   for (const std::string& name : names) {
@@ -51,15 +61,26 @@ Dependencies ResultStore::known(const Names& names) {
   return found;
 }
 
+std::optional<ResultStore::Found> ResultStore::find_with(const Dependencies& recipe,
+                                                         const Names& names) {
+  Dependencies traced = known(names);
+  std::string name = name_of_result(recipe, traced);
+  std::optional<std::string> entry = store_.get(name);
+  const std::string question = text_of(recipe, traced) + "\n";
+  if (!entry || !entry->starts_with(question)) return std::nullopt;  // no answer to this one
+  entry->erase(0, question.size());
+  return Found{std::move(name), *std::move(entry), std::move(traced)};
+}
+
 std::optional<ResultStore::Found> ResultStore::find(const Dependencies& recipe) {
-  for (const Names& names : looked_at(hash_of_all("recipe", recipe))) {
-    Dependencies traced = known(names);
-    std::string name = hash_of_all("result", recipe, traced);
-    std::optional<std::string> entry = store_.get(name);
-    const std::string question = text_of(recipe, traced) + "\n";
-    if (!entry || !entry->starts_with(question)) continue;  // of another one, it is no answer
-    entry->erase(0, question.size());
-    return Found{std::move(name), *std::move(entry), std::move(traced)};
+  const std::string lists = name_of_lists(recipe);
+  const std::vector<Names> own = lists_in(store_.get(lists));
+  for (const Names& names : own) {
+    if (auto found = find_with(recipe, names)) return found;
+  }
+  for (const Names& names : lists_in(store_.get_of_others(lists))) {
+    if (std::ranges::find(own, names) != own.end()) continue;
+    if (auto found = find_with(recipe, names)) return found;
   }
   return std::nullopt;
 }
@@ -79,16 +100,23 @@ std::optional<ResultStore::Kept> ResultStore::keep(const Dependencies& recipe, c
   for (const std::string& name : looked_at_all) {
     if (!fingerprints_.unchanged_since(name, begin)) return std::nullopt;
   }
-  Kept kept{hash_of_all("result", recipe, traced), traced};
+  Kept kept{name_of_result(recipe, traced), traced};
   const std::string entry = text_of(recipe, traced) + "\n" + std::string(bytes);
   if (!store_.put(kept.name, entry)) return kept;
-  const std::string list = hash_of_all("recipe", recipe);
-  std::vector<Names> lists = looked_at(list);
-  std::erase(lists, names);
-  lists.insert(lists.begin(), names);
-  lists.resize(std::min(lists.size(), kMostLists));
-  store_.put(list, json(lists).dump());
+  add_list(name_of_lists(recipe), std::move(names));
   return kept;
+}
+
+// Those of others who were as quick stay there.
+void ResultStore::add_list(const std::string& name, Names newest) {
+  std::vector<Names> lists{std::move(newest)};
+  for (const auto& entry : {store_.get(name), store_.get_of_others(name)}) {
+    for (Names& names : lists_in(entry)) {
+      if (std::ranges::find(lists, names) == lists.end()) lists.push_back(std::move(names));
+    }
+  }
+  lists.resize(std::min(lists.size(), kMostLists));
+  store_.put(name, json(lists).dump());
 }
 
 Dependencies ResultStore::dependencies_of(const std::string& name) const {

@@ -53,7 +53,8 @@ class ResultStore {
 
  private:
   using Names = std::vector<std::string>;
-  std::vector<Names> looked_at(const std::string& recipe);
+  std::optional<Found> find_with(const Dependencies& recipe, const Names& names);
+  void add_list(const std::string& name, Names newest);
   Dependencies known(const Names& names);
 
   Store& store_;

@@ -18,7 +18,7 @@ std::string key_of(const Task& task) {
 }  // namespace
 
 LastRun::LastRun(Store& store, const std::filesystem::path& root)
-    : store_(store), name_("ac/" + Sha256().add("last").add(root.string()).hex()) {}
+    : store_(store), name_("here/" + Sha256().add("last").add(root.string()).hex()) {}
 
 LastRun::~LastRun() {
   // Nobody must fail here, whatever a lesson's file is called.

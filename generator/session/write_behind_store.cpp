@@ -9,7 +9,7 @@ namespace {
 constexpr std::size_t kMostBytes = 64 << 20;
 
 bool is_quick(const std::string& name) {
-  return name.starts_with("ac/");
+  return !name.starts_with("cas/");
 }
 
 }  // namespace
@@ -68,6 +68,10 @@ std::optional<std::string> WriteBehindStore::get(const std::string& name) {
     remember(name, *bytes);
   }
   return bytes;
+}
+
+std::optional<std::string> WriteBehindStore::get_of_others(const std::string& name) {
+  return slow_ == nullptr ? std::nullopt : slow_->get_of_others(name);
 }
 
 bool WriteBehindStore::put(const std::string& name, std::string_view bytes) {

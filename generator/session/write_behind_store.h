@@ -28,6 +28,7 @@ class WriteBehindStore : public Store {
 
   std::optional<std::string> get(const std::string& name) override;
   bool put(const std::string& name, std::string_view bytes) override;
+  std::optional<std::string> get_of_others(const std::string& name) override;
 
  private:
   struct Entry {

@@ -23,11 +23,19 @@ function check() {
 // As the store hashes several parts.
 const part = (bytes) => Buffer.concat([Buffer.from(`${bytes.length}:`), bytes]);
 
+// The seal of `bytes` in `file`, as an entry of this kind.
+function seal(kind, file, bytes) {
+  const name = Buffer.from(`${kind}/${relative(join(store, "ac"), file).replaceAll("/", "")}`);
+  return createHash("sha256").update(part(name)).update(part(bytes)).digest("hex");
+}
+
 // Writes `bytes` as the content of the entry in `file`.
 function write(file, bytes) {
-  const name = Buffer.from(`ac/${relative(join(store, "ac"), file).replaceAll("/", "")}`);
-  const hash = createHash("sha256").update(part(name)).update(part(bytes)).digest("hex");
-  writeFileSync(file, Buffer.concat([Buffer.from(`${mark}${hash}\n`), bytes]));
+  const former = readFileSync(file);
+  const sealed = former.subarray(mark.length, mark.length + 64).toString();
+  const kind = ["ac", "list", "here"].find((one) => seal(one, file, content(file)) === sealed);
+  if (kind === undefined) throw new Error(`${file} has another seal`);
+  writeFileSync(file, Buffer.concat([Buffer.from(`${mark}${seal(kind, file, bytes)}\n`), bytes]));
 }
 
 const content = (file) => readFileSync(file).subarray(mark.length + 65);

@@ -14,6 +14,26 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::system_clock;
 
+// Of a machine that shares its results with others, and has lists of its own.
+class OneOfMany : public MemoryStore {
+ public:
+  explicit OneOfMany(MemoryStore& shared) : shared_(shared) {}
+
+  std::optional<std::string> get(const std::string& name) override {
+    auto own = MemoryStore::get(name);
+    return own ? own : shared_.get(name);
+  }
+  bool put(const std::string& name, std::string_view bytes) override {
+    return shared_.put(name, bytes) && MemoryStore::put(name, bytes);
+  }
+  std::optional<std::string> get_of_others(const std::string& name) override {
+    return shared_.get(name);
+  }
+
+ private:
+  MemoryStore& shared_;
+};
+
 class ResultStoreTest : public testing::Test {
  protected:
   void write(const std::string& path, const std::string& bytes) const {
@@ -57,6 +77,26 @@ TEST_F(ResultStoreTest, FindsByTheRecipeAndWhatWasLookedAt) {
   EXPECT_EQ(found(recipe_), "of one") << "both are kept";
   write("models/b.xml", "");
   EXPECT_EQ(found(recipe_), "nothing") << "a file that was looked for is there now";
+}
+
+TEST_F(ResultStoreTest, FindsWhatOthersLookedAt) {
+  OneOfMany here(store_), there(store_);
+  ResultStore ours(here, prints_), theirs(there, prints_);
+  const auto keep_in = [&](ResultStore& results, const std::string& file) {
+    write(file, "one");
+    trace_.clear();
+    trace_.file(file);
+    std::this_thread::sleep_for(50ms);
+    EXPECT_TRUE(results.keep(recipe_, trace_, Clock::now(), "of " + file));
+  };
+  keep_in(ours, "models/a.xml");
+  keep_in(theirs, "models/b.xml");  // whose list has both
+  write("models/a.xml", "two");
+  EXPECT_EQ(ours.find(recipe_)->bytes, "of models/b.xml") << "which is not in our own list";
+  keep_in(ours, "models/c.xml");
+  write("models/c.xml", "two");
+  EXPECT_EQ(ours.find(recipe_)->bytes, "of models/b.xml") << "which it has since";
+  EXPECT_EQ(theirs.find(recipe_)->bytes, "of models/b.xml");
 }
 
 // Whatever a store gives, also under the right hash.
