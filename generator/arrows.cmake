@@ -1,12 +1,14 @@
 # The arrows between the folders of the generator, stated once: which others the files of each may
 # include. A folder comes after all that it includes. generator/CMakeLists.txt links along the arrows;
 # tests/lint/arrows.mjs holds every include and the table of generator/README.md against them.
-set(folders base process report lesson/syntax lesson/json lesson/blocks lesson course findings
+set(folders base remote remote/client process report lesson/syntax lesson/json lesson/blocks lesson course findings
     physics/mistakes physics script cache toolchain evaluate/context evaluate/programs
     evaluate/scenes evaluate/answers evaluate/claims evaluate session page/html page/blocks page
     preview lsp cli)
 
 set(base_includes)
+set(remote_includes base)
+set(remote/client_includes remote base)
 set(process_includes base)
 set(report_includes process base)
 set(lesson/syntax_includes report base)
@@ -41,7 +43,7 @@ set(page_includes page/blocks page/html script findings course lesson lesson/jso
 set(preview_includes page page/blocks page/html session report process base)
 set(lsp_includes session evaluate physics course lesson lesson/blocks lesson/json report base)
 set(cli_includes lsp preview page page/blocks page/html session evaluate evaluate/claims toolchain
-    physics findings course lesson lesson/syntax report process base)
+    physics findings course lesson lesson/syntax report process remote base)
 
 # What a folder does not reach through headers of others either, of folders and of libraries: data knows
 # nothing of those who find it out, and what shows it computes no physics.

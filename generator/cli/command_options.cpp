@@ -8,6 +8,7 @@
 
 #include "cli/size.h"
 #include "course/web_address.h"
+#include "remote/server.h"
 
 namespace mjcourse {
 namespace {
@@ -65,6 +66,18 @@ void add_store(CommandLine& line, std::filesystem::path& store) {
   line.path("--store", kFolder, "where results are kept (default: the user's cache)", store);
 }
 
+void add_stores(CommandLine& line, CourseOptions& options) {
+  add_store(line, options.store);
+  line.value("--store-url", {"URL", "an address that begins with http://, https:// or unix:/"},
+             "a store that many machines share, in Bazel's HTTP cache protocol; none: only --store "
+             "(default: what MJCOURSE_STORE_URL says)",
+             [&](const std::string& value) {
+               options.shared.url = value;
+               return value == kNoServer || server_at(value).has_value();
+             });
+  line.flag("--store-read-only", "put nothing into the shared store", options.shared.read_only);
+}
+
 void add_jobs(CommandLine& line, std::size_t& jobs) {
   line.value("--jobs", {"N", "a number of threads"},
              "the number of threads (default: one for each core)",
@@ -72,7 +85,7 @@ void add_jobs(CommandLine& line, std::size_t& jobs) {
 }
 
 void add_evaluation(CommandLine& line, CourseOptions& options) {
-  add_store(line, options.store);
+  add_stores(line, options);
   add_jobs(line, options.jobs);
   line.flag("--unsafe-without-landlock",
             "run a course's programs where the kernel has no Landlock to keep them from your "
@@ -142,7 +155,7 @@ void declare(CommandLine& line, ExplainOptions& options) {
              std::string(kWhereHelp) + "; or a message's name, such as E-output-differs",
              options.where);
   add_course(line, options.course);
-  add_store(line, options.store);
+  add_stores(line, options);
 }
 
 void declare(CommandLine& line, GradeOptions& options) {
@@ -175,7 +188,7 @@ void declare(CommandLine& line, InitOptions& options) {
 
 void declare(CommandLine& line, ListOptions& options) {
   add_course(line, options.course);
-  add_store(line, options.store);
+  add_stores(line, options);
   add_jobs(line, options.jobs);
 }
 

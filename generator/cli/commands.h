@@ -19,6 +19,7 @@ enum class Format { text, json, github, sarif, junit };
 struct CourseOptions {
   std::filesystem::path course = ".";
   std::filesystem::path store;  // of results; empty for the user's
+  SharedPlace shared;           // of results, beside that
   std::size_t jobs = core_count();
   bool without_landlock = false;  // run a course's programs where the kernel has none
 };

@@ -112,7 +112,7 @@ int explain(const ExplainOptions& options) {
     }
     wanted.push_back(*place);
   }
-  if (verified.store == nullptr) return kClean;  // it was said that there is no store
+  if (verified.store.get() == nullptr) return kClean;  // it was said that there is no store
   const DiskFiles assets(assets_folder());
   std::size_t kept = 0, told = 0;
   for (const Explanation& task : explain_course(

@@ -20,7 +20,7 @@ constexpr int kLeftAlone = 1;
 }  // namespace
 
 int lsp(const LspOptions& options) {
-  const OpenedStore opened = open_store(options.store);
+  const OpenedStore opened = open_store(options.store, options.shared);
   WriteBehindStore store(opened.get());
   const DiskFiles assets(assets_folder());
   EvaluationSettings settings = evaluation_settings(options, assets, &store);

@@ -1,12 +1,15 @@
 #include "cli/open_store.h"
 
 #include <chrono>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "base/cache_folder.h"
+#include "cli/verify.h"
 
 namespace mjcourse {
 namespace {
@@ -23,6 +26,14 @@ bool is_due(const fs::path& stamp) {
   return true;
 }
 
+// Empty for none.
+std::string address_of(const SharedPlace& place) {
+  if (place.url == kNoServer) return "";
+  if (!place.url.empty()) return place.url;
+  const char* const url = std::getenv("MJCOURSE_STORE_URL");
+  return url == nullptr || url == std::string(kNoServer) ? "" : url;
+}
+
 }  // namespace
 
 fs::path store_folder(const fs::path& named) {
@@ -31,27 +42,57 @@ fs::path store_folder(const fs::path& named) {
   return cache ? *cache / "store" : fs::path();
 }
 
-OpenedStore open_store(const fs::path& folder) {
-  fs::path place = store_folder(folder);
-  if (place.empty()) {
+OpenedStore open_store(const fs::path& folder, const SharedPlace& place) {
+  fs::path there = store_folder(folder);
+  if (there.empty()) {
     std::cerr << "note: results are not kept: neither XDG_CACHE_HOME nor HOME names a folder that "
                  "can be written\n";
-    return nullptr;
+    return {};
   }
+  OpenedStore store;
   try {
-    return OpenedStore(std::make_unique<DiskStore>(std::move(place)).release());
+    store = OpenedStore(std::make_unique<DiskStore>(std::move(there)));
   } catch (const std::system_error& error) {
     std::cerr << "note: results are not kept: " << error.what() << '\n';
-    return nullptr;
+    return {};
   }
+  const std::string url = address_of(place);
+  if (url.empty()) return store;
+  const auto server = server_at(url);
+  try {
+    if (!server) throw std::runtime_error("MJCOURSE_STORE_URL: " + server.error());
+    store.share(assets_folder() / "net" / "mjcourse-net", *server, place.read_only);
+  } catch (const std::exception& error) {
+    std::cerr << "note: no shared store is used: " << error.what() << '\n';
+  }
+  return store;
 }
 
-void CloseStore::operator()(DiskStore* opened) const {
-  std::unique_ptr<DiskStore> store(opened);
-  for (const std::string& note : store->notes()) std::cerr << "note: " << note << '\n';
-  const fs::path folder = store->folder();
-  const bool can_be_written = store->can_be_written();
-  store.reset();
+void OpenedStore::share(const fs::path& program, const Server& server, bool read_only) {
+  remote_ = std::make_unique<RemoteStore>(program, server, read_only);
+  shared_ = std::make_unique<SharedStore>(*disk_, *remote_, !read_only);
+}
+
+Store* OpenedStore::get() const {
+  if (shared_) return shared_.get();
+  return disk_.get();
+}
+
+std::optional<RemoteStore::Traffic> OpenedStore::traffic() const {
+  return remote_ ? std::optional(remote_->traffic()) : std::nullopt;
+}
+
+OpenedStore::~OpenedStore() {
+  if (!disk_) return;
+  shared_.reset();
+  const auto print = [](const std::vector<std::string>& notes) {
+    for (const std::string& note : notes) std::cerr << "note: " << note << '\n';
+  };
+  print(disk_->notes());
+  if (remote_) print(remote_->notes());
+  const fs::path folder = disk_->folder();
+  const bool can_be_written = disk_->can_be_written();
+  disk_.reset();
   if (!can_be_written) return;
   try {
     if (is_due(folder / "pruned")) prune_store(folder, kMostKept, false);

@@ -4,23 +4,53 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 #include "base/disk_store.h"
+#include "remote/remote_store.h"
+#include "remote/shared_store.h"
 
 namespace mjcourse {
 
 // How much a store keeps of its own accord: 2 GB.
 inline constexpr std::uintmax_t kMostKept = 2'000'000'000;
 
-// Prints the store's notes to stderr; and once a day, leaves no more than kMostKept.
-struct CloseStore {
-  void operator()(DiskStore* opened) const;
-};
-using OpenedStore = std::unique_ptr<DiskStore, CloseStore>;
+// An address that says: no server, whatever the environment says.
+inline constexpr const char* kNoServer = "none";
 
-// In `folder`, or, where that is empty, in the user's cache. Null where no store can be opened; a
-// note on stderr says why.
-OpenedStore open_store(const std::filesystem::path& folder);
+// The server that a user named on the command line.
+struct SharedPlace {
+  std::string url;  // empty for what MJCOURSE_STORE_URL says
+  bool read_only = false;
+};
+
+class OpenedStore {
+ public:
+  OpenedStore() = default;
+  explicit OpenedStore(std::unique_ptr<DiskStore> disk) : disk_(std::move(disk)) {}
+  OpenedStore(OpenedStore&&) = default;
+  OpenedStore& operator=(OpenedStore&&) = default;
+  // Waits until the shared store has all; prints the stores' notes to stderr; and once a day,
+  // leaves no more than kMostKept on the disk.
+  ~OpenedStore();
+
+  // With a server before which this store is from now on. Throws std::system_error.
+  void share(const std::filesystem::path& program, const Server& server, bool read_only);
+
+  // Null where no store could be opened.
+  Store* get() const;
+  // Of the shared store; nothing where there is none.
+  std::optional<RemoteStore::Traffic> traffic() const;
+
+ private:
+  std::unique_ptr<DiskStore> disk_;
+  std::unique_ptr<RemoteStore> remote_;
+  std::unique_ptr<SharedStore> shared_;
+};
+
+// In `folder`, or, where that is empty, in the user's cache. Without a store where none can be
+// opened; a note on stderr says why.
+OpenedStore open_store(const std::filesystem::path& folder, const SharedPlace& place);
 
 // The folder of a store: `named`, or the user's; empty where there is none.
 std::filesystem::path store_folder(const std::filesystem::path& named);

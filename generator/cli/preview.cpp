@@ -94,7 +94,7 @@ void open_browser(const std::string& address) {
 
 int preview(const PreviewOptions& options) {
   const Interrupt interrupt;
-  const OpenedStore opened = open_store(options.store);
+  const OpenedStore opened = open_store(options.store, options.shared);
   WriteBehindStore store(opened.get());
   const DiskFiles assets(assets_folder());
   Teller teller;

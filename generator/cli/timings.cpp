@@ -6,6 +6,7 @@
 
 #include "base/counted.h"
 #include "base/files.h"
+#include "cli/size.h"
 
 namespace mjcourse {
 namespace {
@@ -49,6 +50,14 @@ std::string timings_table(const std::vector<TaskTime>& times) {
     text += milliseconds(kept) + "  " + counted(reused, "result") + " kept from before\n";
   }
   return text;
+}
+
+std::string traffic_text(const RemoteStore::Traffic& traffic) {
+  return milliseconds(traffic.waited) +
+         "  for the shared store, of all threads together: " + std::to_string(traffic.found) +
+         " of " + counted(traffic.found + traffic.missed, "entry", "entries") + " found (" +
+         size_text(traffic.received) + "), " + std::to_string(traffic.put) + " put (" +
+         size_text(traffic.sent) + ")\n";
 }
 
 void write_trace(const std::vector<TaskTime>& times, const std::filesystem::path& file) {

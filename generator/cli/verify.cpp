@@ -105,7 +105,7 @@ std::ptrdiff_t count_errors(const Diagnostics& diagnostics) {
 
 Verified read_course_of(const CourseOptions& options) {
   Verified verified;
-  verified.store = open_store(options.store);
+  verified.store = open_store(options.store, options.shared);
   verified.course =
       read_course(DiskFiles(options.course), verified.evaluation.diagnostics, options.jobs);
   return verified;
@@ -166,7 +166,10 @@ Verified verify_course(const VerifyOptions& options) {
   if (total.programs > 0 && verified.evaluation.versions.page.empty()) {
     out << "page: programs were run natively alone: the compiler of the page was not built\n";
   }
-  if (options.timings) out << timings_table(verified.evaluation.times);
+  if (options.timings) {
+    out << timings_table(verified.evaluation.times);
+    if (const auto traffic = verified.store.traffic()) out << traffic_text(*traffic);
+  }
   if (!options.trace.empty()) write_trace(verified.evaluation.times, options.trace);
   if (!options.report.empty()) {
     write_report(

@@ -1,0 +1,164 @@
+#include "remote/client/transfers.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+#include <sstream>
+#include <utility>
+
+#include "base/store_entry.h"
+
+namespace mjcourse {
+namespace {
+
+// A store that is slower than this is slower than the work. In ms, s, and bytes/s.
+constexpr long kConnect = 3000, kStall = 5, kSlowest = 1000, kLongest = 60;
+constexpr long kConnections = 16;
+
+std::size_t take(char* bytes, std::size_t, std::size_t count, void* into) {
+  auto& content = *static_cast<std::string*>(into);
+  // libcurl ends the transfer of which fewer bytes were taken than there are.
+  if (content.size() + count > kMostEntryBytes) return 0;
+  content.append(bytes, count);
+  return count;
+}
+
+struct Upload {
+  std::string_view all, rest = all;
+};
+
+std::size_t give(char* bytes, std::size_t size, std::size_t count, void* from) {
+  auto& upload = *static_cast<Upload*>(from);
+  const std::size_t given = std::min(size * count, upload.rest.size());
+  std::copy_n(upload.rest.data(), given, bytes);
+  upload.rest.remove_prefix(given);
+  return given;
+}
+
+// A connection that was kept may turn out to be gone.
+int begin_again(void* from, curl_off_t offset, int origin) {
+  auto& upload = *static_cast<Upload*>(from);
+  if (origin != SEEK_SET || offset < 0 || std::cmp_greater(offset, upload.all.size())) {
+    return CURL_SEEKFUNC_CANTSEEK;
+  }
+  upload.rest = upload.all.substr(static_cast<std::size_t>(offset));
+  return CURL_SEEKFUNC_OK;
+}
+
+}  // namespace
+
+struct Transfers::Transfer {
+  explicit Transfer(Message question) : sent(std::move(question.body)), upload{sent} {
+    std::istringstream(question.head) >> number >> verb >> path;
+  }
+  ~Transfer() { curl_easy_cleanup(easy); }
+  Transfer(const Transfer&) = delete;
+  Transfer& operator=(const Transfer&) = delete;
+
+  CURL* easy = curl_easy_init();
+  std::string number, verb, path, sent, taken;
+  Upload upload;
+  char error[CURL_ERROR_SIZE] = {};
+};
+
+Transfers::Transfers(const Message& settings) : multi_(curl_multi_init()) {
+  if (multi_ == nullptr) throw std::bad_alloc();
+  std::istringstream lines(settings.head + "\n" + settings.body);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t space = std::min(line.find(' '), line.size() - 1);
+    settings_[line.substr(0, space)] = line.substr(space + 1);
+  }
+  // A server that waits for our content need not say so first.
+  headers_ = curl_slist_append(headers_, "Expect:");
+  headers_ = curl_slist_append(headers_, "Content-Type: application/octet-stream");
+  curl_multi_setopt(multi_, CURLMOPT_MAX_HOST_CONNECTIONS, kConnections);
+}
+
+Transfers::~Transfers() {
+  for (const Transfer& transfer : transfers_) curl_multi_remove_handle(multi_, transfer.easy);
+  curl_slist_free_all(headers_);
+  curl_multi_cleanup(multi_);
+}
+
+void Transfers::prepare(Transfer& transfer) const {
+  CURL* const easy = transfer.easy;
+  if (easy == nullptr) throw std::bad_alloc();
+  const std::string url = settings_.at("url") + "/" + transfer.path;
+  curl_easy_setopt(easy, CURLOPT_URL, url.c_str());
+  curl_easy_setopt(easy, CURLOPT_PROTOCOLS_STR, "http,https");
+  curl_easy_setopt(easy, CURLOPT_HTTP_VERSION, CURL_HTTP_VERSION_2TLS);
+  curl_easy_setopt(easy, CURLOPT_PIPEWAIT, 1L);
+  curl_easy_setopt(easy, CURLOPT_NOSIGNAL, 1L);
+  curl_easy_setopt(easy, CURLOPT_CONNECTTIMEOUT_MS, kConnect);
+  curl_easy_setopt(easy, CURLOPT_LOW_SPEED_LIMIT, kSlowest);
+  curl_easy_setopt(easy, CURLOPT_LOW_SPEED_TIME, kStall);
+  curl_easy_setopt(easy, CURLOPT_TIMEOUT, kLongest);
+  curl_easy_setopt(easy, CURLOPT_ERRORBUFFER, transfer.error);
+  curl_easy_setopt(easy, CURLOPT_PRIVATE, &transfer);
+  curl_easy_setopt(easy, CURLOPT_HTTPHEADER, headers_);
+  curl_easy_setopt(easy, CURLOPT_WRITEFUNCTION, take);
+  curl_easy_setopt(easy, CURLOPT_WRITEDATA, &transfer.taken);
+  curl_easy_setopt(easy, CURLOPT_NETRC, static_cast<long>(CURL_NETRC_OPTIONAL));
+  const auto set = [&](const char* name, CURLoption option) {
+    const std::string& value = settings_.at(name);
+    if (!value.empty()) curl_easy_setopt(easy, option, value.c_str());
+  };
+  set("socket", CURLOPT_UNIX_SOCKET_PATH);
+  set("certificate", CURLOPT_SSLCERT);
+  set("key", CURLOPT_SSLKEY);
+  set("authorities", CURLOPT_CAINFO);
+  set("token", CURLOPT_XOAUTH2_BEARER);
+  if (!settings_.at("token").empty()) {
+    curl_easy_setopt(easy, CURLOPT_HTTPAUTH, static_cast<long>(CURLAUTH_BEARER));
+  }
+  if (transfer.verb == "HEAD") curl_easy_setopt(easy, CURLOPT_NOBODY, 1L);
+  if (transfer.verb != "PUT") return;
+  curl_easy_setopt(easy, CURLOPT_UPLOAD, 1L);
+  curl_easy_setopt(easy, CURLOPT_READFUNCTION, give);
+  curl_easy_setopt(easy, CURLOPT_READDATA, &transfer.upload);
+  curl_easy_setopt(easy, CURLOPT_SEEKFUNCTION, begin_again);
+  curl_easy_setopt(easy, CURLOPT_SEEKDATA, &transfer.upload);
+  curl_easy_setopt(easy, CURLOPT_INFILESIZE_LARGE, static_cast<curl_off_t>(transfer.sent.size()));
+}
+
+void Transfers::begin(Message question) {
+  Transfer& transfer = transfers_.emplace_back(std::move(question));
+  prepare(transfer);
+  curl_multi_add_handle(multi_, transfer.easy);
+}
+
+bool Transfers::wait(int input) {
+  curl_waitfd waited{input, CURL_WAIT_POLLIN, 0};
+  int under_way = 0;
+  curl_multi_perform(multi_, &under_way);
+  curl_multi_poll(multi_, &waited, 1, 1000, nullptr);
+  curl_multi_perform(multi_, &under_way);
+  return waited.revents != 0;
+}
+
+std::string Transfers::answer_of(const Transfer& transfer, CURLcode result) const {
+  if (result != CURLE_OK) {
+    const char* const why = transfer.error[0] != '\0' ? transfer.error : curl_easy_strerror(result);
+    return frame_of(transfer.number + " 0", why);
+  }
+  long status = 0;
+  curl_easy_getinfo(transfer.easy, CURLINFO_RESPONSE_CODE, &status);
+  return frame_of(transfer.number + " " + std::to_string(status), transfer.taken);
+}
+
+std::vector<std::string> Transfers::finished() {
+  std::vector<std::string> answers;
+  int more = 0;
+  while (const CURLMsg* message = curl_multi_info_read(multi_, &more)) {
+    if (message->msg != CURLMSG_DONE) continue;
+    CURL* const easy = message->easy_handle;
+    Transfer* transfer = nullptr;
+    curl_easy_getinfo(easy, CURLINFO_PRIVATE, &transfer);
+    answers.push_back(answer_of(*transfer, message->data.result));
+    curl_multi_remove_handle(multi_, easy);
+    transfers_.remove_if([&](const Transfer& one) { return &one == transfer; });
+  }
+  return answers;
+}
+
+}  // namespace mjcourse

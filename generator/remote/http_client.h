@@ -1,0 +1,57 @@
+// HttpClient: asks a server for us, by a program of its own, `mjcourse-net`.
+//
+// What a server sends is anybody's, and what reads it is a large library. So that runs elsewhere,
+// and what the generator is made of, which is in the keys of results, does not depend on it. The
+// program has many requests under way at once; each caller waits for its own.
+// Tested by tests/store/remote.mjs.
+#pragma once
+
+#include <sys/types.h>
+
+#include <condition_variable>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include "base/descriptor.h"
+#include "remote/server.h"
+
+namespace mjcourse {
+
+struct HttpAnswer {
+  int status = 0;       // of HTTP; 0 where no whole answer came
+  std::string content;  // or why none came
+};
+
+class HttpClient {
+ public:
+  // `program` is mjcourse-net. Throws std::system_error where it cannot be started.
+  HttpClient(const std::filesystem::path& program, const Server& server);
+  // Whoever waits gets no answer.
+  ~HttpClient();
+  HttpClient(const HttpClient&) = delete;
+  HttpClient& operator=(const HttpClient&) = delete;
+
+  // `verb` is GET, HEAD or PUT; `path` is below the server's folder. From any thread; waits.
+  HttpAnswer ask(std::string_view verb, const std::string& path, std::string_view content = {});
+
+ private:
+  bool send(std::string_view bytes);
+  void read_answers();
+
+  Descriptor socket_;
+  pid_t program_ = -1;
+  std::mutex sending_, mutex_;
+  std::condition_variable changed_;
+  std::map<std::uint64_t, std::optional<HttpAnswer>> asked_;  // by their numbers
+  std::uint64_t last_ = 0;
+  bool ended_ = false;
+  std::jthread reader_;  // last: it uses the rest
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,162 @@
+#include "remote/remote_store.h"
+
+#include <utility>
+
+#include "base/stopwatch.h"
+#include "base/store_entry.h"
+#include "base/utf8.h"
+#include "remote/action_result.h"
+
+namespace mjcourse {
+namespace {
+
+// After so many requests in a row that came to nothing, or so long a wait for those that did, a
+// server is asked no more.
+constexpr int kMostFailures = 3;
+constexpr double kMostWasted = 12;  // s, of all threads together
+// Nor is one whose answers are right, and slower than this, once so long was waited.
+constexpr double kSlow = 1, kMostWaited = 30;  // s
+
+// Blobs from this size on are not sent where they are already.
+constexpr std::size_t kLarge = 1 << 14;  // bytes
+
+enum Status : int {
+  kOk = 200,
+  kPartialContent = 206,
+  kUnauthorized = 401,
+  kForbidden = 403,
+  kNotFound = 404,
+  kMethodNotAllowed = 405,
+  kGone = 410,
+  kContentTooLarge = 413,
+  kNotImplemented = 501,
+  kInsufficientStorage = 507,
+};
+
+bool is_blob(const std::string& name) {
+  return name.starts_with("cas/");
+}
+
+std::string path_of(const std::string& name) {
+  return is_blob(name) ? name : "ac/" + name.substr(name.find('/') + 1);
+}
+
+bool is_put(int status) {
+  return status >= kOk && status < kPartialContent;
+}
+
+std::string reason_of(const HttpAnswer& answer) {
+  if (answer.status == 0) return readable(answer.content.substr(0, answer.content.find('\n')));
+  return "it answers with " + std::to_string(answer.status);
+}
+
+}  // namespace
+
+RemoteStore::RemoteStore(const std::filesystem::path& program, const Server& server, bool read_only)
+    : server_(server), client_(program, server), writes_(!read_only) {}
+
+void RemoteStore::stop(bool reads, const std::string& why) {
+  const bool new_to_us = reads ? reads_ : writes_;
+  writes_ = false;
+  reads_ = reads_ && !reads;
+  if (!new_to_us) return;
+  notes_.push_back("the shared store at " + server_.shown() + " is " +
+                   (reads ? "not used" : "read and not written") + " from here on: " + why);
+}
+
+// What this answer says of the server.
+void RemoteStore::judge(std::string_view verb, const HttpAnswer& answer, double seconds) {
+  const std::lock_guard lock(mutex_);
+  traffic_.waited += seconds;
+  const bool puts = verb == "PUT";
+  switch (answer.status) {
+    case kUnauthorized:
+    case kForbidden:
+      return stop(!puts, reason_of(answer) + "; is MJCOURSE_STORE_TOKEN, or ~/.netrc, right?");
+    case kMethodNotAllowed:
+    case kNotImplemented:
+    case kInsufficientStorage:
+      return stop(!puts, reason_of(answer) + (puts ? " to what is put there" : ""));
+    case kNotFound:
+    case kGone:
+    case kContentTooLarge:
+      failures_ = 0;
+      return;
+    default:
+      break;
+  }
+  if (is_put(answer.status)) {
+    failures_ = 0;
+    ++answers_;
+    if (traffic_.waited > kMostWaited && traffic_.waited > kSlow * answers_) {
+      stop(true, "its answers take longer than a second");
+    }
+    return;
+  }
+  wasted_ += seconds;
+  if (++failures_ >= kMostFailures || wasted_ > kMostWasted) stop(true, reason_of(answer));
+}
+
+HttpAnswer RemoteStore::ask(std::string_view verb, const std::string& path,
+                            std::string_view content) {
+  const Stopwatch stopwatch;
+  HttpAnswer answer = client_.ask(verb, path, content);
+  judge(verb, answer, stopwatch.seconds());
+  return answer;
+}
+
+bool RemoteStore::is_written() const {
+  const std::lock_guard lock(mutex_);
+  return writes_;
+}
+
+std::optional<std::string> RemoteStore::get(const std::string& name) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!reads_ || !is_store_name(name)) return std::nullopt;
+  }
+  HttpAnswer answer = ask("GET", path_of(name));
+  if (answer.status != kOk) {
+    const std::lock_guard lock(mutex_);
+    ++traffic_.missed;
+    return std::nullopt;
+  }
+  const std::size_t size = answer.content.size();
+  std::optional<std::string> entry =
+      is_blob(name) ? std::optional(std::move(answer.content)) : output_of(answer.content);
+  const bool is_former = !is_blob(name) && entry && is_of_another_version(*entry);
+  std::optional<std::string> bytes = entry ? unsealed(name, *std::move(entry)) : std::nullopt;
+  const std::lock_guard lock(mutex_);
+  ++(bytes ? traffic_.found : traffic_.missed);
+  traffic_.received += size;
+  if (!bytes && !is_former && !std::exchange(was_damaged_, true)) {
+    notes_.push_back("the shared store at " + server_.shown() + " gave another content than " +
+                     path_of(name) + " was put with; such entries are made again");
+  }
+  return bytes;
+}
+
+bool RemoteStore::put(const std::string& name, std::string_view bytes) {
+  if (!is_written() || !is_store_name(name)) return false;
+  const std::string path = path_of(name);
+  if (is_blob(name) && bytes.size() >= kLarge && ask("HEAD", path).status == kOk) return true;
+  const std::string entry = is_blob(name) ? "" : action_result(sealed(name, bytes));
+  const std::string_view content = is_blob(name) ? bytes : std::string_view(entry);
+  if (!is_put(ask("PUT", path, content).status)) return false;
+  const std::lock_guard lock(mutex_);
+  ++traffic_.put;
+  traffic_.sent += content.size();
+  return true;
+}
+
+RemoteStore::Traffic RemoteStore::traffic() const {
+  const std::lock_guard lock(mutex_);
+  return traffic_;
+}
+
+std::vector<std::string> RemoteStore::notes() const {
+  const std::lock_guard lock(mutex_);
+  return notes_;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,28 @@
+// Where a shared store is, and as whom it is asked.
+//
+// What proves who asks is a secret: it stands in the environment or in ~/.netrc, and reaches no
+// command line, message, report or key.
+// Tested by tests/generator/remote/server_test.cpp.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+
+namespace mjcourse {
+
+struct Server {
+  std::string url;     // of the folder with ac/ and cas/, without a slash at its end
+  std::string socket;  // the path of a socket, for `unix:`
+  // From MJCOURSE_STORE_TOKEN, MJCOURSE_STORE_CERTIFICATE and _KEY (files), and _AUTHORITIES, a
+  // file of certificates to be trusted instead of the system's. Empty where they are not set.
+  std::string token, certificate, key, authorities;
+
+  // For people: without a name and password in it.
+  std::string shown() const;
+};
+
+// `address` is http://…, https://… or unix:/path; what is wrong with it.
+tl::expected<Server, std::string> server_at(const std::string& address);
+
+}  // namespace mjcourse

@@ -1,0 +1,71 @@
+#include "remote/shared_store.h"
+
+#include <utility>
+
+namespace mjcourse {
+namespace {
+
+constexpr int kSenders = 8;
+
+// What is no other machine's business.
+bool stays_here(const std::string& name) {
+  return name.starts_with("here/");
+}
+
+bool is_list(const std::string& name) {
+  return name.starts_with("list/");
+}
+
+}  // namespace
+
+SharedStore::SharedStore(Store& disk, Store& remote, bool written) : disk_(disk), remote_(remote) {
+  for (int i = 0; written && i < kSenders; ++i) {
+    senders_.emplace_back([this] { send(); });
+  }
+}
+
+SharedStore::~SharedStore() {
+  const std::lock_guard lock(mutex_);
+  stopped_ = true;
+  changed_.notify_all();
+}
+
+void SharedStore::send() {
+  std::unique_lock lock(mutex_);
+  for (;;) {
+    changed_.wait(lock, [this] { return stopped_ || !waiting_.empty(); });
+    if (waiting_.empty()) return;
+    Entry next = std::move(waiting_.front());
+    waiting_.pop_front();
+    lock.unlock();
+    // A list may have grown since.
+    if (!next.bytes) next.bytes = disk_.get(next.name);
+    if (next.bytes) remote_.put(next.name, *next.bytes);
+    lock.lock();
+  }
+}
+
+std::optional<std::string> SharedStore::get(const std::string& name) {
+  if (auto bytes = disk_.get(name)) return bytes;
+  if (stays_here(name)) return std::nullopt;
+  std::optional<std::string> bytes = remote_.get(name);
+  if (bytes) disk_.put(name, *bytes);
+  return bytes;
+}
+
+std::optional<std::string> SharedStore::get_of_others(const std::string& name) {
+  return remote_.get(name);
+}
+
+bool SharedStore::put(const std::string& name, std::string_view bytes) {
+  const bool kept = disk_.put(name, bytes);
+  if (stays_here(name) || senders_.empty()) return kept;
+  const std::lock_guard lock(mutex_);
+  // A name that is not a list's has the same bytes each time.
+  if (!is_list(name) && !sent_.insert(name).second) return kept;
+  waiting_.push_back({name, kept ? std::nullopt : std::optional(std::string(bytes))});
+  changed_.notify_one();
+  return kept;
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,271 @@
+// Machines that share a store: what one has found out, the other does not do again, whichever server
+// it is behind. And whatever a server does instead, each check ends as it would without one, with one
+// note.
+//
+//   node tests/store/remote.mjs MJCOURSE [CASE]
+
+import { spawn } from "node:child_process";
+import {
+  appendFileSync,
+  cpSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { setTimeout as pause } from "node:timers/promises";
+
+import { lighttpd, nginx, nginxAtSocket, nginxWithToken, strange, token } from "./servers.mjs";
+
+const [mjcourse, asked = ""] = process.argv.slice(2);
+const home = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
+let failed = 0;
+let cases = 0;
+
+function expect(good, what) {
+  if (good) return;
+  ++failed;
+  console.error(what);
+}
+
+function write(folder, path, text) {
+  mkdirSync(dirname(join(folder, path)), { recursive: true });
+  writeFileSync(join(folder, path), text);
+}
+
+const course = join(home, "course");
+write(
+  course,
+  "content/course.yaml",
+  "title: T\nlevels:\n  - {folder: 1-a, title: A, lessons: [1.1-b]}\n",
+);
+write(
+  course,
+  "models/ball.xml",
+  '<mujoco><worldbody><light pos="0 0 3"/><body name="ball" pos="0 0 1"><freejoint/>' +
+    '<geom size="0.1"/></body></worldbody></mujoco>\n',
+);
+write(
+  course,
+  "content/1-a/1.1-b.md",
+  `---
+title: B
+---
+
+The ball has \`{ball} model.nv :.0f\` degrees of freedom.
+
+\`\`\`figure
+{"model": "ball", "alt": "A ball.", "size": [160, 100]}
+\`\`\`
+
+\`\`\`lab simlab
+{
+  "title": "A ball",
+  "model": "ball",
+  "alt": "A ball in the air",
+  "controls": [{"type": "button", "label": "Kick", "run": "data.qvel[0] = 1"}]
+}
+\`\`\`
+`,
+);
+// What takes long, and depends on hundreds of headers.
+const program = `
+\`\`\`cpp snippet model=ball
+std::cout << model->nq << '\\n';
+\`\`\`
+
+\`\`\`text
+7
+\`\`\`
+`;
+
+// A machine has a place of its own for the course and for its store.
+let machines = 0;
+function machine(more = "") {
+  const folder = join(home, `machine-${++machines}`);
+  const place = join(folder, "x".repeat(machines), "course");
+  cpSync(course, place, { recursive: true });
+  appendFileSync(join(place, "content/1-a/1.1-b.md"), more);
+  return { folder, place, store: join(folder, "store") };
+}
+
+// Checks the course there; gives what was worked out, and what was said.
+async function check(there, server, ...more) {
+  const trace = join(there.folder, "trace.json");
+  const words = ["check", "--course", there.place, "--store", there.store, "--trace", trace];
+  if (server) words.push("--store-url", server.url);
+  const environment = { ...process.env, ...server?.environment };
+  const child = spawn(mjcourse, [...words, ...more], { env: environment });
+  let said = "";
+  for (const stream of [child.stdout, child.stderr]) stream.on("data", (bytes) => (said += bytes));
+  const begin = Date.now();
+  const status = await new Promise((done) => child.on("close", done));
+  const seconds = (Date.now() - begin) / 1000;
+  const { traceEvents } = JSON.parse(readFileSync(trace, "utf8"));
+  const anew = traceEvents.filter((event) => event.cat === "worked").map((event) => event.name);
+  const notes = said.split("\n").filter((line) => line.startsWith("note: "));
+  return { status, said, anew: anew.sort(), notes, seconds };
+}
+
+const all = (await check(machine(), undefined)).anew;
+const allOf = (more) =>
+  more === "" ? all : [...all, "compile and run the snippets of 1.1"].sort();
+expect(all.length > 3, `only ${all} is worked out`);
+
+async function test(name, run) {
+  if (!name.includes(asked)) return;
+  ++cases;
+  try {
+    await run();
+  } catch (error) {
+    expect(false, `${name}: ${error.stack}`);
+  }
+}
+
+// A check that ends as without a server.
+async function expectRight(name, there, server, ...more) {
+  const run = await check(there, server, ...more);
+  expect(run.status === 0, `${name}: the check ends with ${run.status}: ${run.said}`);
+  expect(!run.said.includes(token), `${name}: the token is told: ${run.said}`);
+  return run;
+}
+
+for (const start of [nginx, nginxAtSocket, nginxWithToken, lighttpd]) {
+  await test(start.name, async () => {
+    const server = await start(join(home, start.name));
+    const more = start === nginx ? program : "";
+    const one = await expectRight("the first", machine(more), server);
+    expect(one.anew.join() === allOf(more).join(), `the first works out ${one.anew}`);
+    expect(one.notes.length === 0, `the first says ${one.notes}`);
+    const names = server.entries();
+    expect(names.length > all.length, `the store has ${names}`);
+
+    const two = await expectRight("the second", machine(more), server);
+    expect(two.anew.length === 0, `the second works out ${two.anew}`);
+    expect(two.notes.length === 0, `the second says ${two.notes}`);
+    expect(server.entries().join() === names.join(), "the second has put something");
+
+    const other = machine(more);
+    write(
+      other.place,
+      "models/ball.xml",
+      readFileSync(join(course, "models/ball.xml"), "utf8").replace("0.1", "0.2"),
+    );
+    const third = await expectRight("the third", other, server, "--store-read-only");
+    expect(third.anew.length > 0, "another model has the former results");
+    expect(server.entries().join() === names.join(), "a reader has put something");
+    await server.stop();
+  });
+}
+
+await test("no token", async () => {
+  const server = await nginxWithToken(join(home, "no-token"));
+  const without = { ...server, environment: { ...server.environment, MJCOURSE_STORE_TOKEN: "x" } };
+  const { notes, anew } = await expectRight("no token", machine(), without);
+  expect(anew.join() === all.join(), `no token: works out ${anew}`);
+  const said = `note: the shared store at ${server.url} is not used from here on: it answers with 401; is MJCOURSE_STORE_TOKEN, or ~/.netrc, right?`;
+  expect(notes.join("\n") === said, `no token: says ${notes}`);
+  expect(server.entries().length === 0, "without the token, something was put");
+  await server.stop();
+});
+
+await test("down", async () => {
+  const server = await nginx(join(home, "down"));
+  await server.stop();
+  const { notes } = await expectRight("down", machine(), server);
+  expect(notes.length === 1 && notes[0].includes("is not used from here on: "), `down: ${notes}`);
+});
+
+await test("killed", async () => {
+  const server = await nginx(join(home, "killed"));
+  const running = expectRight("killed", machine(), server);
+  await pause(300);
+  await server.stop();
+  const { notes } = await running;
+  expect(notes.length <= 1, `killed: ${notes}`);
+});
+
+// A server that has all, and one fault. `says` is what its note has.
+const flip = (bytes) => {
+  const other = Buffer.from(bytes);
+  other[Math.floor(other.length * 0.7)] ^= 4;
+  return other;
+};
+const faults = {
+  flipped: {
+    of: ({ found, usual }) => (found ? { status: 200, bytes: flip(found) } : usual),
+    says: "gave another content than",
+  },
+  truncated: {
+    of: ({ found, usual, method }) =>
+      found && method === "GET"
+        ? { status: 200, bytes: found.subarray(0, found.length / 2), length: found.length }
+        : usual,
+    says: "is not used from here on",
+  },
+  shortened: {
+    of: ({ found, usual }) =>
+      found ? { status: 200, bytes: found.subarray(0, found.length / 2) } : usual,
+    says: "gave another content than",
+  },
+  exchanged: {
+    of: ({ found, usual, kept, name }) => {
+      const others = [...kept.keys()].filter((one) => one.slice(0, 2) === name.slice(0, 2)).sort();
+      const next = others[(others.indexOf(name) + 1) % others.length];
+      return found ? { status: 200, bytes: kept.get(next) } : usual;
+    },
+    says: "gave another content than",
+  },
+  "a page for all": {
+    of: ({ method }) => ({
+      status: 200,
+      bytes: method === "GET" ? Buffer.from("<html>") : undefined,
+    }),
+    says: "gave another content than",
+  },
+  silent: { of: () => undefined, says: "is not used from here on" },
+  "500 at random": { of: ({ usual }, n) => (n % 3 === 0 ? { status: 500 } : usual), says: "" },
+  "always 500": { of: () => ({ status: 500 }), says: "not used from here on: it answers with 500" },
+  forbidden: { of: () => ({ status: 403 }), says: "not used from here on: it answers with 403" },
+  slow: { of: async ({ usual }) => (await pause(30_000), usual), says: "is not used from here on" },
+};
+for (const [name, { of, says }] of Object.entries(faults)) {
+  await test(name, async () => {
+    let broken = false;
+    const server = await strange((request, n) => (broken ? of(request, n) : request.usual));
+    await expectRight(`${name}, before`, machine(), server);
+    broken = true;
+    const { notes, seconds } = await expectRight(name, machine(), server);
+    const good = says === "" ? notes.length === 0 : notes.length === 1 && notes[0].includes(says);
+    expect(good, `${name}: says ${notes}`);
+    expect(seconds < 60, `${name}: takes ${seconds} s`);
+    broken = false;
+    const { notes: after } = await expectRight(`${name}, after`, machine(), server);
+    expect(after.length === 0, `${name}, after: says ${after}`);
+    await server.stop();
+  });
+}
+
+// A server of which one may read, and which does not take what is put.
+for (const [status, why] of [
+  [403, "it answers with 403"],
+  [405, "it answers with 405"],
+  [507, "it answers with 507"],
+]) {
+  await test(`put ${status}`, async () => {
+    const server = await strange(({ method, usual }) => (method === "PUT" ? { status } : usual));
+    const { notes, anew } = await expectRight(`put ${status}`, machine(), server);
+    expect(anew.join() === all.join(), `put ${status}: works out ${anew}`);
+    const good =
+      notes.length === 1 && notes[0].includes(`is read and not written from here on: ${why}`);
+    expect(good, `put ${status}: says ${notes}`);
+    await server.stop();
+  });
+}
+
+rmSync(home, { recursive: true });
+console.log(`${cases} cases, ${failed} problems`);
+process.exitCode = failed === 0 ? 0 : 1;
