@@ -46,7 +46,8 @@ std::optional<std::string> ResultCodec::encode(Finding& finding, std::size_t fir
     results.push_back(
         {block - first, result, seconds == finding.seconds.end() ? 0 : seconds->second});
   }
-  std::string bytes = to_cbor({{"results", std::move(results)}, {"model", finding.model_page}});
+  std::string bytes = to_cbor(
+      {{"results", std::move(results)}, {"model", finding.model_page}, {"work", finding.work}});
   change_paths(finding, [&](const fs::path& path) { return root_ / path; });
   return bytes;
 }
@@ -62,6 +63,7 @@ std::optional<Finding> ResultCodec::decode(const std::string& bytes, std::size_t
       finding.seconds[block] = one.at(2).get<double>();
     }
     finding.model_page = all->at("model").get<std::optional<ModelPage>>();
+    finding.work = all->at("work").get<double>();
   } catch (const json::exception&) {
     return std::nullopt;  // whatever it is, it is no finding
   }

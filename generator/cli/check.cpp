@@ -9,6 +9,12 @@
 namespace mjcourse {
 
 int check(const CheckOptions& options) {
+  if (options.shard && !options.report.empty()) {
+    std::cerr
+        << "mjcourse: a report tells of the whole course, and a shard knows its share alone\n"
+           "leave out --report here, and write it in the run that comes last, without --shard\n";
+    return kWrongUsage;
+  }
   const Verified verified = verify_course(options);
   std::cout << document_of(verified, options);
   return verified.failed ? kCourseErrors : kClean;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/shard.h"
 #include "cli/size.h"
 #include "course/web_address.h"
 #include "remote/server.h"
@@ -142,6 +143,16 @@ void declare(CommandLine& line, CheckOptions& options) {
       "write the messages for another tool to stdout, and for you to stderr: " + format_names(1) +
           " (default: text)",
       [&](const std::string& value) { return take_format(value, options.format); }, all_formats());
+  line.value(
+      "--shard", {"I/N", "a share, such as 2/4"},
+      "do the share of the I-th of N jobs, which have one store; auto: as Slurm, Kubernetes, "
+      "GitLab or Buildkite number this job",
+      [&](const std::string& value) {
+        const auto shard = shard_of(value);
+        if (!shard) throw WrongUsage(shard.error());
+        options.shard = *shard;
+        return true;
+      });
   add_report(line, options);
   add_evaluation(line, options);
 }

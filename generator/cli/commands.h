@@ -9,6 +9,7 @@
 
 #include "base/parallel.h"
 #include "cli/open_store.h"
+#include "evaluate/shard.h"
 
 namespace mjcourse {
 
@@ -31,6 +32,7 @@ struct VerifyOptions : CourseOptions {
   Format format = Format::text;
   bool timings = false;
   std::filesystem::path trace;  // a file for them; empty for none
+  std::optional<Shard> shard;   // nothing: the whole course
 };
 
 struct AcceptOptions : CourseOptions {

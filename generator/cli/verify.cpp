@@ -51,6 +51,8 @@ void print_lessons(const Course& course, const Evaluation& evaluation, std::ostr
   for (std::size_t i = 0; i < course.lessons.size(); ++i) {
     const Lesson& lesson = course.lessons[i];
     const std::ptrdiff_t errors = errors_in(evaluation.diagnostics, lesson.source->path());
+    // Other shards tell of it.
+    if (evaluation.open && errors == 0 && tally_text(evaluation.lessons[i].tally).empty()) continue;
     const std::string& title = lesson.front.title.text;
     out << (errors == 0 ? "ok    " : "FAIL  ") << lesson.number << "  "
         << readable(title.empty() ? lesson.slug : title) << ": "
@@ -111,13 +113,16 @@ Verified read_course_of(const CourseOptions& options) {
   return verified;
 }
 
-void evaluate_course(const CourseOptions& options, Verified& verified, bool all_claims) {
+void evaluate_course(const CourseOptions& options, Verified& verified, bool all_claims,
+                     const std::optional<Shard>& shard) {
   Diagnostics reading = std::move(verified.evaluation.diagnostics);
   if (verified.course) {
     ProgressBar progress;
     const DiskFiles assets(assets_folder());
     Store* store = verified.store.get();
-    const EvaluationSettings settings = evaluation_settings(options, assets, store);
+    EvaluationSettings settings = evaluation_settings(options, assets, store);
+    settings.shard = shard;
+    settings.notes_times = !shard;
     if (store != nullptr) settings.fingerprint_cache->read(*store, options.course);
     verified.evaluation = examine(*verified.course, settings, progress, std::move(reading));
     if (store != nullptr) settings.fingerprint_cache->write(*store, options.course);
@@ -125,7 +130,7 @@ void evaluate_course(const CourseOptions& options, Verified& verified, bool all_
     verified.evaluation.diagnostics = std::move(reading);
     verified.evaluation.versions = known_versions(DiskFiles(assets_folder()));
   }
-  if (verified.course && all_claims) {
+  if (verified.course && all_claims && (!shard || shard->number == 1)) {
     claim_prose(*verified.course, DiskFiles(options.course), verified.evaluation);
   }
   sort_by_place(verified.evaluation.diagnostics);
@@ -137,15 +142,16 @@ Verified verify_course(const VerifyOptions& options) {
   // These need every claim of every lesson.
   const bool all_claims = options.strict || !options.report.empty() ||
                           options.format == Format::json || options.format == Format::junit;
-  evaluate_course(options, verified, all_claims);
+  evaluate_course(options, verified, all_claims, options.shard);
   if (options.strict) apply_strictly(verified);
   const Diagnostics& all = verified.evaluation.diagnostics;
   print_diagnostics(all);
 
   std::ostream& out = options.format == Format::text ? std::cout : std::cerr;
+  const bool is_first = !options.shard || options.shard->number == 1;
   Tally total;
   if (verified.course) print_lessons(*verified.course, verified.evaluation, out);
-  if (verified.course && verified.course->glossary) {
+  if (verified.course && verified.course->glossary && is_first) {
     print_glossary(*verified.course->glossary, verified.evaluation, out);
   }
   for (const LessonResults& lesson : verified.evaluation.lessons) total += lesson.tally;
@@ -155,6 +161,11 @@ Verified verify_course(const VerifyOptions& options) {
   verified.seconds = stopwatch.seconds();
   char time[32];
   std::snprintf(time, sizeof time, "%.1f s", verified.seconds);
+  if (options.shard && verified.course) {
+    out << "shard " << options.shard->number << " of " << options.shard->count << ": "
+        << verified.evaluation.tasks << " of " << counted(verified.evaluation.all_tasks, "task")
+        << '\n';
+  }
   out << (verified.course ? counted(verified.course->lessons.size(), "lesson") + ": " +
                                 outcome_text(total, errors) + "; "
                           : "")

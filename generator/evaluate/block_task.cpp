@@ -22,16 +22,18 @@
 namespace mjcourse {
 namespace {
 
+using Names = std::vector<std::string>;
+
 // What a kind of block is called, depends on, costs, and how it is worked on. Of other blocks there
 // is nothing to find out, or by other tasks.
 struct Known {
   std::string kind = {};
   std::string what;
-  bool quotes = false;
+  Names quoted = {};     // examples
   double effort = 0.01;  // seconds, about
   // As the lesson has it, and what reading the rest of the lesson made of it.
-  std::vector<std::string> text = {};
-  std::vector<std::string> scripts = {};  // that work on it
+  Names text = {};
+  Names scripts = {};  // that work on it
   bool draws = false;
 };
 
@@ -45,12 +47,16 @@ struct KnownOf {
   std::string fence(Span opening) const { return written(fence_extent(*lesson.source, opening)); }
 
   Known operator()(const InlineValue& value) const {
-    return {"value", "compute " + value.expression.text + " of " + value.source.text, true,
-            0.02,    {value.source.text, value.expression.text, value.format.text},   {"world"}};
+    return {"value",
+            "compute " + value.expression.text + " of " + value.source.text,
+            {value.source.text},
+            0.02,
+            {value.source.text, value.expression.text, value.format.text},
+            {"world"}};
   }
   Known operator()(const Lab& lab) const {
     const double runs = 1.0 + static_cast<double>(lab.controls.size());
-    return {"lab",      "rehearse the lab \"" + lab.title + "\"", false,
+    return {"lab",      "rehearse the lab \"" + lab.title + "\"", {},
             0.1 * runs, {fence(lab.span), lab.pin.text},          {"world", "guard"},
             true};
   }
@@ -58,27 +64,31 @@ struct KnownOf {
     const double frames = figure.animation ? figure.animation->frames() : 1;
     return {"figure",
             "draw a figure of " + lesson.number,
-            figure.from.has_value(),
+            figure.from ? Names{figure.from->example.text} : Names{},
             0.1 + 0.03 * frames,
             {fence(figure.span), figure.pin.text},
             {"world"},
             true};
   }
   Known operator()(const Plot& plot) const {
-    return {"plot", "draw the plot of " + plot.table.text,         true,
+    return {"plot", "draw the plot of " + plot.table.text,         {plot.example.text},
             0.1,    {fence(plot.span), block_name(lesson, index)}, {"plot"}};
   }
   Known operator()(const Quiz& quiz) const {
-    Known known{"quiz", "prove the answers of " + quiz.id, true, 0.2, {}, {"world", "guard"}};
-    for (const Question& question : quiz.questions) known.text.push_back(written(question.span));
+    Known known{"quiz", "prove the answers of " + quiz.id, {}, 0.2, {}, {"world", "guard"}};
+    for (const Question& question : quiz.questions) {
+      known.text.push_back(written(question.span));
+      for (const Proof& proof : question.proofs) {
+        if (!proof.example.text.empty()) known.quoted.push_back(proof.example.text);
+      }
+    }
     return known;
   }
   Known operator()(const ModelExcerpt& excerpt) const {
-    return {
-        "excerpt", "look for lines of " + excerpt.model.text, false, 0.01, {fence(excerpt.span)}};
+    return {"excerpt", "look for lines of " + excerpt.model.text, {}, 0.01, {fence(excerpt.span)}};
   }
   Known operator()(const InlineModel& model) const {
-    return {"model", "compile a model of " + lesson.number, false, 0.01, {fence(model.span)}};
+    return {"model", "compile a model of " + lesson.number, {}, 0.01, {fence(model.span)}};
   }
   Known operator()(const Image& image) const { return {"image", "look at " + image.file.text}; }
   // Nothing is worked out of these alone.
@@ -163,8 +173,8 @@ std::string BlockTask::name() const {
   return numbered.empty() ? what() : numbered;
 }
 
-bool BlockTask::quotes() const {
-  return known_of(lesson(), block()).quotes;
+std::vector<std::string> BlockTask::quoted() const {
+  return known_of(lesson(), block()).quoted;
 }
 
 bool BlockTask::draws() const {

@@ -15,7 +15,7 @@ class BlockTask : public Task {
   static bool takes(const Lesson& lesson, std::size_t block);
 
   std::string name() const override;
-  bool quotes() const override;
+  std::vector<std::string> quoted() const override;
   bool draws() const override;
   double effort() const override;
   Dependencies recipe(const RunContext& run_context) const override;

@@ -21,6 +21,7 @@
 #include "evaluate/scheduler.h"
 #include "evaluate/snippets_task.h"
 #include "evaluate/task_store.h"
+#include "evaluate/task_times.h"
 #include "evaluate/versions.h"
 #include "findings/snippet_program.h"
 #include "physics/mujoco_api.h"
@@ -60,13 +61,14 @@ void show_regions(const Lesson& lesson, const std::filesystem::path& root,
   for (std::size_t i = 0; i < lesson.blocks.size(); ++i) {
     const auto* example = std::get_if<Example>(&lesson.blocks[i]);
     if (example == nullptr || !example->region) continue;
-    results.of_block.erase(i);
     const std::string& file = example->file.text;
+    const auto program = programs.find(file);
+    const bool ran = program != programs.end();
+    if (!ran && results.open.contains(i)) continue;
+    results.of_block.erase(i);
     const Example* whole = shown.at(file).text();
     const auto text = whole != nullptr ? whole->code.text : DiskFiles(root).read(file);
     if (!text) continue;  // reported where the program is run
-    const auto program = programs.find(file);
-    const bool ran = program != programs.end();
     const bool may_edit = ran && whole == nullptr && !shown.at(file).contradicts_itself();
     const auto code =
         evaluate_region(*example, SourceText(file, *text), may_edit, lesson, diagnostics);
@@ -110,9 +112,14 @@ class Evaluator {
 
   Evaluation run(Diagnostics found) {
     evaluation_.lessons.resize(course_.lessons.size());
-    evaluation_.diagnostics = std::move(found);
+    if (is_first_shard()) evaluation_.diagnostics = std::move(found);
     evaluation_.versions = known_versions(settings_.assets);
-    const Tasks tasks = plan_tasks(course_);
+    Tasks tasks = plan_tasks(course_);
+    evaluation_.all_tasks = tasks.size();
+    TaskTimes times(settings_.shard || settings_.notes_times ? settings_.store : nullptr,
+                    course_.title);
+    if (settings_.shard) leave_others(tasks, times);
+    evaluation_.tasks = tasks.size();
     if (run_context_.page() != nullptr) evaluation_.versions.page = run_context_.page()->version();
     const bool compiles = has_any<ProgramTask, SnippetsTask>(tasks) && run_context_.compiler();
     if (compiles) evaluation_.versions.compiler = run_context_.compiler()->version();
@@ -122,9 +129,11 @@ class Evaluator {
     Scheduler scheduler(run_context_, task_store_ ? &*task_store_ : nullptr, progress_,
                         settings_.threads, settings_.stand_in ? Effort::looks : Effort::all,
                         settings_.worker);
-    gather(tasks, scheduler.run(tasks, settings_.first, [&](const TaskRecords& records) {
-      publish(tasks, records, run_context_.reports(), fingerprints_);
-    }));
+    TaskRecords records = scheduler.run(tasks, settings_.first, [&](const TaskRecords& done) {
+      publish(tasks, done, run_context_.reports(), fingerprints_);
+    });
+    if (settings_.notes_times) note(tasks, records, times);
+    gather(tasks, std::move(records));
     const std::vector<TaskTime>& headers = scheduler.header_times();
     evaluation_.times.insert(evaluation_.times.end(), headers.begin(), headers.end());
     for (std::size_t i = 0; i < course_.lessons.size(); ++i) finish(i);
@@ -132,15 +141,81 @@ class Evaluator {
       return evaluation_.results_of(page);
     };
     if (const auto& api = installed_mujoco_api()) evaluation_.api_names = api_names(*api);
-    evaluation_.api =
-        evaluate_api(course_, results_of, installed_mujoco_api, evaluation_.diagnostics);
+    Diagnostics of_others;
+    evaluation_.api = evaluate_api(course_, results_of, installed_mujoco_api,
+                                   is_first_shard() ? evaluation_.diagnostics : of_others);
     ClaimSources sources(settings_.root, course_.models, run_context_.include_folders(),
                          fingerprints_);
     make_claims(course_, sources, programs_, settings_.threads, evaluation_);
+    if (settings_.shard) forget_open_claims();
     return std::move(evaluation_);
   }
 
  private:
+  // Of a course that is not sharded, there is no other.
+  bool is_first_shard() const { return !settings_.shard || settings_.shard->number == 1; }
+
+  // What other shards do is taken out of the tasks, and its blocks are open.
+  void leave_others(Tasks& tasks, const TaskTimes& times) {
+    const Tasks others = take_others(tasks, *settings_.shard, times, run_context_);
+    evaluation_.open = true;
+    std::map<std::string, bool> is_ours;  // programs, by their files
+    const auto look_for_programs = [&](const Tasks& some, bool ours) {
+      for (const std::unique_ptr<Task>& task : some) {
+        const auto* program = dynamic_cast<const ProgramTask*>(task.get());
+        if (program == nullptr) continue;
+        is_ours[program->program().file.text] = ours;
+        // Its name is known, so that who misspells it hears the same from all shards.
+        if (!ours) run_context_.reports().add(program->program().name(), nullptr);
+      }
+    };
+    look_for_programs(tasks, true);
+    look_for_programs(others, false);
+    for (const Lesson* page : course_.pages()) open_blocks(*page, tasks, others, is_ours);
+  }
+
+  void open_blocks(const Lesson& page, const Tasks& ours, const Tasks& others,
+                   const std::map<std::string, bool>& is_ours) {
+    std::set<std::size_t>& open = evaluation_.results_of(page).open;
+    const auto blocks_of_page = [&](const Tasks& tasks) {
+      std::set<std::size_t> blocks;
+      for (const std::unique_ptr<Task>& task : tasks) {
+        if (&task->lesson() != &page || !task->model().empty()) continue;
+        const std::vector<std::size_t> some = task->blocks();
+        blocks.insert(some.begin(), some.end());
+      }
+      return blocks;
+    };
+    open = blocks_of_page(others);
+    const std::set<std::size_t> worked_on = blocks_of_page(ours);
+    for (std::size_t i = 0; i < page.blocks.size(); ++i) {
+      if (open.contains(i) || worked_on.contains(i)) continue;
+      const auto* region = std::get_if<Example>(&page.blocks[i]);
+      const auto* output = std::get_if<Output>(&page.blocks[i]);
+      const auto program = is_ours.find(region != nullptr ? region->file.text : "");
+      const bool ours_too = program != is_ours.end() ? program->second
+                            : output != nullptr      ? !open.contains(output->example)
+                                                     : is_first_shard();
+      if (!ours_too) open.insert(i);
+    }
+  }
+
+  void forget_open_claims() {
+    for (const Lesson* page : course_.pages()) {
+      LessonResults& results = evaluation_.results_of(*page);
+      std::erase_if(results.claims,
+                    [&](const Claim& claim) { return results.open.contains(claim.block); });
+      results.tally = tally_of(results.claims);
+    }
+  }
+
+  static void note(const Tasks& tasks, const TaskRecords& records, TaskTimes& times) {
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      times.note(*tasks[i], records[i].recipe, records[i].finding.work);
+    }
+    times.write();
+  }
+
   // Each finding goes under its blocks.
   void gather(const Tasks& tasks, TaskRecords records) {
     for (std::size_t i = 0; i < tasks.size(); ++i) {

@@ -20,6 +20,7 @@
 #include "cache/fingerprints.h"
 #include "course/course.h"
 #include "evaluate/progress.h"
+#include "evaluate/shard.h"
 #include "evaluate/worker.h"
 #include "findings/evaluation.h"
 #include "report/diagnostic.h"
@@ -41,6 +42,10 @@ struct EvaluationSettings {
   // Of files and scripts that were looked at before, for a caller that evaluates again and again.
   std::shared_ptr<FingerprintCache> fingerprint_cache = std::make_shared<FingerprintCache>();
   std::shared_ptr<ScriptBundles> script_bundles = std::make_shared<ScriptBundles>();
+  // Given, this alone is worked out. What no task works on, is the first shard's.
+  std::optional<Shard> shard = {};
+  // For those who plan to work on all of it, note what each task took.
+  bool notes_times = false;
   // Given, nothing is worked out: what the store does not have stays open, with a stand-in.
   StandIn stand_in = {};
   Blocks first = {};              // what somebody waits for: begun before all else

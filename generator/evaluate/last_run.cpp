@@ -11,10 +11,6 @@ namespace {
 
 using nlohmann::json;
 
-std::string key_of(const Task& task) {
-  return task.lesson().source->path() + " " + task.name();
-}
-
 }  // namespace
 
 LastRun::LastRun(Store& store, const std::filesystem::path& root)
@@ -36,14 +32,14 @@ void LastRun::read() {
 std::string LastRun::find(const Task& task) {
   const std::lock_guard lock(mutex_);
   read();
-  const auto found = results_.find(key_of(task));
+  const auto found = results_.find(task.name_in_course());
   return found != results_.end() ? found->second : "";
 }
 
 void LastRun::note(const Task& task, const std::string& result) {
   const std::lock_guard lock(mutex_);
   read();
-  std::string& last = results_[key_of(task)];
+  std::string& last = results_[task.name_in_course()];
   changed_ = changed_ || last != result;
   last = result;
 }

@@ -61,7 +61,9 @@ void Scheduler::do_task(Task& task, Tools& tools, TaskRecord& record) const {
     // From here on a trace tells what the work depends on; what preparing read is in the recipe.
     worker_context.trace().clear();
     const auto begin = std::chrono::system_clock::now();
+    const Stopwatch stopwatch;
     const bool whole = work(task, tools, record);
+    record.finding.work = stopwatch.seconds();
     const bool silent = record.finding.diagnostics.size() == record.said;
     if (task_store_ != nullptr && whole && silent) {
       task_store_->keep(task, worker_context.trace(), begin, record);

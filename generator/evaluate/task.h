@@ -39,8 +39,11 @@ class Task {
   virtual std::string model() const { return ""; }
   // What of its lesson it is, also after an edit.
   virtual std::string name() const { return what_; }
-  // Must all programs have been run?
-  virtual bool quotes() const { return false; }
+  // What of its course it is.
+  std::string name_in_course() const { return lesson().source->path() + " " + name(); }
+  // The names of examples that it may quote: all programs must have been run.
+  virtual std::vector<std::string> quoted() const { return {}; }
+  bool quotes() const { return !quoted().empty(); }
   // Is anything compiled?
   virtual bool compiles() const { return false; }
   // What it will compile includes these (warm_header.h); known once it was prepared.

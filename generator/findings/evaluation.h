@@ -33,9 +33,10 @@ struct Evaluation {
   std::string api_names = "[]";  // all there are, for a reader's editor (evaluate/api_names.h)
   Diagnostics diagnostics;
   Versions versions;
-  std::string sandbox = {};          // how what was run was contained; empty where nothing was
-  std::vector<TaskTime> times = {};  // of all tasks, as they began
-  bool open = false;                 // something is still to be worked out
+  std::string sandbox = {};              // how what was run was contained; empty where nothing was
+  std::vector<TaskTime> times = {};      // of all tasks, as they began
+  bool open = false;                     // something is still to be worked out
+  std::size_t all_tasks = 0, tasks = 0;  // of all shards, and of this one
 
   // Those of a page of the course (Course::pages).
   const LessonResults& results_of(const Lesson& page) const {

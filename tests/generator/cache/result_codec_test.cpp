@@ -23,14 +23,17 @@ bool decodes(const std::string& bytes) {
 }
 
 // A finding of one formula's markup.
-std::string formula(const json& markup) {
-  return cbor({{"results", {{0, {0, {{"markup", markup}}}, 0.5}}}, {"model", json::array()}});
+std::string formula(const json& markup, const json& work = 0.5) {
+  return cbor({{"results", {{0, {0, {{"markup", markup}}}, 0.5}}},
+               {"model", json::array()},
+               {"work", work}});
 }
 
 TEST(ResultCodec, GivesNothingForWhatIsNoFinding) {
   EXPECT_TRUE(decodes(formula("<b>x</b>")));
   EXPECT_FALSE(decodes(formula(5)));
   EXPECT_FALSE(decodes(formula("\xff"))) << "no text";
+  EXPECT_FALSE(decodes(formula("x", "long")));
   EXPECT_FALSE(decodes(formula("x") + "x"));
   EXPECT_FALSE(decodes(""));
   EXPECT_FALSE(decodes("\xa1\x61\xff\xf6")) << "a key that is no text";

@@ -15,7 +15,10 @@ class Work : public Task {
  public:
   Work(const Lesson& lesson, std::size_t block, double effort, Kind kind)
       : Task(lesson, 0, block, "work"), effort_(effort), kind_(kind) {}
-  bool quotes() const override { return kind_ == Kind::quoting; }
+  std::vector<std::string> quoted() const override {
+    return kind_ == Kind::quoting ? std::vector<std::string>{"example"}
+                                  : std::vector<std::string>{};
+  }
   bool draws() const override { return kind_ == Kind::drawing; }
   bool compiles() const override { return kind_ == Kind::compiling; }
   double effort() const override { return effort_; }

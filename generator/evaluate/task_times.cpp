@@ -1,0 +1,71 @@
+#include "evaluate/task_times.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/sha256.h"
+#include "cache/stored_json.h"
+
+namespace mjcourse {
+namespace {
+
+using std::chrono::microseconds;
+
+constexpr std::size_t kDigits = 16;  // of a hash: two that are alike cost a little time
+// Another time than this is worth writing down.
+constexpr double kMostDifference = 0.3;
+constexpr microseconds kLeastDifference{100'000};
+
+std::string short_hash(const std::string& text) {
+  return sha256(text).substr(0, kDigits);
+}
+
+std::string text_of(const Dependencies& recipe) {
+  const auto text = std::ranges::find(recipe, "text", &Dependency::name);
+  return text == recipe.end() ? "" : text->value.substr(0, kDigits);
+}
+
+microseconds rounded(double seconds) {
+  constexpr double kLongest = 86400;
+  return microseconds(std::llround(std::clamp(seconds, 0.0, kLongest) * 1e6));
+}
+
+}  // namespace
+
+TaskTimes::TaskTimes(Store* store, const std::string& course)
+    : store_(store), name_("list/" + Sha256().add("times").add(course).hex()) {
+  if (store_ == nullptr) return;
+  // All machines have those of the shared store, and each perhaps others of its own.
+  auto entry = store_->get_of_others(name_);
+  if (!entry) entry = store_->get(name_);
+  if (auto known = stored_json<std::map<std::string, Known>>(entry)) known_ = *std::move(known);
+}
+
+TaskTimes::Expected TaskTimes::of(const Task& task, const Dependencies& recipe) const {
+  const auto known = known_.find(short_hash(task.name_in_course()));
+  if (recipe.empty()) return {rounded(task.effort()), false};  // it is done each time
+  if (known == known_.end()) return {rounded(task.effort()), true};
+  const auto& [lasted, text] = known->second;
+  return {std::max(microseconds(lasted), microseconds(1)), text != text_of(recipe)};
+}
+
+void TaskTimes::note(const Task& task, const Dependencies& recipe, double seconds) {
+  if (recipe.empty()) return;
+  const Known now{rounded(seconds).count(), text_of(recipe)};
+  const auto [known, is_new] = known_.try_emplace(short_hash(task.name_in_course()), now);
+  const microseconds before(known->second.first), difference(std::abs(now.first - before.count()));
+  const bool differs =
+      difference >
+      std::max(kLeastDifference,
+               microseconds(std::llround(kMostDifference * static_cast<double>(before.count()))));
+  if (!is_new && !differs && known->second.second == now.second) return;
+  known->second = now;
+  changed_ = true;
+}
+
+void TaskTimes::write() const {
+  if (store_ != nullptr && changed_) store_->put(name_, nlohmann::json(known_).dump());
+}
+
+}  // namespace mjcourse
