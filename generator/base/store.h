@@ -11,6 +11,7 @@
 // and never gives other bytes than those that were put.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -28,6 +29,8 @@ class Store {
   virtual std::optional<std::string> get_of_others(const std::string& /*name*/) {
     return std::nullopt;
   }
+  // How many may ask at once, and each be answered as soon as one alone.
+  virtual std::size_t at_once() const { return 1; }
 };
 
 }  // namespace mjcourse

@@ -53,6 +53,12 @@ std::string DependencySets::known(const std::string& name) {
     const std::lock_guard lock(mutex_);
     if (const auto known = known_.find(name); known != known_.end()) return known->second;
   }
+  // Many who ask at once wait for one who reads hundreds of files.
+  const std::lock_guard reading(reading_);
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = known_.find(name); known != known_.end()) return known->second;
+  }
   return now(name);
 }
 

@@ -41,7 +41,7 @@ class DependencySets {
 
   Store& store_;
   Fingerprints& fingerprints_;
-  std::mutex mutex_;
+  std::mutex reading_, mutex_;
   std::map<std::string, std::string> known_;  // by names
 };
 

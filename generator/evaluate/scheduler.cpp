@@ -40,6 +40,16 @@ void Scheduler::look(Task& task, WorkerContext& worker_context, TaskRecord& reco
       task_store_ == nullptr || !task_store_->find(task, record, effort_ == Effort::all);
 }
 
+void Scheduler::try_to_look(Task& task, WorkerContext& worker_context, TaskRecord& record) const {
+  try {
+    look(task, worker_context, record);
+  } catch (const MissingAssets&) {
+    throw;
+  } catch (const std::exception&) {
+    record = {};  // it will be looked up again, and say why
+  }
+}
+
 bool Scheduler::work(Task& task, Tools& tools, TaskRecord& record) const {
   WorkerContext& worker_context = *tools.worker_context;
   const bool whole = task.is_apart() && tools.worker
@@ -83,6 +93,21 @@ void Scheduler::attempt(Task& task, Tools& tools, TaskRecord& record) const {
   }
 }
 
+// What each thread would wait for one after the other, many wait for at once.
+void Scheduler::look_at_once(const Tasks& tasks, bool quoting, TaskRecords& records) const {
+  const std::size_t askers = task_store_ == nullptr ? 1 : task_store_->at_once();
+  if (askers == 1) return;
+  std::vector<std::optional<WorkerContext>> contexts(askers);
+  const std::stop_token stop = cancellation();
+  for_each_index(tasks.size(), askers, [&](std::size_t i, std::size_t asker) {
+    if (tasks[i]->quotes() != quoting) return;
+    const Cancellable cancellable(stop);
+    end_if_cancelled();
+    if (!contexts[asker]) contexts[asker].emplace(run_context_);
+    try_to_look(*tasks[i], *contexts[asker], records[i]);
+  });
+}
+
 // Look up all that compiles, and make what is worth sharing among those that are still to be.
 void Scheduler::prepare_programs(const Tasks& tasks, WorkerContext& worker_context,
                                  TaskRecords& records, TaskQueue& queue,
@@ -91,11 +116,7 @@ void Scheduler::prepare_programs(const Tasks& tasks, WorkerContext& worker_conte
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (!tasks[i]->compiles()) continue;
     end_if_cancelled();
-    try {
-      look(*tasks[i], worker_context, records[i]);
-    } catch (const std::exception&) {
-      records[i] = {};  // it will be looked up again, and say why
-    }
+    if (!records[i].looked) try_to_look(*tasks[i], worker_context, records[i]);
     if (records[i].waiting) waiting.push_back(tasks[i].get());
   }
   queue.programs_known();
@@ -115,9 +136,13 @@ void Scheduler::prepare_programs(const Tasks& tasks, WorkerContext& worker_conte
 TaskRecords Scheduler::run(const Tasks& tasks, const Blocks& first,
                            const std::function<void(const TaskRecords&)>& publish) {
   TaskRecords records(tasks.size());
-  TaskQueue queue(tasks, first, [&] { publish(records); });
+  TaskQueue queue(tasks, first, [&] {
+    publish(records);
+    look_at_once(tasks, true, records);
+  });
   progress_.plan(tasks.size());
   const Stopwatch stopwatch;
+  look_at_once(tasks, false, records);
   const std::stop_token stop = cancellation();
   const auto [threads, limits] = concurrency_of(std::min(threads_, tasks.size()), machine_memory());
   for_each_index(threads, threads, [&, limits = limits](std::size_t thread, std::size_t) {

@@ -4,9 +4,10 @@
 // worked out, and kept if it is whole and came without a word; it is concluded. One thread first
 // looks up all that compiles, so that it is known which programs are to come, and makes what they
 // share (shared_headers.h). The task with the most work begins first; those that quote programs
-// wait until all programs have been run. A scheduler that only looks does not work: what was not
-// kept stays open, and with it all that quotes. What always holds: findings do not depend on the
-// number of threads, nor on which of them were kept.
+// wait until all programs have been run. A store behind a net is asked for all of them at once. A
+// scheduler that only looks does not work: what was not kept stays open, and with it all that
+// quotes. What always holds: findings do not depend on the number of threads, nor on which of them
+// were kept.
 #pragma once
 
 #include <functional>
@@ -60,6 +61,9 @@ class Scheduler {
   };
 
   void look(Task& task, WorkerContext& worker_context, TaskRecord& record) const;
+  // Where it throws, the record is as before.
+  void try_to_look(Task& task, WorkerContext& worker_context, TaskRecord& record) const;
+  void look_at_once(const Tasks& tasks, bool quoting, TaskRecords& records) const;
   bool work(Task& task, Tools& tools, TaskRecord& record) const;
   void do_task(Task& task, Tools& tools, TaskRecord& record) const;
   void attempt(Task& task, Tools& tools, TaskRecord& record) const;

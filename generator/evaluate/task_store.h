@@ -30,6 +30,7 @@ class TaskStore {
   // `root` is the course's folder. Both others must outlive this.
   TaskStore(Store& store, const std::filesystem::path& root, Fingerprints& fingerprints)
       : root_(std::filesystem::absolute(root).lexically_normal()),
+        at_once_(store.at_once()),
         results_(store, fingerprints),
         last_run_(store, root_),
         codec_(store, root_) {}
@@ -37,6 +38,9 @@ class TaskStore {
   // Does `record`, which has its recipe, get its finding? Where this is to be `noted`, last() will
   // know of it.
   bool find(const Task& task, TaskRecord& record, bool noted = true);
+
+  // How many may look at once.
+  std::size_t at_once() const { return at_once_; }
 
   // All that the task depended on when it was last kept or found, one by one; empty where it never
   // was.
@@ -49,6 +53,7 @@ class TaskStore {
 
  private:
   std::filesystem::path root_;
+  std::size_t at_once_;
   ResultStore results_;
   LastRun last_run_;
   ResultCodec codec_;

@@ -30,6 +30,7 @@ class SharedStore : public Store {
   std::optional<std::string> get(const std::string& name) override;
   bool put(const std::string& name, std::string_view bytes) override;
   std::optional<std::string> get_of_others(const std::string& name) override;
+  std::size_t at_once() const override;
 
  private:
   struct Entry {

@@ -29,6 +29,7 @@ class WriteBehindStore : public Store {
   std::optional<std::string> get(const std::string& name) override;
   bool put(const std::string& name, std::string_view bytes) override;
   std::optional<std::string> get_of_others(const std::string& name) override;
+  std::size_t at_once() const override { return slow_ == nullptr ? 1 : slow_->at_once(); }
 
  private:
   struct Entry {
