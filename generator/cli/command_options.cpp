@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "cli/ci_files.h"
 #include "cli/shard.h"
 #include "cli/size.h"
 #include "course/web_address.h"
@@ -195,6 +196,14 @@ void declare(CommandLine& line, GradeOptions& options) {
 void declare(CommandLine& line, InitOptions& options) {
   line.words("DIR [TITLE]", "a new or an empty folder, and the course's title in quotes",
              options.words);
+  line.value(
+      "--ci", {"NAME", "github, gitlab, slurm or kubernetes"},
+      "what is to check it: github, gitlab, slurm or kubernetes (default: github)",
+      [&](const std::string& value) {
+        options.ci = value;
+        return std::ranges::find(ci_names(), value) != ci_names().end();
+      },
+      ci_names());
 }
 
 void declare(CommandLine& line, ListOptions& options) {
@@ -217,7 +226,9 @@ void declare(CommandLine& line, NewOptions& options) {
   line.words("KIND NAME",
              "of a level or a lesson, then its title: `level 2-dynamics \"Dynamics\"`, "
              "`lesson 2-dynamics \"Forces\"`; of a model: `model pendulum`; of an example, then "
-             "its model: `example l2_1_forces pendulum`; of an exercise, likewise",
+             "its model: `example l2_1_forces pendulum`; of an exercise, likewise; of what is to "
+             "check the course: "
+             "`ci gitlab`, or github, slurm, kubernetes",
              options.words);
   add_course(line, options.course);
 }

@@ -68,6 +68,7 @@ struct GradeOptions : CourseOptions {
 
 struct InitOptions {
   std::vector<std::string> words;  // the folder and the title
+  std::string ci = "github";       // what checks it (ci_files.h)
 };
 
 struct ListOptions : CourseOptions {};

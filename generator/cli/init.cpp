@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "cli/ci_files.h"
 #include "cli/commands.h"
 #include "cli/course_file.h"
 #include "cli/new_files.h"
@@ -22,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // In skeleton/course as in the course.
-constexpr std::array kSkeletons{"README.md", ".gitignore", ".github/workflows/course.yml",
+constexpr std::array kSkeletons{"README.md", ".gitignore",
                                 "content/1-first-steps/1.1-a-pendulum.md", "content/course.yaml"};
 // In the assets as in the course.
 constexpr std::array kExamples{"examples/CMakeLists.txt", "examples/include/mjcourse/mjcourse.hpp",
@@ -31,12 +32,15 @@ constexpr std::array kExamples{"examples/CMakeLists.txt", "examples/include/mjco
 constexpr const char* kModel = "pendulum";
 constexpr const char* kExample = "l1_1_a_pendulum";
 
-std::vector<NewFile> course_files(const Files& assets, const std::string& title) {
-  std::vector<NewFile> files;
+std::vector<NewFile> course_files(const Files& assets, const std::string& title,
+                                  const std::string& ci) {
+  std::vector<NewFile> files = ci_files(assets, ci);
+  const std::string ci_file = files.front().path;
   for (const std::string path : kSkeletons) {
     files.push_back({path, filled_skeleton(assets, "course/" + path,
                                            {{"title", title},
                                             {"quoted_title", nlohmann::json(title).dump()},
+                                            {"ci_file", ci_file},
                                             {"model", kModel},
                                             {"example", kExample}})});
   }
@@ -98,7 +102,7 @@ int init(const InitOptions& options) {
   if (const auto good = check_length(named); !good) return tell(good.error());
   if (const auto free = look_at(named, words[0]); !free) return tell(free.error());
   const std::string title = words.size() == 2 ? words[1] : title_for(named);
-  const std::vector<NewFile> files = course_files(DiskFiles(assets_folder()), title);
+  const std::vector<NewFile> files = course_files(DiskFiles(assets_folder()), title, options.ci);
   if (const auto written = write_new_files(named, files); !written) return tell(written.error());
   tell(files);
   std::cout << "now: " << our_command("check --course " + words[0]) << ", and read its README.md\n";

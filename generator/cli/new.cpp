@@ -16,15 +16,16 @@ namespace mjcourse {
 
 NewPartOrRefusal new_part(const Files& course, const Files& assets,
                           const std::vector<std::string>& words) {
-  const std::vector<std::string> kinds{"level", "lesson", "model", "example", "exercise"};
+  const std::vector<std::string> kinds{"level", "lesson", "model", "example", "exercise", "ci"};
   if (words.empty()) {
     return wrong_words("new what?",
-                       "a level, a lesson, a model, an example or an exercise, as in " +
+                       "a level, a lesson, a model, an example, an exercise or a ci, as in " +
                            our_command("new lesson 2-dynamics \"Forces\""));
   }
   const std::vector<std::string> rest(words.begin() + 1, words.end());
   if (words[0] == "level") return new_level(course, rest);
   if (words[0] == "lesson") return new_lesson(course, assets, rest);
+  if (words[0] == "ci") return new_ci(assets, rest);
   if (words[0] == "model") return new_model(assets, rest);
   if (words[0] == "exercise") return new_exercise(course, assets, rest);
   if (words[0] == "example") return new_example(course, assets, rest);

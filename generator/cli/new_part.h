@@ -1,5 +1,5 @@
-// What `mjcourse new` makes: a level, a lesson, a model, an example or an exercise, as the files to
-// write.
+// What `mjcourse new` makes: a level, a lesson, a model, an example, an exercise or a CI's file, as
+// the files to write.
 //
 // Enter at new_part. Nothing here writes; the course is only looked at, and a course with mistakes
 // in its lessons is as good as another.
@@ -35,5 +35,7 @@ NewPartOrRefusal new_exercise(const Files& course, const Files& assets,
                               const std::vector<std::string>& words);
 NewPartOrRefusal new_example(const Files& course, const Files& assets,
                              const std::vector<std::string>& words);
+
+NewPartOrRefusal new_ci(const Files& assets, const std::vector<std::string>& words);
 
 }  // namespace mjcourse

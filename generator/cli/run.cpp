@@ -142,7 +142,9 @@ const std::vector<NamedCommand>& commands() {
       named("grade", grade, "judge what others handed in"),
       named("list", list, "the lessons, and the state of each"),
       named("new", make_new,
-            "begin a level, a lesson, a model, an example or an exercise of the course"),
+            "begin a level, a lesson, a model, an example or an exercise of the course, or what is "
+            "to "
+            "check it"),
       named("init", init, "begin a course in a new folder"),
       named("doctor", doctor, "check what this machine has of all that courses need"),
       named("store", store, "forget the results that have gone unused longest")};

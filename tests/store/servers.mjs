@@ -11,7 +11,7 @@ import { setTimeout as pause } from "node:timers/promises";
 
 export const token = randomBytes(16).toString("hex");
 
-async function freePort() {
+export async function freePort() {
   const server = createSocket().listen(0, "127.0.0.1");
   await new Promise((done) => server.on("listening", done));
   const { port } = server.address();

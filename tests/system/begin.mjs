@@ -40,9 +40,10 @@ test("init begins a course", () => {
   assert.equal(status, 0);
   assert.equal(
     stdout,
-    `wrote README.md
+    `wrote .github/workflows/course.yml
+wrote .github/actions/mjcourse/action.yml
+wrote README.md
 wrote .gitignore
-wrote .github/workflows/course.yml
 wrote content/1-first-steps/1.1-a-pendulum.md
 wrote content/course.yaml
 wrote models/pendulum.xml
