@@ -119,6 +119,12 @@ void ResultStore::add_list(const std::string& name, Names newest) {
   store_.put(name, json(lists).dump());
 }
 
+void ResultStore::put_list(const Dependencies& recipe, const Dependencies& traced) {
+  Names names;
+  for (const Dependency& one : traced) names.push_back(one.name);
+  add_list(name_of_lists(recipe), std::move(names));
+}
+
 Dependencies ResultStore::dependencies_of(const std::string& name) const {
   const std::string entry = store_.get(name).value_or("");
   const auto known = stored_json<Pairs>(std::string_view(entry).substr(0, entry.find('\n')));

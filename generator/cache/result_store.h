@@ -45,6 +45,10 @@ class ResultStore {
   std::optional<Kept> keep(const Dependencies& recipe, const Trace& trace,
                            std::chrono::system_clock::time_point begin, std::string_view bytes);
 
+  // What find() needs to come from `recipe` to a result that has looked at `traced`, is put into
+  // the store, beside what others have put there.
+  void put_list(const Dependencies& recipe, const Dependencies& traced);
+
   // What the result of that name depends on, the recipe first; empty where there is none.
   Dependencies dependencies_of(const std::string& name) const;
 

@@ -3,8 +3,10 @@
 #include <mujoco/mujoco.h>
 
 #include <cstdint>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <system_error>
 #include <utility>
 
 #include "base/files.h"
@@ -17,6 +19,7 @@
 #include "process/our_command.h"
 #include "process/sandbox.h"
 #include "process/subprocess.h"
+#include "remote/server_checkup.h"
 #include "toolchain/compiler.h"
 #include "toolchain/containment.h"
 #include "toolchain/toolchain.h"
@@ -144,6 +147,49 @@ Sign cache(const fs::path& store) {
 
 std::vector<Sign> examine(const fs::path& assets, const fs::path& store) {
   return {mujoco(), compiler(), pictures(), films(), site(assets), sandbox(), cache(store)};
+}
+
+std::optional<Sign> examine_shared(const fs::path& assets, const SharedPlace& place) {
+  const auto server = named_server(place);
+  if (server && !*server) return std::nullopt;
+  if (!server) {
+    return Sign{"shared", Grade::slow, server.error(),
+                "mend it, or unset it; all works without it"};
+  }
+  const std::string at = (*server)->shown();
+  const auto sign = [&](Grade grade, const std::string& state, std::string cure = "") {
+    return Sign{"shared", grade, at + ": " + state, std::move(cure)};
+  };
+  try {
+    const bool puts = !place.read_only;
+    const ServerCheckup found = examine_server(assets / "net" / "mjcourse-net", **server, puts);
+    if (!found.trouble.empty()) {
+      return sign(
+          Grade::slow, found.trouble,
+          "is that its address, is it up, and is MJCOURSE_STORE_TOKEN or ~/.netrc right? All "
+          "works without it");
+    }
+    char times[64];
+    std::snprintf(times, sizeof times, "HTTP/%s, answers in %.1f ms",
+                  found.protocol == 2 ? "2" : "1.1", found.milliseconds);
+    if (!puts) return sign(Grade::good, std::string(times) + "; is read, and nothing is put there");
+    if (!found.takes) {
+      return sign(Grade::slow, std::string(times) + "; takes nothing: " + found.refusal,
+                  "who may only read uses --store-read-only");
+    }
+    const std::string heads = found.tells ? "" : "; does not answer HEAD, so all is put again";
+    const std::string most = size_text(found.largest);
+    if (found.largest == kLargestTried) {
+      return sign(Grade::good, std::string(times) + "; is read and written, " + most +
+                                   " at once and perhaps more" + heads);
+    }
+    return sign(
+        Grade::slow,
+        std::string(times) + "; takes no more than " + most + " at once: " + found.refusal + heads,
+        "let it take 100 MB: films are large (nginx: `client_max_body_size`)");
+  } catch (const std::system_error& error) {
+    return sign(Grade::slow, error.what(), "install mjcourse again, or build it again");
+  }
 }
 
 }  // namespace mjcourse

@@ -3,8 +3,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "cli/open_store.h"
 
 namespace mjcourse {
 
@@ -23,5 +26,9 @@ struct Sign {
 // `assets` is what the site's build made, `store` a store's folder (empty: there is none). Throws
 // nothing of what it finds.
 std::vector<Sign> examine(const std::filesystem::path& assets, const std::filesystem::path& store);
+
+// What the server can do that `place` or the environment names; nothing where none does. Tries to
+// put a few entries there, unless it is read only.
+std::optional<Sign> examine_shared(const std::filesystem::path& assets, const SharedPlace& place);
 
 }  // namespace mjcourse

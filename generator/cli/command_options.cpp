@@ -68,16 +68,16 @@ void add_store(CommandLine& line, std::filesystem::path& store) {
   line.path("--store", kFolder, "where results are kept (default: the user's cache)", store);
 }
 
-void add_stores(CommandLine& line, CourseOptions& options) {
-  add_store(line, options.store);
+void add_stores(CommandLine& line, std::filesystem::path& store, SharedPlace& shared) {
+  add_store(line, store);
   line.value("--store-url", {"URL", "an address that begins with http://, https:// or unix:/"},
              "a store that many machines share, in Bazel's HTTP cache protocol; none: only --store "
              "(default: what MJCOURSE_STORE_URL says)",
              [&](const std::string& value) {
-               options.shared.url = value;
+               shared.url = value;
                return value == kNoServer || server_at(value).has_value();
              });
-  line.flag("--store-read-only", "put nothing into the shared store", options.shared.read_only);
+  line.flag("--store-read-only", "put nothing into the shared store", shared.read_only);
 }
 
 void add_jobs(CommandLine& line, std::size_t& jobs) {
@@ -87,7 +87,7 @@ void add_jobs(CommandLine& line, std::size_t& jobs) {
 }
 
 void add_evaluation(CommandLine& line, CourseOptions& options) {
-  add_stores(line, options);
+  add_stores(line, options.store, options.shared);
   add_jobs(line, options.jobs);
   line.flag("--unsafe-without-landlock",
             "run a course's programs where the kernel has no Landlock to keep them from your "
@@ -159,7 +159,7 @@ void declare(CommandLine& line, CheckOptions& options) {
 }
 
 void declare(CommandLine& line, DoctorOptions& options) {
-  add_store(line, options.store);
+  add_stores(line, options.store, options.shared);
 }
 
 void declare(CommandLine& line, ExplainOptions& options) {
@@ -167,7 +167,7 @@ void declare(CommandLine& line, ExplainOptions& options) {
              std::string(kWhereHelp) + "; or a message's name, such as E-output-differs",
              options.where);
   add_course(line, options.course);
-  add_stores(line, options);
+  add_stores(line, options.store, options.shared);
 }
 
 void declare(CommandLine& line, GradeOptions& options) {
@@ -208,7 +208,7 @@ void declare(CommandLine& line, InitOptions& options) {
 
 void declare(CommandLine& line, ListOptions& options) {
   add_course(line, options.course);
-  add_stores(line, options);
+  add_stores(line, options.store, options.shared);
   add_jobs(line, options.jobs);
 }
 
@@ -265,8 +265,12 @@ void declare(CommandLine& line, TryOptions& options) {
 }
 
 void declare(CommandLine& line, StoreOptions& options) {
-  line.words("prune", "until no more than SIZE is left", options.words);
-  add_store(line, options.store);
+  line.words("prune|push|pull",
+             "`prune` until no more than SIZE is left; `push` what is kept of the course to the "
+             "shared store; `pull` what that has of it",
+             options.words);
+  add_course(line, options.course);
+  add_stores(line, options.store, options.shared);
   line.value("--keep", {"SIZE", "a size, such as 2GB"},
              "how much to keep, such as 500MB (default: 2GB)", [&](const std::string& value) {
                const auto bytes = read_size(value);

@@ -51,6 +51,7 @@ struct CheckOptions : VerifyOptions {};
 
 struct DoctorOptions {
   std::filesystem::path store;
+  SharedPlace shared;
 };
 
 struct ExplainOptions : CourseOptions {
@@ -95,9 +96,8 @@ struct TryOptions : CourseOptions {
   bool open = false;               // in an editor
 };
 
-struct StoreOptions {
-  std::vector<std::string> words;  // "prune"
-  std::filesystem::path store;
+struct StoreOptions : CourseOptions {
+  std::vector<std::string> words;   // "prune", "push" or "pull"
   std::uintmax_t keep = kMostKept;  // bytes that a pruned store keeps
 };
 
@@ -120,7 +120,7 @@ int init(const InitOptions& options);
 int list(const ListOptions& options);
 // Say what this machine has of all that courses need.
 int doctor(const DoctorOptions& options);
-// `store prune`.
+// `store prune`, `store push` and `store pull`.
 int store(const StoreOptions& options);
 
 // Write an exercise into a folder and judge it after each save.

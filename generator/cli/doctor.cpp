@@ -19,7 +19,10 @@ const char* word_for(Sign::Grade grade) {
 }  // namespace
 
 int doctor(const DoctorOptions& options) {
-  const std::vector<Sign> signs = examine(assets_folder(), store_folder(options.store));
+  std::vector<Sign> signs = examine(assets_folder(), store_folder(options.store));
+  if (auto shared = examine_shared(assets_folder(), options.shared)) {
+    signs.push_back(*std::move(shared));
+  }
   std::ptrdiff_t missing = 0;
   std::cout << "mjcourse " MJCOURSE_VERSION "\n";
   for (const Sign& sign : signs) {

@@ -124,7 +124,10 @@ int explain(const ExplainOptions& options) {
     ++told;
     kept += task.kept ? 1 : 0;
     std::cout << task.place.file << ":" << task.place.line << ": " << task.what
-              << (task.kept ? ": kept\n" : ": to be done\n");
+              << (!task.kept ? ": to be done\n"
+                  : verified.store.came_from_server(task.result)
+                      ? ": kept in the shared store as " + task.result + "\n"
+                      : ": kept\n");
     if (!task.kept) print_changes(task);
     if (!wanted.empty()) print_dependencies(task.now);
   }

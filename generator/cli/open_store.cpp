@@ -26,20 +26,22 @@ bool is_due(const fs::path& stamp) {
   return true;
 }
 
-// Empty for none.
-std::string address_of(const SharedPlace& place) {
-  if (place.url == kNoServer) return "";
-  if (!place.url.empty()) return place.url;
-  const char* const url = std::getenv("MJCOURSE_STORE_URL");
-  return url == nullptr || url == std::string(kNoServer) ? "" : url;
-}
-
 }  // namespace
 
 fs::path store_folder(const fs::path& named) {
   if (!named.empty()) return fs::absolute(named);
   const std::optional<fs::path> cache = user_cache_folder();
   return cache ? *cache / "store" : fs::path();
+}
+
+tl::expected<std::optional<Server>, std::string> named_server(const SharedPlace& place) {
+  const char* const set = std::getenv("MJCOURSE_STORE_URL");
+  const bool is_named = !place.url.empty();
+  const std::string url = is_named ? place.url : set == nullptr ? "" : set;
+  if (url.empty() || url == kNoServer) return std::nullopt;
+  auto server = server_at(url);
+  if (server) return *std::move(server);
+  return tl::unexpected((is_named ? "" : "MJCOURSE_STORE_URL: ") + server.error());
 }
 
 OpenedStore open_store(const fs::path& folder, const SharedPlace& place) {
@@ -56,26 +58,36 @@ OpenedStore open_store(const fs::path& folder, const SharedPlace& place) {
     std::cerr << "note: results are not kept: " << error.what() << '\n';
     return {};
   }
-  const std::string url = address_of(place);
-  if (url.empty()) return store;
-  const auto server = server_at(url);
+  const auto server = named_server(place);
   try {
-    if (!server) throw std::runtime_error("MJCOURSE_STORE_URL: " + server.error());
-    store.share(assets_folder() / "net" / "mjcourse-net", *server, place.read_only);
+    if (!server) throw std::runtime_error(server.error());
+    using Sends = SharedStore::Sends;
+    const Sends sends = place.read_only  ? Sends::nothing
+                        : place.gets_all ? Sends::all
+                                         : Sends::puts;
+    if (*server) store.share(assets_folder() / "net" / "mjcourse-net", **server, sends);
   } catch (const std::exception& error) {
     std::cerr << "note: no shared store is used: " << error.what() << '\n';
   }
   return store;
 }
 
-void OpenedStore::share(const fs::path& program, const Server& server, bool read_only) {
-  remote_ = std::make_unique<RemoteStore>(program, server, read_only);
-  shared_ = std::make_unique<SharedStore>(*disk_, *remote_, !read_only);
+void OpenedStore::share(const fs::path& program, const Server& server, SharedStore::Sends sends) {
+  remote_ = std::make_unique<RemoteStore>(program, server, sends == SharedStore::Sends::nothing);
+  shared_ = std::make_unique<SharedStore>(*disk_, *remote_, sends);
 }
 
 Store* OpenedStore::get() const {
   if (shared_) return shared_.get();
   return disk_.get();
+}
+
+void OpenedStore::wait() const {
+  if (shared_) shared_->wait();
+}
+
+bool OpenedStore::came_from_server(const std::string& name) const {
+  return shared_ && shared_->came_from_there(name);
 }
 
 std::optional<RemoteStore::Traffic> OpenedStore::traffic() const {

@@ -4,7 +4,10 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <tl/expected.hpp>
+#include <utility>
 
 #include "base/disk_store.h"
 #include "remote/remote_store.h"
@@ -22,6 +25,7 @@ inline constexpr const char* kNoServer = "none";
 struct SharedPlace {
   std::string url;  // empty for what MJCOURSE_STORE_URL says
   bool read_only = false;
+  bool gets_all = false;  // also what the disk had before
 };
 
 class OpenedStore {
@@ -35,10 +39,16 @@ class OpenedStore {
   ~OpenedStore();
 
   // With a server before which this store is from now on. Throws std::system_error.
-  void share(const std::filesystem::path& program, const Server& server, bool read_only);
+  void share(const std::filesystem::path& program, const Server& server, SharedStore::Sends sends);
 
   // Null where no store could be opened.
   Store* get() const;
+  // Was this entry asked of the server?
+  bool came_from_server(const std::string& name) const;
+  // Null where none is shared.
+  const RemoteStore* remote() const { return remote_.get(); }
+  // Until the shared store has all that was put.
+  void wait() const;
   // Of the shared store; nothing where there is none.
   std::optional<RemoteStore::Traffic> traffic() const;
 
@@ -47,6 +57,10 @@ class OpenedStore {
   std::unique_ptr<RemoteStore> remote_;
   std::unique_ptr<SharedStore> shared_;
 };
+
+// The server that `place` or the environment names; nothing where none does. What is wrong with the
+// environment's.
+tl::expected<std::optional<Server>, std::string> named_server(const SharedPlace& place);
 
 // In `folder`, or, where that is empty, in the user's cache. Without a store where none can be
 // opened; a note on stderr says why.

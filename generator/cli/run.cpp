@@ -147,7 +147,9 @@ const std::vector<NamedCommand>& commands() {
             "check it"),
       named("init", init, "begin a course in a new folder"),
       named("doctor", doctor, "check what this machine has of all that courses need"),
-      named("store", store, "forget the results that have gone unused longest")};
+      named("store", store,
+            "forget the results that have gone unused longest, or exchange a course's with a "
+            "shared store")};
   return all;
 }
 

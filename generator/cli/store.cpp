@@ -1,15 +1,19 @@
-// `mjcourse store prune --keep SIZE`.
+// `mjcourse store prune --keep SIZE`, `store push` and `store pull`.
 // Tested by tests/generator/cli/run_test.cpp.
+#include <algorithm>
 #include <iostream>
 #include <system_error>
 
 #include "base/counted.h"
 #include "base/disk_store.h"
+#include "base/nearest.h"
 #include "cli/commands.h"
 #include "cli/new_files.h"
 #include "cli/open_store.h"
 #include "cli/run.h"
 #include "cli/size.h"
+#include "cli/verify.h"
+#include "evaluate/explain.h"
 #include "process/our_command.h"
 
 namespace mjcourse {
@@ -22,17 +26,9 @@ std::string in_words(const Pruned::Count& count) {
          size_text(count.bytes) + ")";
 }
 
-}  // namespace
-
-int store(const StoreOptions& options) {
-  if (options.words != std::vector<std::string>{"prune"}) {
-    std::cerr << "mjcourse: store what? " << our_command("store prune") << " forgets old results\n"
-              << our_command("store --help") << " shows what it takes\n";
-    return kWrongUsage;
-  }
-  const std::filesystem::path folder = store_folder(options.store);
+int prune(const StoreOptions& options) {
   try {
-    const Pruned pruned = prune_store(folder, options.keep, true).value();
+    const Pruned pruned = prune_store(store_folder(options.store), options.keep, true).value();
     std::cout << "forgot " << in_words(pruned.removed) << "; kept " << in_words(pruned.left)
               << '\n';
     return kClean;
@@ -40,6 +36,52 @@ int store(const StoreOptions& options) {
     return tell(Refusal{kWrongUsage, "the store cannot be pruned: " + std::string(error.what()),
                         "name a store that you can write to: `--store DIR`"});
   }
+}
+
+// Between the disk and the shared store, all that is kept of the course as it is now.
+int transfer(StoreOptions options, bool pushes) {
+  const auto server = named_server(options.shared);
+  const std::string command = std::string("store ") + (pushes ? "push" : "pull");
+  if (!server || !*server) {
+    return tell(Refusal{kWrongUsage, server ? command + " needs a shared store" : server.error(),
+                        "name it: `--store-url URL`, or MJCOURSE_STORE_URL in the environment"});
+  }
+  options.shared.gets_all = pushes;
+  const Verified verified = read_course_of(options);
+  if (!verified.course) {
+    print_diagnostics(verified.evaluation.diagnostics);
+    return kCourseErrors;
+  }
+  const RemoteStore* const remote = verified.store.remote();
+  if (remote == nullptr) return kCourseErrors;  // a note has said why
+  const DiskFiles assets(assets_folder());
+  const auto tasks = explain_course(
+      *verified.course, evaluation_settings(options, assets, verified.store.get()), pushes);
+  verified.store.wait();
+  const RemoteStore::Traffic traffic = remote->traffic();
+  const auto kept = std::ranges::count_if(tasks, &Explanation::kept);
+  std::cout << (pushes ? "put " + counted(traffic.put, "entry", "entries") + " (" +
+                             size_text(traffic.sent) + ") into "
+                       : "got " + counted(traffic.found, "entry", "entries") + " (" +
+                             size_text(traffic.received) + ") from ")
+            << (*server)->shown() << "; the disk has " << kept << " of "
+            << counted(tasks.size(), "result") << " of this course\n";
+  return (pushes ? remote->is_written() : remote->is_read()) ? kClean : kCourseErrors;
+}
+
+}  // namespace
+
+int store(const StoreOptions& options) {
+  const std::vector<std::string> known{"prune", "push", "pull"};
+  if (options.words.size() != 1) {
+    std::cerr << "mjcourse: store what? prune, push or pull\n"
+              << our_command("store --help") << " shows what it takes\n";
+    return kWrongUsage;
+  }
+  const std::string& what = options.words[0];
+  if (what == "prune") return prune(options);
+  if (what == "push" || what == "pull") return transfer(options, what == "push");
+  return tell(Refusal{kWrongUsage, "store cannot " + what, suggest(what, known)});
 }
 
 }  // namespace mjcourse

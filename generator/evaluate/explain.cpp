@@ -1,7 +1,9 @@
 #include "evaluate/explain.h"
 
+#include <optional>
 #include <utility>
 
+#include "base/parallel.h"
 #include "evaluate/plan.h"
 #include "evaluate/publish.h"
 #include "evaluate/task_store.h"
@@ -16,36 +18,42 @@ class Explainer {
                      settings.script_bundles, settings.without_landlock, settings.page),
         fingerprints_(settings.root),
         task_store_(*settings.store, settings.root, fingerprints_),
-        worker_context_(run_context_),
         tasks_(plan_tasks(course)),
-        records_(tasks_.size()) {}
+        records_(tasks_.size()),
+        before_(tasks_.size()) {}
 
-  std::vector<Explanation> run() {
-    look(false);
+  std::vector<Explanation> run(bool puts_lists) {
+    look(false, puts_lists);
     publish(tasks_, records_, run_context_.reports(), fingerprints_);
-    look(true);
+    look(true, puts_lists);
     std::vector<Explanation> all;
     for (std::size_t i = 0; i < tasks_.size(); ++i) {
-      if (!records_[i].recipe.empty()) all.push_back(explain(*tasks_[i], records_[i]));
+      if (!records_[i].recipe.empty()) all.push_back(explain(i));
     }
     return all;
   }
 
  private:
-  void look(bool quoting) {
-    for (std::size_t i = 0; i < tasks_.size(); ++i) {
+  // A store behind a net answers many at once.
+  void look(bool quoting, bool puts_lists) {
+    std::vector<std::optional<WorkerContext>> contexts(task_store_.at_once());
+    for_each_index(tasks_.size(), contexts.size(), [&](std::size_t i, std::size_t thread) {
       Task& task = *tasks_[i];
       TaskRecord& record = records_[i];
-      if (task.quotes() != quoting || !task.prepare(worker_context_, record.finding)) continue;
+      if (task.quotes() != quoting) return;
+      if (!contexts[thread]) contexts[thread].emplace(run_context_);
+      if (!task.prepare(*contexts[thread], record.finding)) return;
       record.recipe = task.recipe(run_context_);
-      before_[&task] = task_store_.last(task);
-      task_store_.find(task, record);
-    }
+      before_[i] = task_store_.last(task);
+      if (task_store_.find(task, record) && puts_lists) task_store_.put_list(record);
+    });
   }
 
-  Explanation explain(const Task& task, const TaskRecord& record) {
-    Explanation explanation{task.what(), task.place(), record.reused, record.recipe,
-                            std::move(before_[&task])};
+  Explanation explain(std::size_t index) {
+    const Task& task = *tasks_[index];
+    const TaskRecord& record = records_[index];
+    Explanation explanation{task.what(),   task.place(),  record.reused,
+                            record.result, record.recipe, std::move(before_[index])};
     Dependencies& now = explanation.now;
     if (record.reused) {
       const Dependencies traced = task_store_.one_by_one(record.traced);
@@ -63,16 +71,16 @@ class Explainer {
   RunContext run_context_;
   Fingerprints fingerprints_;
   TaskStore task_store_;
-  WorkerContext worker_context_;
   Tasks tasks_;
   std::vector<TaskRecord> records_;
-  std::map<const Task*, Dependencies> before_;
+  std::vector<Dependencies> before_;  // of each task
 };
 
 }  // namespace
 
-std::vector<Explanation> explain_course(const Course& course, const EvaluationSettings& settings) {
-  return Explainer(course, settings).run();
+std::vector<Explanation> explain_course(const Course& course, const EvaluationSettings& settings,
+                                        bool puts_lists) {
+  return Explainer(course, settings).run(puts_lists);
 }
 
 }  // namespace mjcourse

@@ -20,6 +20,7 @@ bool TaskStore::find(const Task& task, TaskRecord& record, bool noted) {
   record.finding = *std::move(finding);
   record.reused = true;
   if (noted) last_run_.note(task, found->name);
+  record.result = std::move(found->name);
   return true;
 }
 

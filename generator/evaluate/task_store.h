@@ -17,6 +17,7 @@ struct TaskRecord {
   Finding finding;
   Dependencies recipe, traced;  // what it depends on; the latter where it was kept, or found
   bool reused = false;          // it was kept before
+  std::string result = {};      // its name in the store, where it was found there
   bool open = false;            // nobody worked on it: what is known does not have it
   bool looked = false;          // it was prepared, and looked up
   bool waiting = false;         // its work is to be done
@@ -38,6 +39,10 @@ class TaskStore {
   // Does `record`, which has its recipe, get its finding? Where this is to be `noted`, last() will
   // know of it.
   bool find(const Task& task, TaskRecord& record, bool noted = true);
+
+  // The way to the finding of `record`, which was kept, is put into the store anew, for one that
+  // others look into.
+  void put_list(const TaskRecord& record) { results_.put_list(record.recipe, record.traced); }
 
   // How many may look at once.
   std::size_t at_once() const { return at_once_; }

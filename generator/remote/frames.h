@@ -5,7 +5,8 @@
 //
 //     to the program   url https://store.example/course   and more settings, one a line
 //                      17 PUT ac/3f2a…                    and the bytes behind a line feed
-//     back             17 200                             and the bytes behind a line feed
+//     back             17 200 2                           by HTTP/2; and the bytes behind a line
+//     feed
 //                      17 0                               and why there was no answer
 #pragma once
 

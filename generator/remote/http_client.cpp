@@ -10,6 +10,7 @@
 #include <charconv>
 #include <utility>
 
+#include "base/utf8.h"
 #include "remote/frames.h"
 
 namespace mjcourse {
@@ -44,6 +45,11 @@ pid_t start(const std::filesystem::path& program, int socket) {
 }
 
 }  // namespace
+
+std::string HttpAnswer::trouble() const {
+  if (status != 0) return "it answers with " + std::to_string(status);
+  return readable(content.substr(0, content.find('\n')));
+}
 
 HttpClient::HttpClient(const std::filesystem::path& program, const Server& server) {
   int ends[2];
@@ -81,10 +87,12 @@ void HttpClient::read_answers() {
     frames.add({buffer.data(), static_cast<std::size_t>(count)});
     while (auto message = frames.next()) {
       const auto [number, rest] = take_number(message->head);
-      const std::uint64_t status = rest.empty() ? 0 : take_number(rest.substr(1)).first;
+      const auto [status, behind] = take_number(rest.empty() ? rest : rest.substr(1));
+      const std::uint64_t version = behind.empty() ? 0 : take_number(behind.substr(1)).first;
       const std::lock_guard lock(mutex_);
       if (const auto asked = asked_.find(number); asked != asked_.end()) {
-        asked->second = HttpAnswer{static_cast<int>(status), std::move(message->body)};
+        asked->second = HttpAnswer{static_cast<int>(status), static_cast<int>(version),
+                                   std::move(message->body)};
       }
       changed_.notify_all();
     }
@@ -108,7 +116,7 @@ HttpAnswer HttpClient::ask(std::string_view verb, const std::string& path,
   const auto asked = asked_.find(number);
   changed_.wait(lock, [&] { return !sent || ended_ || asked->second.has_value(); });
   HttpAnswer answer =
-      asked->second.value_or(HttpAnswer{0, "the program that talks to the server has ended"});
+      asked->second.value_or(HttpAnswer{0, 0, "the program that talks to the server has ended"});
   asked_.erase(asked);
   return answer;
 }

@@ -23,9 +23,28 @@
 
 namespace mjcourse {
 
+// Those that mean something to us.
+enum HttpStatus : int {
+  kOk = 200,
+  kPartialContent = 206,
+  kUnauthorized = 401,
+  kForbidden = 403,
+  kNotFound = 404,
+  kMethodNotAllowed = 405,
+  kGone = 410,
+  kContentTooLarge = 413,
+  kNotImplemented = 501,
+  kInsufficientStorage = 507,
+};
+
 struct HttpAnswer {
   int status = 0;       // of HTTP; 0 where no whole answer came
+  int version = 0;      // of HTTP, its first number
   std::string content;  // or why none came
+
+  // "it answers with 500", or why no answer came.
+  std::string trouble() const;
+  bool is_good() const { return status >= kOk && status < kPartialContent; }
 };
 
 class HttpClient {

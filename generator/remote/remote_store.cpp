@@ -4,7 +4,6 @@
 
 #include "base/stopwatch.h"
 #include "base/store_entry.h"
-#include "base/utf8.h"
 #include "remote/action_result.h"
 
 namespace mjcourse {
@@ -20,34 +19,12 @@ constexpr double kSlow = 1, kMostWaited = 30;  // s
 // Blobs from this size on are not sent where they are already.
 constexpr std::size_t kLarge = 1 << 14;  // bytes
 
-enum Status : int {
-  kOk = 200,
-  kPartialContent = 206,
-  kUnauthorized = 401,
-  kForbidden = 403,
-  kNotFound = 404,
-  kMethodNotAllowed = 405,
-  kGone = 410,
-  kContentTooLarge = 413,
-  kNotImplemented = 501,
-  kInsufficientStorage = 507,
-};
-
 bool is_blob(const std::string& name) {
   return name.starts_with("cas/");
 }
 
 std::string path_of(const std::string& name) {
   return is_blob(name) ? name : "ac/" + name.substr(name.find('/') + 1);
-}
-
-bool is_put(int status) {
-  return status >= kOk && status < kPartialContent;
-}
-
-std::string reason_of(const HttpAnswer& answer) {
-  if (answer.status == 0) return readable(answer.content.substr(0, answer.content.find('\n')));
-  return "it answers with " + std::to_string(answer.status);
 }
 
 }  // namespace
@@ -72,11 +49,11 @@ void RemoteStore::judge(std::string_view verb, const HttpAnswer& answer, double 
   switch (answer.status) {
     case kUnauthorized:
     case kForbidden:
-      return stop(!puts, reason_of(answer) + "; is MJCOURSE_STORE_TOKEN, or ~/.netrc, right?");
+      return stop(!puts, answer.trouble() + "; is MJCOURSE_STORE_TOKEN, or ~/.netrc, right?");
     case kMethodNotAllowed:
     case kNotImplemented:
     case kInsufficientStorage:
-      return stop(!puts, reason_of(answer) + (puts ? " to what is put there" : ""));
+      return stop(!puts, answer.trouble() + (puts ? " to what is put there" : ""));
     case kNotFound:
     case kGone:
     case kContentTooLarge:
@@ -85,7 +62,7 @@ void RemoteStore::judge(std::string_view verb, const HttpAnswer& answer, double 
     default:
       break;
   }
-  if (is_put(answer.status)) {
+  if (answer.is_good()) {
     failures_ = 0;
     ++answers_;
     if (traffic_.waited > kMostWaited && traffic_.waited > kSlow * answers_) {
@@ -94,7 +71,7 @@ void RemoteStore::judge(std::string_view verb, const HttpAnswer& answer, double 
     return;
   }
   wasted_ += seconds;
-  if (++failures_ >= kMostFailures || wasted_ > kMostWasted) stop(true, reason_of(answer));
+  if (++failures_ >= kMostFailures || wasted_ > kMostWasted) stop(true, answer.trouble());
 }
 
 HttpAnswer RemoteStore::ask(std::string_view verb, const std::string& path,
@@ -103,6 +80,11 @@ HttpAnswer RemoteStore::ask(std::string_view verb, const std::string& path,
   HttpAnswer answer = client_.ask(verb, path, content);
   judge(verb, answer, stopwatch.seconds());
   return answer;
+}
+
+bool RemoteStore::is_read() const {
+  const std::lock_guard lock(mutex_);
+  return reads_;
 }
 
 bool RemoteStore::is_written() const {
@@ -142,7 +124,7 @@ bool RemoteStore::put(const std::string& name, std::string_view bytes) {
   if (is_blob(name) && bytes.size() >= kLarge && ask("HEAD", path).status == kOk) return true;
   const std::string entry = is_blob(name) ? "" : action_result(sealed(name, bytes));
   const std::string_view content = is_blob(name) ? bytes : std::string_view(entry);
-  if (!is_put(ask("PUT", path, content).status)) return false;
+  if (!ask("PUT", path, content).is_good()) return false;
   const std::lock_guard lock(mutex_);
   ++traffic_.put;
   traffic_.sent += content.size();

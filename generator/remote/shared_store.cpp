@@ -19,8 +19,9 @@ bool is_list(const std::string& name) {
 
 }  // namespace
 
-SharedStore::SharedStore(Store& disk, Store& remote, bool written) : disk_(disk), remote_(remote) {
-  for (int i = 0; written && i < kSenders; ++i) {
+SharedStore::SharedStore(Store& disk, Store& remote, Sends sends)
+    : disk_(disk), remote_(remote), sends_(sends) {
+  for (int i = 0; sends != Sends::nothing && i < kSenders; ++i) {
     senders_.emplace_back([this] { send(); });
   }
 }
@@ -31,6 +32,11 @@ SharedStore::~SharedStore() {
   changed_.notify_all();
 }
 
+void SharedStore::wait() {
+  std::unique_lock lock(mutex_);
+  changed_.wait(lock, [this] { return waiting_.empty() && sending_ == 0; });
+}
+
 void SharedStore::send() {
   std::unique_lock lock(mutex_);
   for (;;) {
@@ -38,20 +44,35 @@ void SharedStore::send() {
     if (waiting_.empty()) return;
     Entry next = std::move(waiting_.front());
     waiting_.pop_front();
+    ++sending_;
     lock.unlock();
     // A list may have grown since.
     if (!next.bytes) next.bytes = disk_.get(next.name);
     if (next.bytes) remote_.put(next.name, *next.bytes);
     lock.lock();
+    --sending_;
+    if (waiting_.empty() && sending_ == 0) changed_.notify_all();
   }
 }
 
 std::optional<std::string> SharedStore::get(const std::string& name) {
-  if (auto bytes = disk_.get(name)) return bytes;
+  if (auto bytes = disk_.get(name)) {
+    // Lists are put by those who join them with what is there.
+    if (sends_ == Sends::all && !is_list(name)) send_later(name, std::nullopt);
+    return bytes;
+  }
   if (stays_here(name)) return std::nullopt;
   std::optional<std::string> bytes = remote_.get(name);
-  if (bytes) disk_.put(name, *bytes);
+  if (!bytes) return std::nullopt;
+  disk_.put(name, *bytes);
+  const std::lock_guard lock(mutex_);
+  received_.insert(name);
   return bytes;
+}
+
+bool SharedStore::came_from_there(const std::string& name) const {
+  const std::lock_guard lock(mutex_);
+  return received_.contains(name);
 }
 
 std::optional<std::string> SharedStore::get_of_others(const std::string& name) {
@@ -65,13 +86,17 @@ std::size_t SharedStore::at_once() const {
 
 bool SharedStore::put(const std::string& name, std::string_view bytes) {
   const bool kept = disk_.put(name, bytes);
-  if (stays_here(name) || senders_.empty()) return kept;
+  send_later(name, kept ? std::nullopt : std::optional(std::string(bytes)));
+  return kept;
+}
+
+void SharedStore::send_later(const std::string& name, std::optional<std::string> bytes) {
+  if (stays_here(name) || sends_ == Sends::nothing) return;
   const std::lock_guard lock(mutex_);
   // A name that is not a list's has the same bytes each time.
-  if (!is_list(name) && !sent_.insert(name).second) return kept;
-  waiting_.push_back({name, kept ? std::nullopt : std::optional(std::string(bytes))});
+  if (!is_list(name) && !sent_.insert(name).second) return;
+  waiting_.push_back({name, std::move(bytes)});
   changed_.notify_one();
-  return kept;
 }
 
 }  // namespace mjcourse

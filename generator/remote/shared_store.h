@@ -20,10 +20,12 @@ namespace mjcourse {
 
 class SharedStore : public Store {
  public:
-  // Both must outlive this. `written`: what is put goes to both.
-  SharedStore(Store& disk, Store& remote, bool written);
-  // Waits until the remote store has all, or does not take any more.
-  ~SharedStore() override;
+  // To the remote store: nothing; what is put; or what is put or was asked for.
+  enum class Sends { nothing, puts, all };
+
+  // Both must outlive this.
+  SharedStore(Store& disk, Store& remote, Sends sends);
+  ~SharedStore() override;  // waits
   SharedStore(const SharedStore&) = delete;
   SharedStore& operator=(const SharedStore&) = delete;
 
@@ -32,6 +34,12 @@ class SharedStore : public Store {
   std::optional<std::string> get_of_others(const std::string& name) override;
   std::size_t at_once() const override;
 
+  // Returns once the remote store has all, or does not take any more.
+  void wait();
+
+  // Did the remote store give it, and the disk not have it?
+  bool came_from_there(const std::string& name) const;
+
  private:
   struct Entry {
     std::string name;
@@ -39,13 +47,16 @@ class SharedStore : public Store {
   };
 
   void send();
+  void send_later(const std::string& name, std::optional<std::string> bytes);
 
   Store& disk_;
   Store& remote_;
-  std::mutex mutex_;
+  const Sends sends_;
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Entry> waiting_;  // to be sent, in the order in which they came
-  std::set<std::string> sent_;
+  std::set<std::string> sent_, received_;
+  std::size_t sending_ = 0;  // threads that are
   bool stopped_ = false;
   std::vector<std::jthread> senders_;  // last: they use the rest
 };

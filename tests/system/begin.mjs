@@ -167,23 +167,25 @@ test("init takes a new repository, and no file", () => {
   ]);
 });
 
-// The scripts of the workflow's steps, by their names.
+// The scripts of a workflow's or an action's steps, by their names.
 function stepsOf(workflow) {
   const steps = new Map();
   let name = "";
   for (const [, named, block, line] of workflow.matchAll(
-    /^ +- name: (.*)$|^ +run: \|\n((?: {10}.*\n|\n)+)|^ +run: (?!\|)(.+)$/gm,
+    /^ +- name: (.*)$|^ +run: \|\n((?: {8}.*\n|\n)+)|^ +run: (?!\|)(.+)$/gm,
   )) {
     if (named !== undefined) name = named;
-    else steps.set(name, block?.replaceAll(/^ {10}/gm, "") ?? line);
+    else steps.set(name, block?.replaceAll(/^ {8}/gm, "") ?? line);
   }
   return steps;
 }
 
 test("its workflow asks for the tool, and is told where that is", () => {
-  const steps = stepsOf(read("rigid-bodies/.github/workflows/course.yml"));
-  assert.equal(steps.size, 6);
-  for (const [name, script] of steps) {
+  const workflow = stepsOf(read("rigid-bodies/.github/workflows/course.yml"));
+  const steps = stepsOf(read("rigid-bodies/.github/actions/mjcourse/action.yml"));
+  assert.equal(workflow.size, 4);
+  assert.equal(steps.size, 3);
+  for (const [name, script] of [...workflow, ...steps]) {
     const parsed = spawnSync("bash", ["-n"], { input: script, encoding: "utf8" });
     assert.equal(parsed.stderr, "", name);
   }

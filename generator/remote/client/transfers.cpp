@@ -143,7 +143,10 @@ std::string Transfers::answer_of(const Transfer& transfer, CURLcode result) cons
   }
   long status = 0;
   curl_easy_getinfo(transfer.easy, CURLINFO_RESPONSE_CODE, &status);
-  return frame_of(transfer.number + " " + std::to_string(status), transfer.taken);
+  long version = 0;
+  curl_easy_getinfo(transfer.easy, CURLINFO_HTTP_VERSION, &version);
+  const char* const protocol = version == CURL_HTTP_VERSION_2_0 ? " 2" : " 1";
+  return frame_of(transfer.number + " " + std::to_string(status) + protocol, transfer.taken);
 }
 
 std::vector<std::string> Transfers::finished() {

@@ -36,12 +36,24 @@ TEST(Run, HelpsOnStdout) {
 
 TEST(Run, HelpsWithOneCommand) {
   const std::string help =
-      "usage: mjcourse store [OPTIONS] prune\n"
+      "usage: mjcourse store [OPTIONS] prune|push|pull\n"
       "\n"
-      "forget the results that have gone unused longest\n"
+      "forget the results that have gone unused longest, or exchange a course's with a shared "
+      "store\n"
       "\n"
-      "  prune          until no more than SIZE is left\n"
+      "  prune|push|pull"
+      "\n                 `prune` until no more than SIZE is left; `push` what is kept of the "
+      "course "
+      "to the\n"
+      "                 shared store; `pull` what that has of it\n"
+      "  --course DIR   a folder with content/, models/ and examples/ (default: .)\n"
       "  --store DIR    where results are kept (default: the user's cache)\n"
+      "  --store-url URL\n"
+      "                 a store that many machines share, in Bazel's HTTP cache protocol; none: "
+      "only\n"
+      "                 --store (default: what MJCOURSE_STORE_URL says)\n"
+      "  --store-read-only\n"
+      "                 put nothing into the shared store\n"
       "  --keep SIZE    how much to keep, such as 500MB (default: 2GB)\n";
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{"store", "--help"}, {"store", "prune", "-h"}, {"help", "store"}}) {
@@ -104,8 +116,7 @@ TEST(Run, NeedsOptionsThatThereAre) {
             "mjcourse: accept has no option --timings; it belongs to build, check");
   EXPECT_EQ(error_of({"check", "1.2"}), "mjcourse: check takes only options, not 1.2");
   EXPECT_EQ(error_of({"check", ""}), "mjcourse: check takes only options, not \"\"");
-  EXPECT_EQ(error_of({"store"}),
-            "mjcourse: store what? `mjcourse store prune` forgets old results");
+  EXPECT_EQ(error_of({"store"}), "mjcourse: store what? prune, push or pull");
 }
 
 TEST(Run, NeedsValuesOfTheirKind) {
