@@ -265,10 +265,12 @@ void declare(CommandLine& line, TryOptions& options) {
 }
 
 void declare(CommandLine& line, StoreOptions& options) {
-  line.words("prune|push|pull",
-             "`prune` until no more than SIZE is left; `push` what is kept of the course to the "
-             "shared store; `pull` what that has of it",
-             options.words);
+  line.words(
+      "prune|push|pull|key FILE",
+      "`prune` until no more than SIZE is left; `push` what is kept of the course to the "
+      "shared store; `pull` what that has of it; `key` makes a key to sign entries with, into a "
+      "new file",
+      options.words);
   add_course(line, options.course);
   add_stores(line, options.store, options.shared);
   line.value("--keep", {"SIZE", "a size, such as 2GB"},

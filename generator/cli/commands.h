@@ -97,7 +97,7 @@ struct TryOptions : CourseOptions {
 };
 
 struct StoreOptions : CourseOptions {
-  std::vector<std::string> words;   // "prune", "push" or "pull"
+  std::vector<std::string> words;   // "prune", "push", "pull", or "key" and a file
   std::uintmax_t keep = kMostKept;  // bytes that a pruned store keeps
 };
 

@@ -1,10 +1,17 @@
 // `mjcourse store prune --keep SIZE`, `store push` and `store pull`.
 // Tested by tests/generator/cli/run_test.cpp.
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <iostream>
 #include <system_error>
 
 #include "base/counted.h"
+#include "base/descriptor.h"
 #include "base/disk_store.h"
 #include "base/nearest.h"
 #include "cli/commands.h"
@@ -15,6 +22,7 @@
 #include "cli/verify.h"
 #include "evaluate/explain.h"
 #include "process/our_command.h"
+#include "remote/signature.h"
 
 namespace mjcourse {
 namespace {
@@ -69,16 +77,37 @@ int transfer(StoreOptions options, bool pushes) {
   return (pushes ? remote->is_written() : remote->is_read()) ? kClean : kCourseErrors;
 }
 
+// The public key is for others.
+int make_key(const std::filesystem::path& path) {
+  const SigningKey key = SigningKey::random();
+  const std::string file = key.file();
+  const Descriptor to(
+      open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR));
+  if (!to.is_open() || write(to.get(), file.data(), file.size()) != static_cast<ssize_t>(file.size())) {
+    return tell(Refusal{kWrongUsage, path.string() + ": " + std::strerror(errno),
+                        "name a new file; a key is never replaced"});
+  }
+  std::cout
+      << "wrote " << path.string()
+      << ": MJCOURSE_STORE_SIGNING_KEY names this file where results are signed; keep it secret\n"
+      << "its public key, for MJCOURSE_STORE_TRUSTED_KEYS elsewhere:\n"
+      << key.public_key() << '\n';
+  return kClean;
+}
+
 }  // namespace
 
 int store(const StoreOptions& options) {
-  const std::vector<std::string> known{"prune", "push", "pull"};
-  if (options.words.size() != 1) {
-    std::cerr << "mjcourse: store what? prune, push or pull\n"
+  const std::vector<std::string> known{"prune", "push", "pull", "key"};
+  const bool is_key = !options.words.empty() && options.words[0] == "key";
+  if (options.words.size() != (is_key ? 2 : 1)) {
+    std::cerr << (is_key ? "mjcourse: store key takes one new file\n"
+                         : "mjcourse: store what? prune, push, pull or key\n")
               << our_command("store --help") << " shows what it takes\n";
     return kWrongUsage;
   }
   const std::string& what = options.words[0];
+  if (is_key) return make_key(options.words[1]);
   if (what == "prune") return prune(options);
   if (what == "push" || what == "pull") return transfer(options, what == "push");
   return tell(Refusal{kWrongUsage, "store cannot " + what, suggest(what, known)});

@@ -1,5 +1,6 @@
 #include "remote/remote_store.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "base/stopwatch.h"
@@ -104,31 +105,58 @@ std::optional<std::string> RemoteStore::get(const std::string& name) {
     return std::nullopt;
   }
   const std::size_t size = answer.content.size();
-  std::optional<std::string> entry =
-      is_blob(name) ? std::optional(std::move(answer.content)) : output_of(answer.content);
-  const bool is_former = !is_blob(name) && entry && is_of_another_version(*entry);
-  std::optional<std::string> bytes = entry ? unsealed(name, *std::move(entry)) : std::nullopt;
+  const Read read = is_blob(name) ? Read{unsealed(name, std::move(answer.content))}
+                                  : read_entry(name, answer.content);
   const std::lock_guard lock(mutex_);
-  ++(bytes ? traffic_.found : traffic_.missed);
+  ++(read.bytes ? traffic_.found : traffic_.missed);
   traffic_.received += size;
-  if (!bytes && !is_former && !std::exchange(was_damaged_, true)) {
-    notes_.push_back("the shared store at " + server_.shown() + " gave another content than " +
-                     path_of(name) + " was put with; such entries are made again");
-  }
-  return bytes;
+  if (!read.bytes && !read.is_former)
+    note_once(read.is_signed ? Doubt::damaged : Doubt::unsigned_, path_of(name));
+  return read.bytes;
+}
+
+// The first line of an entry has the hash of all of it (base/store_entry.h).
+RemoteStore::Read RemoteStore::read_entry(const std::string& name, std::string_view content) const {
+  std::optional<Outputs> outputs = outputs_of(content);
+  if (!outputs) return {};
+  const std::string& entry = outputs->output;
+  if (is_of_another_version(entry)) return {.is_former = true};
+  const std::string seal = entry.substr(0, entry.find('\n'));
+  const std::vector<std::string>& keys = server_.trusted_keys;
+  const bool is_signed = keys.empty() || std::ranges::any_of(keys, [&](const std::string& key) {
+                           return has_signed(key, seal, outputs->error);
+                         });
+  if (!is_signed) return {.is_signed = false};
+  return {unsealed(name, std::move(outputs->output))};
 }
 
 bool RemoteStore::put(const std::string& name, std::string_view bytes) {
   if (!is_written() || !is_store_name(name)) return false;
   const std::string path = path_of(name);
   if (is_blob(name) && bytes.size() >= kLarge && ask("HEAD", path).status == kOk) return true;
-  const std::string entry = is_blob(name) ? "" : action_result(sealed(name, bytes));
+  const std::string entry = is_blob(name) ? "" : entry_of(sealed(name, bytes));
   const std::string_view content = is_blob(name) ? bytes : std::string_view(entry);
   if (!ask("PUT", path, content).is_good()) return false;
   const std::lock_guard lock(mutex_);
   ++traffic_.put;
   traffic_.sent += content.size();
   return true;
+}
+
+std::string RemoteStore::entry_of(const std::string& sealed) const {
+  if (!server_.signing_key) return action_result(sealed);
+  return action_result(sealed, server_.signing_key->signature(sealed.substr(0, sealed.find('\n'))));
+}
+
+void RemoteStore::note_once(Doubt doubt, const std::string& path) {
+  bool& was_noted = doubt == Doubt::damaged ? was_damaged_ : was_unsigned_;
+  if (std::exchange(was_noted, true)) return;
+  const std::string at = "the shared store at " + server_.shown();
+  notes_.push_back(
+      doubt == Doubt::damaged
+          ? at + " gave another content than " + path + " was put with; such entries are made again"
+          : at + " has entries, such as " + path +
+                ", that none of MJCOURSE_STORE_TRUSTED_KEYS has signed; they are made again");
 }
 
 RemoteStore::Traffic RemoteStore::traffic() const {

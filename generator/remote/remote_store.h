@@ -2,7 +2,8 @@
 //
 // `GET`, `HEAD` and `PUT` of `cas/HASH`, and of `ac/HASH` for all else that has a name
 // (https://bazel.build/remote/caching#http-caching). Nothing that a server says is believed: bytes
-// must have their hash, and other entries their seal (base/store_entry.h). Nothing that it does
+// must have their hash, and other entries their seal (base/store_entry.h) and, where keys are
+// trusted, a signature. Nothing that it does
 // stops the work: what it does not give is a miss, and one that costs time is asked no more.
 // Tested by tests/store/remote.mjs.
 #pragma once
@@ -40,6 +41,16 @@ class RemoteStore : public Store {
   std::vector<std::string> notes() const;
 
  private:
+  struct Read {
+    std::optional<std::string> bytes = {};
+    bool is_former = false;  // another version of the generator put it
+    bool is_signed = true;   // as it must be
+  };
+  enum class Doubt { damaged, unsigned_ };
+
+  Read read_entry(const std::string& name, std::string_view content) const;
+  std::string entry_of(const std::string& sealed) const;
+  void note_once(Doubt doubt, const std::string& path);
   HttpAnswer ask(std::string_view verb, const std::string& path, std::string_view content = {});
   void judge(std::string_view verb, const HttpAnswer& answer, double seconds);
   void stop(bool reads, const std::string& why);
@@ -48,10 +59,10 @@ class RemoteStore : public Store {
   HttpClient client_;
   mutable std::mutex mutex_;
   bool reads_ = true, writes_;
-  bool was_damaged_ = false;
-  int failures_ = 0;   // one after the other
-  double wasted_ = 0;  // s, waiting for what did not come
-  int answers_ = 0;    // that were right
+  bool was_damaged_ = false, was_unsigned_ = false;  // and was noted
+  int failures_ = 0;                                 // one after the other
+  double wasted_ = 0;                                // s, waiting for what did not come
+  int answers_ = 0;                                  // that were right
   Traffic traffic_;
   std::vector<std::string> notes_;
 };

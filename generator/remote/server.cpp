@@ -1,5 +1,6 @@
 #include "remote/server.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
@@ -38,6 +39,27 @@ std::string fault_of(const std::string& address, const std::string& token) {
   return authority(address).empty() ? "it names no host" : "";
 }
 
+// What is wrong with the variables; empty where nothing is.
+std::string read_keys(Server& server) {
+  if (const std::string file = variable("MJCOURSE_STORE_SIGNING_KEY"); !file.empty()) {
+    auto key = SigningKey::read(file);
+    if (!key) return "MJCOURSE_STORE_SIGNING_KEY: " + key.error();
+    server.signing_key = *std::move(key);
+  }
+  const std::string keys = variable("MJCOURSE_STORE_TRUSTED_KEYS");
+  constexpr const char* between = ", \t\n";
+  for (std::size_t i = keys.find_first_not_of(between); i != keys.npos;) {
+    const std::size_t end = std::min(keys.find_first_of(between, i), keys.size());
+    server.trusted_keys.push_back(keys.substr(i, end - i));
+    if (!is_public_key(server.trusted_keys.back())) {
+      return "MJCOURSE_STORE_TRUSTED_KEYS has a word that is no public key, which has 64 "
+             "hexadecimal digits";
+    }
+    i = keys.find_first_not_of(between, end);
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string Server::shown() const {
@@ -55,9 +77,9 @@ tl::expected<Server, std::string> server_at(const std::string& address) {
   server.certificate = variable("MJCOURSE_STORE_CERTIFICATE");
   server.key = variable("MJCOURSE_STORE_KEY");
   server.authorities = variable("MJCOURSE_STORE_AUTHORITIES");
-  if (std::string fault = fault_of(address, server.token); !fault.empty()) {
-    return tl::unexpected(std::move(fault));
-  }
+  std::string fault = fault_of(address, server.token);
+  if (fault.empty()) fault = read_keys(server);
+  if (!fault.empty()) return tl::unexpected(std::move(fault));
   if (address.starts_with(kUnix)) {
     server.socket = address.substr(kUnix.size());
     server.url = "http://localhost";

@@ -8,6 +8,9 @@
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
+
+#include "remote/signature.h"
 
 namespace mjcourse {
 
@@ -17,6 +20,10 @@ struct Server {
   // From MJCOURSE_STORE_TOKEN, MJCOURSE_STORE_CERTIFICATE and _KEY (files), and _AUTHORITIES, a
   // file of certificates to be trusted instead of the system's. Empty where they are not set.
   std::string token, certificate, key, authorities;
+  // From MJCOURSE_STORE_SIGNING_KEY, a file: signs what is put. From MJCOURSE_STORE_TRUSTED_KEYS,
+  // public keys: where there are any, nothing is taken but what one of them has signed.
+  std::optional<SigningKey> signing_key;
+  std::vector<std::string> trusted_keys;
 
   // For people: without a name and password in it.
   std::string shown() const;

@@ -36,16 +36,18 @@ TEST(Run, HelpsOnStdout) {
 
 TEST(Run, HelpsWithOneCommand) {
   const std::string help =
-      "usage: mjcourse store [OPTIONS] prune|push|pull\n"
+      "usage: mjcourse store [OPTIONS] prune|push|pull|key FILE\n"
       "\n"
       "forget the results that have gone unused longest, or exchange a course's with a shared "
       "store\n"
       "\n"
-      "  prune|push|pull"
+      "  prune|push|pull|key FILE"
       "\n                 `prune` until no more than SIZE is left; `push` what is kept of the "
       "course "
       "to the\n"
-      "                 shared store; `pull` what that has of it\n"
+      "                 shared store; `pull` what that has of it; `key` makes a key to sign "
+      "entries with,\n"
+      "                 into a new file\n"
       "  --course DIR   a folder with content/, models/ and examples/ (default: .)\n"
       "  --store DIR    where results are kept (default: the user's cache)\n"
       "  --store-url URL\n"
@@ -116,7 +118,7 @@ TEST(Run, NeedsOptionsThatThereAre) {
             "mjcourse: accept has no option --timings; it belongs to build, check");
   EXPECT_EQ(error_of({"check", "1.2"}), "mjcourse: check takes only options, not 1.2");
   EXPECT_EQ(error_of({"check", ""}), "mjcourse: check takes only options, not \"\"");
-  EXPECT_EQ(error_of({"store"}), "mjcourse: store what? prune, push or pull");
+  EXPECT_EQ(error_of({"store"}), "mjcourse: store what? prune, push, pull or key");
 }
 
 TEST(Run, NeedsValuesOfTheirKind) {
