@@ -43,7 +43,7 @@ set(page_includes page/blocks page/html script findings course lesson lesson/jso
 set(preview_includes page page/blocks page/html session report process base)
 set(lsp_includes session evaluate physics course lesson lesson/blocks lesson/json report base)
 set(cli_includes lsp preview page page/blocks page/html session evaluate evaluate/claims toolchain
-    physics findings course lesson lesson/syntax report process remote base)
+    physics findings course lesson lesson/syntax lesson/json report process remote base)
 
 # What a folder does not reach through headers of others either, of folders and of libraries: data knows
 # nothing of those who find it out, and what shows it computes no physics.

@@ -149,7 +149,7 @@ std::vector<Sign> examine(const fs::path& assets, const fs::path& store) {
   return {mujoco(), compiler(), pictures(), films(), site(assets), sandbox(), cache(store)};
 }
 
-std::optional<Sign> examine_shared(const fs::path& assets, const SharedPlace& place) {
+std::optional<Sign> examine_shared(const fs::path& assets, SharedPlace place) {
   const auto server = named_server(place);
   if (server && !*server) return std::nullopt;
   if (!server) {

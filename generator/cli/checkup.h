@@ -29,6 +29,6 @@ std::vector<Sign> examine(const std::filesystem::path& assets, const std::filesy
 
 // What the server can do that `place` or the environment names; nothing where none does. Tries to
 // put a few entries there, unless it is read only.
-std::optional<Sign> examine_shared(const std::filesystem::path& assets, const SharedPlace& place);
+std::optional<Sign> examine_shared(const std::filesystem::path& assets, SharedPlace place);
 
 }  // namespace mjcourse

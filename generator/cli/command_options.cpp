@@ -72,7 +72,7 @@ void add_stores(CommandLine& line, std::filesystem::path& store, SharedPlace& sh
   add_store(line, store);
   line.value("--store-url", {"URL", "an address that begins with http://, https:// or unix:/"},
              "a store that many machines share, in Bazel's HTTP cache protocol; none: only --store "
-             "(default: what MJCOURSE_STORE_URL says)",
+             "(default: what MJCOURSE_STORE_URL or ~/.config/mjcourse/config.yaml says)",
              [&](const std::string& value) {
                shared.url = value;
                return value == kNoServer || server_at(value).has_value();

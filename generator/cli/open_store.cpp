@@ -1,15 +1,21 @@
 #include "cli/open_store.h"
 
+#include <unistd.h>
+
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "base/cache_folder.h"
+#include "cli/user_settings.h"
 #include "cli/verify.h"
+#include "report/terminal.h"
 
 namespace mjcourse {
 namespace {
@@ -34,17 +40,23 @@ fs::path store_folder(const fs::path& named) {
   return cache ? *cache / "store" : fs::path();
 }
 
-tl::expected<std::optional<Server>, std::string> named_server(const SharedPlace& place) {
+tl::expected<std::optional<Server>, std::string> named_server(SharedPlace& place) {
+  Diagnostics wrong;
+  const UserSettings settings = user_settings(wrong);
+  std::cerr << format_for_terminal(wrong, style_for(STDERR_FILENO));
+  place.read_only = place.read_only || settings.store_read_only;
   const char* const set = std::getenv("MJCOURSE_STORE_URL");
-  const bool is_named = !place.url.empty();
-  const std::string url = is_named ? place.url : set == nullptr ? "" : set;
-  if (url.empty() || url == kNoServer) return std::nullopt;
-  auto server = server_at(url);
-  if (server) return *std::move(server);
-  return tl::unexpected((is_named ? "" : "MJCOURSE_STORE_URL: ") + server.error());
+  const bool is_set = place.url.empty() && set != nullptr && *set != '\0';
+  if (is_set) place.url = set;
+  if (place.url.empty()) place.url = settings.store;
+  if (place.url.empty() || place.url == kNoServer) return std::nullopt;
+  auto server = server_at(place.url);
+  if (!server) return tl::unexpected((is_set ? "MJCOURSE_STORE_URL: " : "") + server.error());
+  std::ranges::copy(settings.trusted_keys, std::back_inserter(server->trusted_keys));
+  return *std::move(server);
 }
 
-OpenedStore open_store(const fs::path& folder, const SharedPlace& place) {
+OpenedStore open_store(const fs::path& folder, SharedPlace place) {
   fs::path there = store_folder(folder);
   if (there.empty()) {
     std::cerr << "note: results are not kept: neither XDG_CACHE_HOME nor HOME names a folder that "

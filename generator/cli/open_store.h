@@ -23,7 +23,7 @@ inline constexpr const char* kNoServer = "none";
 
 // The server that a user named on the command line.
 struct SharedPlace {
-  std::string url;  // empty for what MJCOURSE_STORE_URL says
+  std::string url;  // empty for what MJCOURSE_STORE_URL or the user's settings say
   bool read_only = false;
   bool gets_all = false;  // also what the disk had before
 };
@@ -58,13 +58,13 @@ class OpenedStore {
   std::unique_ptr<SharedStore> shared_;
 };
 
-// The server that `place` or the environment names; nothing where none does. What is wrong with the
-// environment's.
-tl::expected<std::optional<Server>, std::string> named_server(const SharedPlace& place);
+// The server that `place`, the environment or the user's settings name, the first of them; nothing
+// where none does. Then `place` says all of it. What is wrong with the environment's.
+tl::expected<std::optional<Server>, std::string> named_server(SharedPlace& place);
 
 // In `folder`, or, where that is empty, in the user's cache. Without a store where none can be
 // opened; a note on stderr says why.
-OpenedStore open_store(const std::filesystem::path& folder, const SharedPlace& place);
+OpenedStore open_store(const std::filesystem::path& folder, SharedPlace place);
 
 // The folder of a store: `named`, or the user's; empty where there is none.
 std::filesystem::path store_folder(const std::filesystem::path& named);

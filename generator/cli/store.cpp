@@ -51,8 +51,10 @@ int transfer(StoreOptions options, bool pushes) {
   const auto server = named_server(options.shared);
   const std::string command = std::string("store ") + (pushes ? "push" : "pull");
   if (!server || !*server) {
-    return tell(Refusal{kWrongUsage, server ? command + " needs a shared store" : server.error(),
-                        "name it: `--store-url URL`, or MJCOURSE_STORE_URL in the environment"});
+    return tell(Refusal{
+        kWrongUsage, server ? command + " needs a shared store" : server.error(),
+        "name it: `--store-url URL`, MJCOURSE_STORE_URL in the environment, or `store: URL` in "
+        "~/.config/mjcourse/config.yaml"});
   }
   options.shared.gets_all = pushes;
   const Verified verified = read_course_of(options);
@@ -83,7 +85,8 @@ int make_key(const std::filesystem::path& path) {
   const std::string file = key.file();
   const Descriptor to(
       open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR));
-  if (!to.is_open() || write(to.get(), file.data(), file.size()) != static_cast<ssize_t>(file.size())) {
+  if (!to.is_open() ||
+      write(to.get(), file.data(), file.size()) != static_cast<ssize_t>(file.size())) {
     return tell(Refusal{kWrongUsage, path.string() + ": " + std::strerror(errno),
                         "name a new file; a key is never replaced"});
   }

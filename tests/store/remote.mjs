@@ -299,7 +299,7 @@ await test("push and pull", async () => {
     none === 2 &&
       cure.join("\n") ===
         "mjcourse: store push needs a shared store\n" +
-          "  cure: name it: `--store-url URL`, or MJCOURSE_STORE_URL in the environment",
+          "  cure: name it: `--store-url URL`, MJCOURSE_STORE_URL in the environment, or `store: URL` in ~/.config/mjcourse/config.yaml",
     `no server: ${none} ${cure}`,
   );
 });

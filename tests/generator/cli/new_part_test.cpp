@@ -39,10 +39,11 @@ std::string one(const Words& words, std::map<std::string, std::string> more = {}
 }
 
 TEST(NewPart, NeedsAKind) {
-  EXPECT_EQ(one({}),
-            "2 new what? | a level, a lesson, a model, an example, an exercise or a ci, as in `mjcourse "
-            "new lesson "
-            "2-dynamics \"Forces\"`");
+  EXPECT_EQ(
+      one({}),
+      "2 new what? | a level, a lesson, a model, an example, an exercise or a ci, as in `mjcourse "
+      "new lesson "
+      "2-dynamics \"Forces\"`");
   EXPECT_EQ(one({"lesso"}), "2 new cannot make `lesso` | did you mean `lesson`?");
 }
 

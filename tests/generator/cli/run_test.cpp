@@ -53,7 +53,8 @@ TEST(Run, HelpsWithOneCommand) {
       "  --store-url URL\n"
       "                 a store that many machines share, in Bazel's HTTP cache protocol; none: "
       "only\n"
-      "                 --store (default: what MJCOURSE_STORE_URL says)\n"
+      "                 --store (default: what MJCOURSE_STORE_URL or ~/.config/mjcourse/config.yaml "
+      "says)\n"
       "  --store-read-only\n"
       "                 put nothing into the shared store\n"
       "  --keep SIZE    how much to keep, such as 500MB (default: 2GB)\n";
