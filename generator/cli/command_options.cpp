@@ -166,6 +166,11 @@ void declare(CommandLine& line, ExplainOptions& options) {
   line.words("[WHERE...]",
              std::string(kWhereHelp) + "; or a message's name, such as E-output-differs",
              options.where);
+  line.flag("--json", "write all that each block depends on, for --against on another machine",
+            options.json);
+  line.path("--against", kFile,
+            "say in what this machine differs from the one on which --json wrote FILE",
+            options.against);
   add_course(line, options.course);
   add_stores(line, options.store, options.shared);
 }

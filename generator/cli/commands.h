@@ -56,6 +56,8 @@ struct DoctorOptions {
 
 struct ExplainOptions : CourseOptions {
   std::vector<std::string> where;  // as of accept, or messages' names
+  bool json = false;               // for `against`, elsewhere
+  std::filesystem::path against;   // what another machine wrote so; empty for none
 };
 
 // How `grade` says what hand-ins came to.

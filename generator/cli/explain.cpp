@@ -14,11 +14,15 @@
 #include <string>
 
 #include "base/counted.h"
+#include "base/files.h"
 #include "base/nearest.h"
 #include "cli/commands.h"
+#include "cli/explanation_file.h"
+#include "cli/new_files.h"
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "cli/where.h"
+#include "process/our_command.h"
 #include "report/meaning.h"
 
 namespace mjcourse {
@@ -87,6 +91,21 @@ int explain_ids(const std::vector<std::string>& ids) {
   return kClean;
 }
 
+int hold_against(const std::filesystem::path& path, const ExplanationFile& here) {
+  const auto text = read_file(path);
+  if (!text)
+    return tell(
+        Refusal{kWrongUsage, path.string() + " cannot be read",
+                "name what another machine wrote: " + our_command("explain --json > FILE")});
+  const auto there = read_explanation_file(*text);
+  if (!there) {
+    return tell(Refusal{kWrongUsage, path.string() + ": " + there.error(),
+                        "write it on the other machine: " + our_command("explain --json > FILE")});
+  }
+  std::cout << differences(here, *there);
+  return kClean;
+}
+
 }  // namespace
 
 int explain(const ExplainOptions& options) {
@@ -114,9 +133,13 @@ int explain(const ExplainOptions& options) {
   }
   if (verified.store.get() == nullptr) return kClean;  // it was said that there is no store
   const DiskFiles assets(assets_folder());
+  const std::vector<Explanation> tasks =
+      explain_course(*verified.course, evaluation_settings(options, assets, verified.store.get()));
+  if (options.json) std::cout << text_of(explanation_file(tasks));
+  if (!options.against.empty()) return hold_against(options.against, explanation_file(tasks));
+  if (options.json) return kClean;
   std::size_t kept = 0, told = 0;
-  for (const Explanation& task : explain_course(
-           *verified.course, evaluation_settings(options, assets, verified.store.get()))) {
+  for (const Explanation& task : tasks) {
     const bool meant =
         wanted.empty() || std::any_of(wanted.begin(), wanted.end(),
                                       [&](const Where& where) { return where.has(task.place); });

@@ -3,11 +3,9 @@
 #include <elf.h>
 #include <link.h>
 
-#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <string_view>
-#include <vector>
 
 #include "base/sha256.h"
 
@@ -34,29 +32,39 @@ std::string_view build_id(std::string_view segment) {
 // dl_iterate_phdr's way to say a library: its name without the folder, and its id.
 int add_library(dl_phdr_info* info, std::size_t, void* into) {
   const std::string_view path = info->dlpi_name;
-  std::string library(path.substr(path.rfind('/') + 1));
+  const std::string library(path.substr(path.rfind('/') + 1));
   // The program itself, whose sources have a hash of their own, and what is the kernel's.
   if (library.empty() || library.starts_with("linux-vdso")) return 0;
+  std::string id;
   for (int i = 0; i < info->dlpi_phnum; ++i) {
     const ElfW(Phdr)& header = info->dlpi_phdr[i];
     if (header.p_type != PT_NOTE) continue;
     const auto* notes = std::bit_cast<const char*>(info->dlpi_addr + header.p_vaddr);
-    library += build_id({notes, static_cast<std::size_t>(header.p_memsz)});
+    for (const char character : build_id({notes, static_cast<std::size_t>(header.p_memsz)})) {
+      const auto byte = static_cast<unsigned char>(character);
+      id += {"0123456789abcdef"[byte >> 4], "0123456789abcdef"[byte & 15]};
+    }
   }
-  static_cast<std::vector<std::string>*>(into)->push_back(std::move(library));
+  static_cast<std::map<std::string, std::string>*>(into)->insert_or_assign(library, id);
   return 0;
 }
 
 std::string hash_loaded() {
-  std::vector<std::string> libraries;
-  dl_iterate_phdr(add_library, &libraries);
-  std::sort(libraries.begin(), libraries.end());
   Sha256 hash;
-  for (const std::string& library : libraries) hash.add(library);
+  for (const auto& [library, id] : library_builds()) hash.add(library).add(id);
   return hash.hex();
 }
 
 }  // namespace
+
+const std::map<std::string, std::string>& library_builds() {
+  static const std::map<std::string, std::string> builds = [] {
+    std::map<std::string, std::string> found;
+    dl_iterate_phdr(add_library, &found);
+    return found;
+  }();
+  return builds;
+}
 
 const std::string& loaded_libraries() {
   static const std::string hash = hash_loaded();

@@ -85,11 +85,13 @@ http {
   return { stop, entries: () => entriesIn(data), data };
 }
 
-export async function nginx(folder) {
+export async function nginxAt(address, folder) {
   const port = await freePort();
-  const server = await nginxWith(folder, `127.0.0.1:${port}`, "", { port, host: "127.0.0.1" });
-  return { ...server, url: `http://127.0.0.1:${port}`, environment: {} };
+  const server = await nginxWith(folder, `${address}:${port}`, "", { port, host: "127.0.0.1" });
+  return { ...server, port, url: `http://127.0.0.1:${port}`, environment: {} };
 }
+
+export const nginx = async (folder) => nginxAt("127.0.0.1", folder);
 
 export async function nginxAtSocket(folder) {
   const path = join(folder, "socket");

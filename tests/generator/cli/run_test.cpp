@@ -112,7 +112,8 @@ TEST(Run, NeedsOptionsThatThereAre) {
   EXPECT_EQ(error_of({"accept", "1.2", "--dry-runn"}),
             "mjcourse: accept has no option --dry-runn; did you mean `--dry-run`?");
   EXPECT_EQ(error_of({"explain", "-s"}),
-            "mjcourse: explain has no option -s; known: --course, --store, --store-url, "
+            "mjcourse: explain has no option -s; known: --json, --against, --course, --store, "
+            "--store-url, "
             "--store-read-only");
   EXPECT_EQ(error_of({"check", "--out", "x"}),
             "mjcourse: check has no option --out; it belongs to build, try");
