@@ -51,7 +51,7 @@ class HttpClient {
  public:
   // `program` is mjcourse-net. Throws std::system_error where it cannot be started.
   HttpClient(const std::filesystem::path& program, const Server& server);
-  // Whoever waits gets no answer.
+  // Callers that still wait get no answer.
   ~HttpClient();
   HttpClient(const HttpClient&) = delete;
   HttpClient& operator=(const HttpClient&) = delete;

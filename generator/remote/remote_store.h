@@ -5,7 +5,7 @@
 // must have their hash, and other entries their seal (base/store_entry.h) and, where keys are
 // trusted, a signature. Nothing that it does
 // stops the work: what it does not give is a miss, and one that costs time is asked no more.
-// Tested by tests/store/remote.mjs.
+// Tested by tests/store/remote_faults.mjs.
 #pragma once
 
 #include <filesystem>

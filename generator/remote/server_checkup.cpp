@@ -41,7 +41,7 @@ class Examiner {
   }
 
  private:
-  // Asks for what nobody has put there.
+  // Asks for entries that do not exist.
   bool is_there() {
     std::vector<double> times;
     std::random_device random;

@@ -124,6 +124,33 @@ export async function nginxWithToken(folder) {
   };
 }
 
+// Before another server: cuts one connection in ten, before what is asked or instead of an answer.
+export async function haproxy(folder, { port: behind }) {
+  const port = await freePort();
+  mkdirSync(folder, { recursive: true });
+  const config = join(folder, "haproxy.cfg");
+  writeFileSync(
+    config,
+    `defaults
+  mode http
+  timeout connect 5s
+  timeout client 5s
+  timeout server 5s
+frontend front
+  bind 127.0.0.1:${port}
+  http-request reject if { rand(100) lt 5 }
+  http-response silent-drop if { rand(200) lt 1 }
+  default_backend back
+backend back
+  tcp-response inspect-delay 1s
+  tcp-response content reject if { rand(100) lt 5 }
+  server nginx 127.0.0.1:${behind}
+`,
+  );
+  const stop = await started("haproxy", ["-db", "-q", "-f", config], { port, host: "127.0.0.1" });
+  return { stop, url: `http://127.0.0.1:${port}`, environment: {} };
+}
+
 export async function lighttpd(folder) {
   const port = await freePort();
   const data = dataFolder(folder);
