@@ -9,7 +9,7 @@
 namespace mjcourse {
 
 int check(const CheckOptions& options) {
-  if (options.shard && !options.report.empty()) {
+  if (!options.shard.is_whole() && !options.report.empty()) {
     std::cerr
         << "mjcourse: a report tells of the whole course, and a shard knows its share alone\n"
            "leave out --report here, and write it in the run that comes last, without --shard\n";

@@ -32,7 +32,7 @@ struct VerifyOptions : CourseOptions {
   Format format = Format::text;
   bool timings = false;
   std::filesystem::path trace;  // a file for them; empty for none
-  std::optional<Shard> shard;   // nothing: the whole course
+  Shard shard;                  // of the course
 };
 
 struct AcceptOptions : CourseOptions {

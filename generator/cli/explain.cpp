@@ -106,6 +106,13 @@ int hold_against(const std::filesystem::path& path, const ExplanationFile& here)
   return kClean;
 }
 
+// Where the result of a task is.
+std::string state_of(const Explanation& task, const OpenedStore& store) {
+  if (!task.kept) return "to be done";
+  return store.came_from_server(task.result) ? "kept in the shared store as " + task.result
+                                             : "kept";
+}
+
 }  // namespace
 
 int explain(const ExplainOptions& options) {
@@ -146,11 +153,8 @@ int explain(const ExplainOptions& options) {
     if (!meant) continue;
     ++told;
     kept += task.kept ? 1 : 0;
-    std::cout << task.place.file << ":" << task.place.line << ": " << task.what
-              << (!task.kept ? ": to be done\n"
-                  : verified.store.came_from_server(task.result)
-                      ? ": kept in the shared store as " + task.result + "\n"
-                      : ": kept\n");
+    std::cout << task.place.file << ":" << task.place.line << ": " << task.what << ": "
+              << state_of(task, verified.store) << '\n';
     if (!task.kept) print_changes(task);
     if (!wanted.empty()) print_dependencies(task.now);
   }

@@ -114,7 +114,7 @@ Verified read_course_of(const CourseOptions& options) {
 }
 
 void evaluate_course(const CourseOptions& options, Verified& verified, bool all_claims,
-                     const std::optional<Shard>& shard) {
+                     const Shard& shard) {
   Diagnostics reading = std::move(verified.evaluation.diagnostics);
   if (verified.course) {
     ProgressBar progress;
@@ -122,7 +122,7 @@ void evaluate_course(const CourseOptions& options, Verified& verified, bool all_
     Store* store = verified.store.get();
     EvaluationSettings settings = evaluation_settings(options, assets, store);
     settings.shard = shard;
-    settings.notes_times = !shard;
+    settings.notes_times = shard.is_whole();
     if (store != nullptr) settings.fingerprint_cache->read(*store, options.course);
     verified.evaluation = examine(*verified.course, settings, progress, std::move(reading));
     if (store != nullptr) settings.fingerprint_cache->write(*store, options.course);
@@ -130,7 +130,7 @@ void evaluate_course(const CourseOptions& options, Verified& verified, bool all_
     verified.evaluation.diagnostics = std::move(reading);
     verified.evaluation.versions = known_versions(DiskFiles(assets_folder()));
   }
-  if (verified.course && all_claims && (!shard || shard->number == 1)) {
+  if (verified.course && all_claims && shard.is_first()) {
     claim_prose(*verified.course, DiskFiles(options.course), verified.evaluation);
   }
   sort_by_place(verified.evaluation.diagnostics);
@@ -148,10 +148,9 @@ Verified verify_course(const VerifyOptions& options) {
   print_diagnostics(all);
 
   std::ostream& out = options.format == Format::text ? std::cout : std::cerr;
-  const bool is_first = !options.shard || options.shard->number == 1;
   Tally total;
   if (verified.course) print_lessons(*verified.course, verified.evaluation, out);
-  if (verified.course && verified.course->glossary && is_first) {
+  if (verified.course && verified.course->glossary && options.shard.is_first()) {
     print_glossary(*verified.course->glossary, verified.evaluation, out);
   }
   for (const LessonResults& lesson : verified.evaluation.lessons) total += lesson.tally;
@@ -161,8 +160,8 @@ Verified verify_course(const VerifyOptions& options) {
   verified.seconds = stopwatch.seconds();
   char time[32];
   std::snprintf(time, sizeof time, "%.1f s", verified.seconds);
-  if (options.shard && verified.course) {
-    out << "shard " << options.shard->number << " of " << options.shard->count << ": "
+  if (!options.shard.is_whole() && verified.course) {
+    out << "shard " << options.shard.number << " of " << options.shard.count << ": "
         << verified.evaluation.tasks << " of " << counted(verified.evaluation.all_tasks, "task")
         << '\n';
   }

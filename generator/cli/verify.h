@@ -21,10 +21,9 @@ struct Verified {
 // The steps one by one, none of which prints diagnostics: read the course, then evaluate it, if
 // there is one.
 Verified read_course_of(const CourseOptions& options);
-// `all_claims`: also those of lessons that state nothing but what nobody runs. With a `shard`, its
-// share alone.
+// `all_claims`: also those of lessons that state nothing but what nobody runs.
 void evaluate_course(const CourseOptions& options, Verified& verified, bool all_claims,
-                     const std::optional<Shard>& shard = {});
+                     const Shard& shard = {});
 std::ptrdiff_t count_errors(const Diagnostics& diagnostics);
 // To stderr.
 void print_diagnostics(const Diagnostics& diagnostics);

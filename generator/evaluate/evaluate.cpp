@@ -112,13 +112,13 @@ class Evaluator {
 
   Evaluation run(Diagnostics found) {
     evaluation_.lessons.resize(course_.lessons.size());
-    if (is_first_shard()) evaluation_.diagnostics = std::move(found);
+    if (settings_.shard.is_first()) evaluation_.diagnostics = std::move(found);
     evaluation_.versions = known_versions(settings_.assets);
     Tasks tasks = plan_tasks(course_);
     evaluation_.all_tasks = tasks.size();
-    TaskTimes times(settings_.shard || settings_.notes_times ? settings_.store : nullptr,
-                    course_.title);
-    if (settings_.shard) leave_others(tasks, times);
+    const bool whole = settings_.shard.is_whole();
+    TaskTimes times(whole && !settings_.notes_times ? nullptr : settings_.store, course_.title);
+    if (!whole) take_share(tasks, times);
     evaluation_.tasks = tasks.size();
     if (run_context_.page() != nullptr) evaluation_.versions.page = run_context_.page()->version();
     const bool compiles = has_any<ProgramTask, SnippetsTask>(tasks) && run_context_.compiler();
@@ -142,61 +142,26 @@ class Evaluator {
     };
     if (const auto& api = installed_mujoco_api()) evaluation_.api_names = api_names(*api);
     Diagnostics of_others;
-    evaluation_.api = evaluate_api(course_, results_of, installed_mujoco_api,
-                                   is_first_shard() ? evaluation_.diagnostics : of_others);
+    evaluation_.api =
+        evaluate_api(course_, results_of, installed_mujoco_api,
+                     settings_.shard.is_first() ? evaluation_.diagnostics : of_others);
     ClaimSources sources(settings_.root, course_.models, run_context_.include_folders(),
                          fingerprints_);
     make_claims(course_, sources, programs_, settings_.threads, evaluation_);
-    if (settings_.shard) forget_open_claims();
+    if (!whole) forget_open_claims();
     return std::move(evaluation_);
   }
 
  private:
-  // Of a course that is not sharded, there is no other.
-  bool is_first_shard() const { return !settings_.shard || settings_.shard->number == 1; }
-
-  // What other shards do is taken out of the tasks, and its blocks are open.
-  void leave_others(Tasks& tasks, const TaskTimes& times) {
-    const Tasks others = take_others(tasks, *settings_.shard, times, run_context_);
+  void take_share(Tasks& tasks, const TaskTimes& times) {
+    const Share share(tasks, settings_.shard, times, run_context_);
     evaluation_.open = true;
-    std::map<std::string, bool> is_ours;  // programs, by their files
-    const auto look_for_programs = [&](const Tasks& some, bool ours) {
-      for (const std::unique_ptr<Task>& task : some) {
-        const auto* program = dynamic_cast<const ProgramTask*>(task.get());
-        if (program == nullptr) continue;
-        is_ours[program->program().file.text] = ours;
-        // Its name is known, so that who misspells it hears the same from all shards.
-        if (!ours) run_context_.reports().add(program->program().name(), nullptr);
-      }
-    };
-    look_for_programs(tasks, true);
-    look_for_programs(others, false);
-    for (const Lesson* page : course_.pages()) open_blocks(*page, tasks, others, is_ours);
-  }
-
-  void open_blocks(const Lesson& page, const Tasks& ours, const Tasks& others,
-                   const std::map<std::string, bool>& is_ours) {
-    std::set<std::size_t>& open = evaluation_.results_of(page).open;
-    const auto blocks_of_page = [&](const Tasks& tasks) {
-      std::set<std::size_t> blocks;
-      for (const std::unique_ptr<Task>& task : tasks) {
-        if (&task->lesson() != &page || !task->model().empty()) continue;
-        const std::vector<std::size_t> some = task->blocks();
-        blocks.insert(some.begin(), some.end());
-      }
-      return blocks;
-    };
-    open = blocks_of_page(others);
-    const std::set<std::size_t> worked_on = blocks_of_page(ours);
-    for (std::size_t i = 0; i < page.blocks.size(); ++i) {
-      if (open.contains(i) || worked_on.contains(i)) continue;
-      const auto* region = std::get_if<Example>(&page.blocks[i]);
-      const auto* output = std::get_if<Output>(&page.blocks[i]);
-      const auto program = is_ours.find(region != nullptr ? region->file.text : "");
-      const bool ours_too = program != is_ours.end() ? program->second
-                            : output != nullptr      ? !open.contains(output->example)
-                                                     : is_first_shard();
-      if (!ours_too) open.insert(i);
+    for (const Lesson* page : course_.pages()) {
+      evaluation_.results_of(*page).open = share.blocks_of_others(*page);
+    }
+    // An author who misspells one gets the same suggestion from all shards.
+    for (const std::string& name : share.programs_of_others()) {
+      run_context_.reports().add(name, nullptr);
     }
   }
 

@@ -42,8 +42,7 @@ struct EvaluationSettings {
   // Of files and scripts that were looked at before, for a caller that evaluates again and again.
   std::shared_ptr<FingerprintCache> fingerprint_cache = std::make_shared<FingerprintCache>();
   std::shared_ptr<ScriptBundles> script_bundles = std::make_shared<ScriptBundles>();
-  // Given, this alone is worked out. What no task works on, is the first shard's.
-  std::optional<Shard> shard = {};
+  Shard shard = {};  // what is worked out of the course
   // For those who plan to work on all of it, note what each task took.
   bool notes_times = false;
   // Given, nothing is worked out: what the store does not have stays open, with a stand-in.

@@ -95,8 +95,9 @@ std::vector<std::size_t> deal(const std::vector<Portion>& portions, std::size_t 
   return dealt;
 }
 
-Tasks take_others(Tasks& tasks, const Shard& shard, const TaskTimes& times,
-                  const RunContext& run_context) {
+Share::Share(Tasks& tasks, const Shard& shard, const TaskTimes& times,
+             const RunContext& run_context)
+    : is_first_(shard.is_first()) {
   const std::vector<std::size_t> first = together(tasks);
   std::map<std::size_t, std::size_t> portion_of;  // by their first tasks
   std::vector<Portion> portions;
@@ -105,19 +106,46 @@ Tasks take_others(Tasks& tasks, const Shard& shard, const TaskTimes& times,
     const auto [at, is_new] = portion_of.try_emplace(first[i], portions.size());
     if (is_new) portions.push_back({tasks[i]->name_in_course()});
     Finding said;  // by the shard that works on it
-    const bool can_be_done = tasks[i]->prepare(worker_context, said);
-    if (!can_be_done) continue;
+    if (!tasks[i]->prepare(worker_context, said)) continue;
     const auto [lasts, is_edited] = times.of(*tasks[i], tasks[i]->recipe(run_context));
     Portion& portion = portions[at->second];
     (is_edited ? portion.edited : portion.kept) += lasts;
   }
   const std::vector<std::size_t> shards = deal(portions, shard.count);
-  Tasks ours, others;
+  Tasks ours;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     const bool is_ours = shards[portion_of.at(first[i])] == shard.number;
-    (is_ours ? ours : others).push_back(std::move(tasks[i]));
+    note(*tasks[i], is_ours);
+    if (is_ours) ours.push_back(std::move(tasks[i]));
   }
   tasks = std::move(ours);
+}
+
+void Share::note(const Task& task, bool is_ours) {
+  if (const auto* program = dynamic_cast<const ProgramTask*>(&task)) {
+    is_ours_[program->program().file.text] = is_ours;
+    if (!is_ours) programs_of_others_.push_back(program->program().name());
+  }
+  if (!task.model().empty()) return;  // it finds nothing of the block that names it
+  Blocks& blocks = worked_on_[&task.lesson()];
+  for (const std::size_t block : task.blocks())
+    (is_ours ? blocks.ours : blocks.others).insert(block);
+}
+
+std::set<std::size_t> Share::blocks_of_others(const Lesson& page) const {
+  const auto known = worked_on_.find(&page);
+  const Blocks blocks = known == worked_on_.end() ? Blocks() : known->second;
+  std::set<std::size_t> others = blocks.others;
+  for (std::size_t i = 0; i < page.blocks.size(); ++i) {
+    if (blocks.others.contains(i) || blocks.ours.contains(i)) continue;
+    const auto* region = std::get_if<Example>(&page.blocks[i]);
+    const auto* output = std::get_if<Output>(&page.blocks[i]);
+    const auto program = is_ours_.find(region != nullptr ? region->file.text : "");
+    const bool is_ours = program != is_ours_.end() ? program->second
+                         : output != nullptr       ? !others.contains(output->example)
+                                                   : is_first_;
+    if (!is_ours) others.insert(i);
+  }
   return others;
 }
 

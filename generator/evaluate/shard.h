@@ -10,6 +10,8 @@
 
 #include <chrono>
 #include <cstddef>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,8 +21,13 @@
 
 namespace mjcourse {
 
+// Of a course that one machine does, 1 of 1.
 struct Shard {
   std::size_t number = 1, count = 1;  // number is from 1 to count
+
+  bool is_whole() const { return count == 1; }
+  // It tells of all that no task finds out.
+  bool is_first() const { return number == 1; }
 };
 
 // What one machine does as a whole.
@@ -32,8 +39,28 @@ struct Portion {
 // The number, from 1 to `shards`, of the shard of each portion.
 std::vector<std::size_t> deal(const std::vector<Portion>& portions, std::size_t shards);
 
-// Takes out of `tasks`, and gives, what other shards do.
-Tasks take_others(Tasks& tasks, const Shard& shard, const TaskTimes& times,
-                  const RunContext& run_context);
+// What one shard does of a course.
+class Share {
+ public:
+  // Takes out of `tasks` what other shards do.
+  Share(Tasks& tasks, const Shard& shard, const TaskTimes& times, const RunContext& run_context);
+
+  // The names of the programs that others run.
+  const std::vector<std::string>& programs_of_others() const { return programs_of_others_; }
+  // The blocks of a page that are theirs: of which there is no result here, no claim and no
+  // message.
+  std::set<std::size_t> blocks_of_others(const Lesson& page) const;
+
+ private:
+  void note(const Task& task, bool is_ours);
+
+  struct Blocks {
+    std::set<std::size_t> ours, others;
+  };
+  bool is_first_;
+  std::map<const Lesson*, Blocks> worked_on_;  // by tasks
+  std::map<std::string, bool> is_ours_;        // programs, by their files
+  std::vector<std::string> programs_of_others_;
+};
 
 }  // namespace mjcourse

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "base/sha256.h"
@@ -13,10 +14,6 @@ namespace {
 using std::chrono::microseconds;
 
 constexpr std::size_t kDigits = 16;  // of a hash: two that are alike cost a little time
-// Another time than this is worth writing down.
-constexpr double kMostDifference = 0.3;
-constexpr microseconds kLeastDifference{100'000};
-
 std::string short_hash(const std::string& text) {
   return sha256(text).substr(0, kDigits);
 }
@@ -29,6 +26,12 @@ std::string text_of(const Dependencies& recipe) {
 microseconds rounded(double seconds) {
   constexpr double kLongest = 86400;
   return microseconds(std::llround(std::clamp(seconds, 0.0, kLongest) * 1e6));
+}
+
+// In microseconds. What differs less is not worth writing down.
+bool is_about(std::int64_t now, std::int64_t before) {
+  constexpr std::int64_t kLeast = 100'000;
+  return std::abs(now - before) <= std::max(kLeast, before * 3 / 10);
 }
 
 }  // namespace
@@ -52,20 +55,17 @@ TaskTimes::Expected TaskTimes::of(const Task& task, const Dependencies& recipe) 
 
 void TaskTimes::note(const Task& task, const Dependencies& recipe, double seconds) {
   if (recipe.empty()) return;
-  const Known now{rounded(seconds).count(), text_of(recipe)};
-  const auto [known, is_new] = known_.try_emplace(short_hash(task.name_in_course()), now);
-  const microseconds before(known->second.first), difference(std::abs(now.first - before.count()));
-  const bool differs =
-      difference >
-      std::max(kLeastDifference,
-               microseconds(std::llround(kMostDifference * static_cast<double>(before.count()))));
-  if (!is_new && !differs && known->second.second == now.second) return;
-  known->second = now;
-  changed_ = true;
+  const std::string name = short_hash(task.name_in_course());
+  Known& noted = noted_[name] = {rounded(seconds).count(), text_of(recipe)};
+  const auto known = known_.find(name);
+  if (known != known_.end() && is_about(noted.first, known->second.first)) {
+    noted.first = known->second.first;
+  }
 }
 
 void TaskTimes::write() const {
-  if (store_ != nullptr && changed_) store_->put(name_, nlohmann::json(known_).dump());
+  if (store_ == nullptr || noted_ == known_) return;
+  store_->put(name_, nlohmann::json(noted_).dump());
 }
 
 }  // namespace mjcourse

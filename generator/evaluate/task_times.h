@@ -1,8 +1,8 @@
-// TaskTimes: what each task of a course took when it was last worked on, for whoever plans its
-// work.
+// TaskTimes: how long each task of a course took when it was last worked on. Shards are dealt by
+// it.
 //
-// One entry in the store for a course, under its title. Only a run of the whole course writes it,
-// so shards that begin one after the other read the same. A wrong one costs time, and nothing else.
+// The store has one entry for a course, under its title. Only a run of the whole course writes it,
+// so shards that begin one after the other read the same. A wrong time costs nothing but time.
 // Tested by tests/generator/evaluate/task_times_test.cpp.
 #pragma once
 
@@ -30,7 +30,8 @@ class TaskTimes {
   Expected of(const Task& task, const Dependencies& recipe) const;
 
   void note(const Task& task, const Dependencies& recipe, double seconds);
-  // Does nothing where they are about as they were.
+  // All that was noted, and no task that the course no longer has. Does nothing where all is about
+  // as it was.
   void write() const;
 
  private:
@@ -38,8 +39,7 @@ class TaskTimes {
 
   Store* store_;
   const std::string name_;
-  std::map<std::string, Known> known_;  // by a hash of the task's name
-  bool changed_ = false;
+  std::map<std::string, Known> known_, noted_;  // by a hash of the task's name
 };
 
 }  // namespace mjcourse

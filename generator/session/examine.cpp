@@ -11,7 +11,7 @@ namespace mjcourse {
 Evaluation examine(const Course& course, const EvaluationSettings& settings, Progress& progress,
                    Diagnostics found) {
   Evaluation evaluation = evaluate(course, settings, progress, std::move(found));
-  if (settings.shard && settings.shard->number > 1) return evaluation;  // the first tells of it
+  if (!settings.shard.is_first()) return evaluation;
   Diagnostics theme = check_theme(DiskFiles(settings.root), settings.assets);
   std::ranges::move(theme, std::back_inserter(evaluation.diagnostics));
   return evaluation;

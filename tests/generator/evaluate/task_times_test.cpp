@@ -53,5 +53,17 @@ TEST(TaskTimes, AreWrittenWhereTheyDiffer) {
   EXPECT_EQ(noted(7), std::chrono::seconds(7));
 }
 
+TEST(TaskTimes, ForgetWhatTheCourseNoLongerHas) {
+  MemoryStore store;
+  const ReadingOf reading = reading_of("");
+  const TimedTask task(*reading.lesson);
+  const Dependencies recipe{{"kind", "k"}, {"text", "t"}};
+  TaskTimes times(&store, "a course");
+  times.note(task, recipe, 5);
+  times.write();
+  TaskTimes(&store, "a course").write();
+  EXPECT_TRUE(TaskTimes(&store, "a course").of(task, recipe).is_edited);
+}
+
 }  // namespace
 }  // namespace mjcourse
