@@ -175,7 +175,9 @@ std::optional<Sign> examine_shared(const fs::path& assets, SharedPlace place) {
     if (!puts) return sign(Grade::good, std::string(times) + "; is read, and nothing is put there");
     if (!found.takes) {
       return sign(Grade::slow, std::string(times) + "; takes nothing: " + found.refusal,
-                  "who may only read uses --store-read-only");
+                  found.forbids ? "use --store-read-only, or a token that may write"
+                                : "its log says why: must its folder belong to the user that it "
+                                  "runs as?");
     }
     const std::string heads = found.tells ? "" : "; does not answer HEAD, so all is put again";
     const std::string most = size_text(found.largest);

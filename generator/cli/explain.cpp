@@ -93,15 +93,10 @@ int explain_ids(const std::vector<std::string>& ids) {
 
 int hold_against(const std::filesystem::path& path, const ExplanationFile& here) {
   const auto text = read_file(path);
-  if (!text)
-    return tell(
-        Refusal{kWrongUsage, path.string() + " cannot be read",
-                "name what another machine wrote: " + our_command("explain --json > FILE")});
+  const std::string cure = "write it on the other machine: " + our_command("explain --json > FILE");
+  if (!text) return tell(Refusal{kWrongUsage, path.string() + " cannot be read", cure});
   const auto there = read_explanation_file(*text);
-  if (!there) {
-    return tell(Refusal{kWrongUsage, path.string() + ": " + there.error(),
-                        "write it on the other machine: " + our_command("explain --json > FILE")});
-  }
+  if (!there) return tell(Refusal{kWrongUsage, path.string() + ": " + there.error(), cure});
   std::cout << differences(here, *there);
   return kClean;
 }

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/counted.h"
-#include "cache/stored_json.h"
 #include "process/loaded_libraries.h"
 
 namespace mjcourse {

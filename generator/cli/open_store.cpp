@@ -32,6 +32,17 @@ bool is_due(const fs::path& stamp) {
   return true;
 }
 
+// What is wrong in them is told once.
+const UserSettings& settings_told_once() {
+  static const UserSettings settings = [] {
+    Diagnostics wrong;
+    UserSettings read = user_settings(wrong);
+    std::cerr << format_for_terminal(wrong, style_for(STDERR_FILENO));
+    return read;
+  }();
+  return settings;
+}
+
 }  // namespace
 
 fs::path store_folder(const fs::path& named) {
@@ -41,36 +52,36 @@ fs::path store_folder(const fs::path& named) {
 }
 
 tl::expected<std::optional<Server>, std::string> named_server(SharedPlace& place) {
-  Diagnostics wrong;
-  const UserSettings settings = user_settings(wrong);
-  std::cerr << format_for_terminal(wrong, style_for(STDERR_FILENO));
+  const UserSettings& settings = settings_told_once();
   place.read_only = place.read_only || settings.store_read_only;
   const char* const set = std::getenv("MJCOURSE_STORE_URL");
-  const bool is_set = place.url.empty() && set != nullptr && *set != '\0';
-  if (is_set) place.url = set;
+  if (place.url.empty() && set != nullptr) place.url = set;
   if (place.url.empty()) place.url = settings.store;
   if (place.url.empty() || place.url == kNoServer) return std::nullopt;
   auto server = server_at(place.url);
-  if (!server) return tl::unexpected((is_set ? "MJCOURSE_STORE_URL: " : "") + server.error());
+  if (!server) return tl::unexpected(server.error());
   std::ranges::copy(settings.trusted_keys, std::back_inserter(server->trusted_keys));
   return *std::move(server);
 }
 
 OpenedStore open_store(const fs::path& folder, SharedPlace place) {
+  const auto server = named_server(place);
+  const std::string no_results = server && !*server
+                                     ? "note: results are not kept: "
+                                     : "note: results are not kept, and no shared store is used: ";
   fs::path there = store_folder(folder);
   if (there.empty()) {
-    std::cerr << "note: results are not kept: neither XDG_CACHE_HOME nor HOME names a folder that "
-                 "can be written\n";
+    std::cerr << no_results
+              << "neither XDG_CACHE_HOME nor HOME names a folder that can be written\n";
     return {};
   }
   OpenedStore store;
   try {
     store = OpenedStore(std::make_unique<DiskStore>(std::move(there)));
   } catch (const std::system_error& error) {
-    std::cerr << "note: results are not kept: " << error.what() << '\n';
+    std::cerr << no_results << error.what() << '\n';
     return {};
   }
-  const auto server = named_server(place);
   try {
     if (!server) throw std::runtime_error(server.error());
     using Sends = SharedStore::Sends;

@@ -49,12 +49,16 @@ int prune(const StoreOptions& options) {
 // Between the disk and the shared store, all that is kept of the course as it is now.
 int transfer(StoreOptions options, bool pushes) {
   const auto server = named_server(options.shared);
-  const std::string command = std::string("store ") + (pushes ? "push" : "pull");
-  if (!server || !*server) {
+  if (!server) return tell(Refusal{kWrongUsage, server.error(), "set it right, or unset it"});
+  if (!*server) {
     return tell(Refusal{
-        kWrongUsage, server ? command + " needs a shared store" : server.error(),
+        kWrongUsage, std::string("store ") + (pushes ? "push" : "pull") + " needs a shared store",
         "name it: `--store-url URL`, MJCOURSE_STORE_URL in the environment, or `store: URL` in "
         "~/.config/mjcourse/config.yaml"});
+  }
+  if (pushes && options.shared.read_only) {
+    return tell(Refusal{kWrongUsage, "store push would put something, and the store is read only",
+                        "leave out `--store-read-only`, here and in your settings"});
   }
   options.shared.gets_all = pushes;
   const Verified verified = read_course_of(options);
@@ -68,15 +72,19 @@ int transfer(StoreOptions options, bool pushes) {
   const auto tasks = explain_course(
       *verified.course, evaluation_settings(options, assets, verified.store.get()), pushes);
   verified.store.wait();
-  const RemoteStore::Traffic traffic = remote->traffic();
   const auto kept = std::ranges::count_if(tasks, &Explanation::kept);
+  if (pushes && kept == 0) {
+    return tell(Refusal{kCourseErrors, "the disk has no result of this course",
+                        our_command("check") + " works them out"});
+  }
+  const RemoteStore::Traffic traffic = remote->traffic();
   std::cout << (pushes ? "put " + counted(traffic.put, "entry", "entries") + " (" +
                              size_text(traffic.sent) + ") into "
                        : "got " + counted(traffic.found, "entry", "entries") + " (" +
                              size_text(traffic.received) + ") from ")
             << (*server)->shown() << "; the disk has " << kept << " of "
             << counted(tasks.size(), "result") << " of this course\n";
-  return (pushes ? remote->is_written() : remote->is_read()) ? kClean : kCourseErrors;
+  return remote->notes().empty() ? kClean : kCourseErrors;
 }
 
 // The public key is for others.

@@ -1,12 +1,11 @@
 #include "cli/user_settings.h"
 
-#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
-#include <iterator>
 #include <utility>
 
 #include "base/files.h"
+#include "cli/open_store.h"
 #include "lesson/json/yaml_map.h"
 #include "lesson/syntax/is_text.h"
 #include "lesson/syntax/reading.h"
@@ -40,9 +39,10 @@ UserSettings read_settings(const SourceText& source, Reading& reading) {
   settings.store_read_only = map.boolean("store-read-only", false);
   const std::vector<LocatedText> keys = map.strings("store-trusted-keys");
   map.finish();
-  if (const auto server = server_at(store.text); !store.text.empty() && !server) {
-    reading.error(kId, store.span(), "no store is there: " + server.error(),
-                  "an address such as https://store.example/course");
+  const bool is_address = !store.text.empty() && store.text != kNoServer;
+  const std::string fault = is_address ? store_address_fault(store.text) : "";
+  if (!fault.empty()) {
+    reading.error(kId, store.span(), fault, "write it as https://store.example/course");
   }
   for (const LocatedText& key : keys) {
     settings.trusted_keys.push_back(key.text);
@@ -58,19 +58,26 @@ UserSettings read_settings(const SourceText& source, Reading& reading) {
 UserSettings user_settings(Diagnostics& diagnostics) {
   const fs::path file = settings_file();
   std::error_code none;
-  if (file.empty() || !fs::is_regular_file(file, none)) return {};
-  const auto bytes = read_file(file);
-  if (!bytes) return {};
-  Diagnostics found;
-  if (!is_text(file.string(), *bytes, found)) {
-    std::ranges::move(found, std::back_inserter(diagnostics));
+  if (file.empty() || !fs::exists(file, none)) return {};
+  const auto bytes = read_file(fs::is_regular_file(file, none) ? file : fs::path());
+  if (!bytes) {
+    diagnostics.push_back(error_at({file.string(), 0, 0, 1, ""}, kId,
+                                   "the settings file cannot be read", "make it a readable file"));
     return {};
   }
-  const SourceText source(file.string(), *bytes);
-  Reading reading(source, found);
-  UserSettings settings = read_settings(source, reading);
+  Diagnostics found;
+  UserSettings settings;
+  if (is_text(file.string(), *bytes, found)) {
+    const SourceText source(file.string(), *bytes);
+    Reading reading(source, found);
+    settings = read_settings(source, reading);
+  }
   if (found.empty()) return settings;
-  std::ranges::move(found, std::back_inserter(diagnostics));
+  for (Diagnostic& diagnostic : found) {
+    diagnostic.place.column = 0;  // the line is not shown: it may have a password
+    diagnostic.place.excerpt.clear();
+    diagnostics.push_back(std::move(diagnostic));
+  }
   return {};
 }
 

@@ -163,7 +163,7 @@ Verified verify_course(const VerifyOptions& options) {
   if (!options.shard.is_whole() && verified.course) {
     out << "shard " << options.shard.number << " of " << options.shard.count << ": "
         << verified.evaluation.tasks << " of " << counted(verified.evaluation.all_tasks, "task")
-        << '\n';
+        << ", by division " << verified.evaluation.division << '\n';
   }
   out << (verified.course ? counted(verified.course->lessons.size(), "lesson") + ": " +
                                 outcome_text(total, errors) + "; "

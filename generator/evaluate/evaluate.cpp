@@ -156,6 +156,7 @@ class Evaluator {
   void take_share(Tasks& tasks, const TaskTimes& times) {
     const Share share(tasks, settings_.shard, times, run_context_);
     evaluation_.open = true;
+    evaluation_.division = share.division();
     for (const Lesson* page : course_.pages()) {
       evaluation_.results_of(*page).open = share.blocks_of_others(*page);
     }

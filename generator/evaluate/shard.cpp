@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "base/sha256.h"
 #include "evaluate/program_task.h"
 
 namespace mjcourse {
@@ -112,13 +113,17 @@ Share::Share(Tasks& tasks, const Shard& shard, const TaskTimes& times,
     (is_edited ? portion.edited : portion.kept) += lasts;
   }
   const std::vector<std::size_t> shards = deal(portions, shard.count);
+  Sha256 division;
   Tasks ours;
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    const bool is_ours = shards[portion_of.at(first[i])] == shard.number;
+    const std::size_t number = shards[portion_of.at(first[i])];
+    division.add(tasks[i]->name_in_course()).add(std::to_string(number));
+    const bool is_ours = number == shard.number;
     note(*tasks[i], is_ours);
     if (is_ours) ours.push_back(std::move(tasks[i]));
   }
   tasks = std::move(ours);
+  division_ = division.hex().substr(0, 8);
 }
 
 void Share::note(const Task& task, bool is_ours) {

@@ -47,6 +47,8 @@ class Share {
 
   // The names of the programs that others run.
   const std::vector<std::string>& programs_of_others() const { return programs_of_others_; }
+  // The same on all machines that have divided the course alike: the first digits of a hash.
+  const std::string& division() const { return division_; }
   // The blocks of a page that are theirs: of which there is no result here, no claim and no
   // message.
   std::set<std::size_t> blocks_of_others(const Lesson& page) const;
@@ -58,6 +60,7 @@ class Share {
     std::set<std::size_t> ours, others;
   };
   bool is_first_;
+  std::string division_;
   std::map<const Lesson*, Blocks> worked_on_;  // by tasks
   std::map<std::string, bool> is_ours_;        // programs, by their files
   std::vector<std::string> programs_of_others_;

@@ -37,6 +37,7 @@ struct Evaluation {
   std::vector<TaskTime> times = {};      // of all tasks, as they began
   bool open = false;                     // something is still to be worked out
   std::size_t all_tasks = 0, tasks = 0;  // of all shards, and of this one
+  std::string division = {};             // into shards (evaluate/shard.h)
 
   // Those of a page of the course (Course::pages).
   const LessonResults& results_of(const Lesson& page) const {

@@ -83,11 +83,6 @@ HttpAnswer RemoteStore::ask(std::string_view verb, const std::string& path,
   return answer;
 }
 
-bool RemoteStore::is_read() const {
-  const std::lock_guard lock(mutex_);
-  return reads_;
-}
-
 bool RemoteStore::is_written() const {
   const std::lock_guard lock(mutex_);
   return writes_;
@@ -154,7 +149,8 @@ void RemoteStore::note_once(Doubt doubt, const std::string& path) {
   const std::string at = "the shared store at " + server_.shown();
   notes_.push_back(
       doubt == Doubt::damaged
-          ? at + " gave another content than " + path + " was put with; such entries are made again"
+          ? at + " gave another content than " + path +
+                " was put with; is its address right? Such entries are made again"
           : at + " has entries, such as " + path +
                 ", that none of MJCOURSE_STORE_TRUSTED_KEYS has signed; they are made again");
 }

@@ -27,8 +27,6 @@ class RemoteStore : public Store {
   std::optional<std::string> get(const std::string& name) override;
   bool put(const std::string& name, std::string_view bytes) override;
 
-  // Nothing has spoken against it as yet.
-  bool is_read() const;
   bool is_written() const;
 
   struct Traffic {

@@ -29,7 +29,11 @@ struct Server {
   std::string shown() const;
 };
 
-// `address` is http://…, https://… or unix:/path; what is wrong with it.
+// Empty for http://…, https://… and unix:/path. Does not repeat the address, which may have a
+// password.
+std::string store_address_fault(const std::string& address);
+
+// What is wrong with the address or with the variables.
 tl::expected<Server, std::string> server_at(const std::string& address);
 
 }  // namespace mjcourse

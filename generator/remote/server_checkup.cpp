@@ -83,6 +83,8 @@ class Examiner {
     const HttpAnswer put = client_.ask("PUT", path, bytes);
     if (!put.is_good()) {
       found_.refusal = put.trouble();
+      found_.forbids = put.status == kUnauthorized || put.status == kForbidden ||
+                       put.status == kMethodNotAllowed;
       return false;
     }
     const HttpAnswer got = client_.ask("GET", path);

@@ -13,6 +13,7 @@ namespace mjcourse {
 struct ServerCheckup {
   std::string trouble;      // why it is of no use; empty where it is
   bool takes = false;       // what is put there, and has it then
+  bool forbids = false;     // to put there
   std::string refusal;      // why it does not take it, or nothing larger
   bool tells = false;       // by HEAD, what it has
   std::size_t largest = 0;  // bytes, of what it took; it was given no more than kLargestTried

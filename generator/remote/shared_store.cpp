@@ -61,7 +61,7 @@ std::optional<std::string> SharedStore::get(const std::string& name) {
     if (sends_ == Sends::all && !is_list(name)) send_later(name, std::nullopt);
     return bytes;
   }
-  if (stays_here(name)) return std::nullopt;
+  if (stays_here(name) || sends_ == Sends::all) return std::nullopt;
   std::optional<std::string> bytes = remote_.get(name);
   if (!bytes) return std::nullopt;
   disk_.put(name, *bytes);

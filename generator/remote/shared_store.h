@@ -20,7 +20,8 @@ namespace mjcourse {
 
 class SharedStore : public Store {
  public:
-  // To the remote store: nothing; what is put; or what is put or was asked for.
+  // To the remote store: nothing; what is put; or also all that the disk is asked for and has, and
+  // then nothing else is taken from there but lists.
   enum class Sends { nothing, puts, all };
 
   // Both must outlive this.

@@ -70,7 +70,7 @@ tl::expected<SigningKey, std::string> SigningKey::read(const std::filesystem::pa
   if (!text) return tl::unexpected(path.string() + " cannot be read");
   std::string_view digits = *text;
   if (digits.starts_with(kMark)) digits.remove_prefix(kMark.size());
-  const auto seed = bytes_of<Key>(digits.substr(0, digits.find('\n')));
+  const auto seed = bytes_of<Key>(digits.substr(0, digits.find_first_of("\r\n")));
   if (!seed || !text->starts_with(kMark)) {
     return tl::unexpected(path.string() + " is not a key that `mjcourse store key` made");
   }

@@ -85,7 +85,7 @@ await test("haproxy", async () => {
 await test("full disk", async () => {
   const folder = join(home, "full-disk");
   mkdirSync(folder);
-  const words = ["-t", "tmpfs", "-o", "size=64k", "tmpfs", folder];
+  const words = ["-t", "tmpfs", "-o", "size=40k", "tmpfs", folder];
   if (spawnSync("mount", words).status !== 0)
     return console.log("full disk: nothing can be mounted");
   try {
@@ -138,6 +138,10 @@ const faults = {
       bytes: method === "GET" ? Buffer.from("<html>") : undefined,
     }),
     says: "gave another content than",
+  },
+  endless: {
+    of: ({ found }) => ({ status: 200, bytes: Buffer.alloc(1 << 20), length: found ? 1e12 : 0 }),
+    says: "an answer of it is larger than any entry",
   },
   silent: { of: () => undefined, says: "is not used from here on" },
   "500 at random": { of: ({ usual }, n) => (n % 3 === 0 ? { status: 500 } : usual), says: "" },

@@ -95,11 +95,11 @@ await test("signed", async () => {
   for (const [environment, says] of [
     [
       { MJCOURSE_STORE_TRUSTED_KEYS: "abc" },
-      "note: no shared store is used: MJCOURSE_STORE_URL: MJCOURSE_STORE_TRUSTED_KEYS has a word that is no public key, which has 64 hexadecimal digits",
+      "note: no shared store is used: MJCOURSE_STORE_TRUSTED_KEYS has a word that is no public key, which has 64 hexadecimal digits",
     ],
     [
       { MJCOURSE_STORE_SIGNING_KEY: "/none" },
-      "note: no shared store is used: MJCOURSE_STORE_URL: MJCOURSE_STORE_SIGNING_KEY: /none cannot be read",
+      "note: no shared store is used: MJCOURSE_STORE_SIGNING_KEY: /none cannot be read",
     ],
   ]) {
     const where = { url: "", environment: { ...environment, MJCOURSE_STORE_URL: server.url } };

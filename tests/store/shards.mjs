@@ -168,10 +168,12 @@ try {
     const shards = shardsOf(count, server);
     for (const [i, { status, stdout, stderr, tasks }] of shards.entries()) {
       expect(status === 0, `shard ${i + 1} of ${count} ends with ${status}: ${stderr}`);
-      const line = `shard ${i + 1} of ${count}: ${tasks.length} of ${all.tasks.length} tasks\n`;
+      const line = `shard ${i + 1} of ${count}: ${tasks.length} of ${all.tasks.length} tasks, by division `;
       expect(stdout.includes(line), `"${line}" is not said: ${stdout}`);
       expect(tasks.length > 0, `${state}: shard ${i + 1} of ${count} has no task`);
     }
+    const divisions = shards.map(({ stdout }) => /by division ([0-9a-f]{8})$/m.exec(stdout)?.[1]);
+    expect(new Set(divisions).size === 1, `${state}: the divisions are ${divisions}`);
     const done = shards.flatMap(({ tasks }) => tasks);
     expect(same(names(done), names(all.tasks)), `${state}: the shards did ${names(done)}`);
     const anew = worked(done);

@@ -6,8 +6,6 @@
 #include <sstream>
 #include <utility>
 
-#include "base/store_entry.h"
-
 namespace mjcourse {
 namespace {
 
@@ -15,13 +13,10 @@ namespace {
 constexpr long kConnect = 3000, kStall = 5, kSlowest = 1000, kLongest = 60;
 constexpr long kConnections = 16;
 
-std::size_t take(char* bytes, std::size_t, std::size_t count, void* into) {
-  auto& content = *static_cast<std::string*>(into);
-  // libcurl ends the transfer of which fewer bytes were taken than there are.
-  if (content.size() + count > kMostEntryBytes) return 0;
-  content.append(bytes, count);
-  return count;
-}
+// What a server may make us hold: of a blob, of another entry, and of all that is under way. The
+// largest of a course have 1 MB; a film may have 100.
+constexpr std::size_t kMostBlob = std::size_t{256} << 20, kMostEntry = std::size_t{64} << 20,
+                      kMostAtOnce = std::size_t{512} << 20;
 
 struct Upload {
   std::string_view all, rest = all;
@@ -48,15 +43,34 @@ int begin_again(void* from, curl_off_t offset, int origin) {
 }  // namespace
 
 struct Transfers::Transfer {
-  explicit Transfer(Message question) : sent(std::move(question.body)), upload{sent} {
+  Transfer(Message question, std::size_t& at_once)
+      : sent(std::move(question.body)), taken_at_once(at_once), upload{sent} {
     std::istringstream(question.head) >> number >> verb >> path;
+    most = path.starts_with("cas/") ? kMostBlob : kMostEntry;
   }
-  ~Transfer() { curl_easy_cleanup(easy); }
+  ~Transfer() {
+    taken_at_once -= taken.size();
+    curl_easy_cleanup(easy);
+  }
   Transfer(const Transfer&) = delete;
   Transfer& operator=(const Transfer&) = delete;
 
   CURL* easy = curl_easy_init();
+  // libcurl ends the transfer of which fewer bytes were taken than there are.
+  static std::size_t take(char* bytes, std::size_t, std::size_t count, void* into) {
+    auto& transfer = *static_cast<Transfer*>(into);
+    transfer.is_too_large = transfer.taken.size() + count > transfer.most ||
+                            transfer.taken_at_once + count > kMostAtOnce;
+    if (transfer.is_too_large) return 0;
+    transfer.taken.append(bytes, count);
+    transfer.taken_at_once += count;
+    return count;
+  }
+
   std::string number, verb, path, sent, taken;
+  std::size_t most;
+  std::size_t& taken_at_once;  // by all of them
+  bool is_too_large = false;
   Upload upload;
   char error[CURL_ERROR_SIZE] = {};
 };
@@ -96,8 +110,9 @@ void Transfers::prepare(Transfer& transfer) const {
   curl_easy_setopt(easy, CURLOPT_ERRORBUFFER, transfer.error);
   curl_easy_setopt(easy, CURLOPT_PRIVATE, &transfer);
   curl_easy_setopt(easy, CURLOPT_HTTPHEADER, headers_);
-  curl_easy_setopt(easy, CURLOPT_WRITEFUNCTION, take);
-  curl_easy_setopt(easy, CURLOPT_WRITEDATA, &transfer.taken);
+  curl_easy_setopt(easy, CURLOPT_WRITEFUNCTION, Transfer::take);
+  curl_easy_setopt(easy, CURLOPT_WRITEDATA, &transfer);
+  curl_easy_setopt(easy, CURLOPT_MAXFILESIZE_LARGE, static_cast<curl_off_t>(transfer.most));
   curl_easy_setopt(easy, CURLOPT_NETRC, static_cast<long>(CURL_NETRC_OPTIONAL));
   const auto set = [&](const char* name, CURLoption option) {
     const std::string& value = settings_.at(name);
@@ -122,7 +137,7 @@ void Transfers::prepare(Transfer& transfer) const {
 }
 
 void Transfers::begin(Message question) {
-  Transfer& transfer = transfers_.emplace_back(std::move(question));
+  Transfer& transfer = transfers_.emplace_back(std::move(question), taken_at_once_);
   prepare(transfer);
   curl_multi_add_handle(multi_, transfer.easy);
 }
@@ -137,6 +152,9 @@ bool Transfers::wait(int input) {
 }
 
 std::string Transfers::answer_of(const Transfer& transfer, CURLcode result) const {
+  if (transfer.is_too_large || result == CURLE_FILESIZE_EXCEEDED) {
+    return frame_of(transfer.number + " 0", "an answer of it is larger than any entry");
+  }
   if (result != CURLE_OK) {
     const char* const why = transfer.error[0] != '\0' ? transfer.error : curl_easy_strerror(result);
     return frame_of(transfer.number + " 0", why);

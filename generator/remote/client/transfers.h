@@ -4,6 +4,7 @@
 
 #include <curl/curl.h>
 
+#include <cstddef>
 #include <list>
 #include <map>
 #include <memory>
@@ -36,6 +37,7 @@ class Transfers {
   std::map<std::string, std::string> settings_;
   CURLM* multi_;
   curl_slist* headers_ = nullptr;
+  std::size_t taken_at_once_ = 0;  // bytes of answers that are not whole yet
   std::list<Transfer> transfers_;
 };
 

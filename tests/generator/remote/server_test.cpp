@@ -26,14 +26,29 @@ TEST(Server, IsShownWithoutItsPassword) {
 
 TEST(Server, SaysWhatIsWrongWithAnAddress) {
   for (const char* address : {"ftp://store.example", "store.example", "", "file:///etc/passwd"}) {
-    EXPECT_EQ(fault_of(address), "it must begin with http://, https:// or unix:/") << address;
+    EXPECT_EQ(fault_of(address),
+              "the address of a shared store begins with http://, https:// or unix:/")
+        << address;
   }
-  EXPECT_EQ(fault_of("unix:store"), "its path must begin with /");
-  EXPECT_EQ(fault_of("http://"), "it names no host");
-  EXPECT_EQ(fault_of("http:///path"), "it names no host");
-  EXPECT_EQ(fault_of("http://store.example/?x=1"), "it is a folder's, and has no ? or #");
+  EXPECT_EQ(fault_of("unix:store"), "the address of a shared store has a / behind unix:");
+  EXPECT_EQ(fault_of("http://"), "the address of a shared store names a host");
+  EXPECT_EQ(fault_of("http:///path"), "the address of a shared store names a host");
+  EXPECT_EQ(fault_of("http://store.example/?x=1"),
+            "the address of a shared store is a folder's, without ? and #");
   EXPECT_EQ(fault_of("http://store.example/\r\nHost: other"),
-            "it has a character that no address has");
+            "the address of a shared store has no blanks, quotes or brackets");
+}
+
+TEST(Server, TrustsNobodyByAnEmptyList) {
+  for (const char* empty : {"", ",", " \n"}) {
+    setenv("MJCOURSE_STORE_TRUSTED_KEYS", empty, 1);
+    EXPECT_EQ(fault_of("http://store.example"),
+              "MJCOURSE_STORE_TRUSTED_KEYS lists no key; unset it to trust everybody");
+  }
+  const std::string key(64, '0');
+  setenv("MJCOURSE_STORE_TRUSTED_KEYS", (key + ", " + key).c_str(), 1);
+  EXPECT_EQ(server_at("http://store.example")->trusted_keys, (std::vector<std::string>{key, key}));
+  unsetenv("MJCOURSE_STORE_TRUSTED_KEYS");
 }
 
 TEST(Server, TakesNoTokenThatEndsAHeader) {
