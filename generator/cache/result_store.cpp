@@ -13,7 +13,8 @@ namespace {
 using nlohmann::json;
 using Pairs = std::vector<std::pair<std::string, std::string>>;
 
-// Of a model that is changed back and forth, as many versions are remembered.
+// Of a model that is changed back and forth, as many versions are remembered. Each costs a reader a
+// look at all the files that it names.
 constexpr std::size_t kMostLists = 8;
 
 // Of lists and of results, which a shared store has side by side.
@@ -38,7 +39,9 @@ std::string name_of_result(const Dependencies& recipe, const Dependencies& trace
 
 std::vector<std::vector<std::string>> lists_in(const std::optional<std::string>& entry) {
   using Lists = std::vector<std::vector<std::string>>;
-  return stored_json<Lists>(entry).value_or(Lists{});
+  auto lists = stored_json<Lists>(entry).value_or(Lists{});
+  lists.resize(std::min(lists.size(), kMostLists));  // a shared store may say more
+  return lists;
 }
 
 // One line.
