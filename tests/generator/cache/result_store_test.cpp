@@ -147,6 +147,30 @@ TEST_F(ResultStoreTest, RemembersSeveralWaysToLook) {
   EXPECT_EQ(found(recipe_), "nothing");
 }
 
+// A store that others write into may say that there are a million.
+TEST_F(ResultStoreTest, LooksInNoMoreWaysThanItRemembers) {
+  class ListsAll : public OneOfMany {
+   public:
+    ListsAll(MemoryStore& shared, std::size_t ways) : OneOfMany(shared), ways_(ways) {}
+    std::optional<std::string> get(const std::string& name) override {
+      return name.starts_with("list/") ? lists() : OneOfMany::get(name);
+    }
+    std::optional<std::string> get_of_others(const std::string&) override { return lists(); }
+
+   private:
+    std::string lists() const {
+      std::string all = "[";
+      for (std::size_t i = 1; i < ways_; ++i) all += "[\"course:no" + std::to_string(i) + "\"], ";
+      return all + "[]]";
+    }
+    std::size_t ways_;
+  };
+  keep(recipe_, "looked at nothing");
+  ListsAll eight(store_, 8), nine(store_, 9);
+  EXPECT_TRUE(ResultStore(eight, prints_).find(recipe_));
+  EXPECT_FALSE(ResultStore(nine, prints_).find(recipe_));
+}
+
 TEST_F(ResultStoreTest, SeesWhichFileOfASetHasChanged) {
   const TemporaryFolder system;
   const std::string a = system.path() / "a.h", b = system.path() / "b.h";
