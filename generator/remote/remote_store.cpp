@@ -11,7 +11,7 @@ namespace mjcourse {
 namespace {
 
 // After so many requests in a row that came to nothing, or so long a wait for those that did, a
-// server is asked no more.
+// server is asked no more. What is put is counted by itself.
 constexpr int kMostFailures = 3;
 constexpr double kMostWasted = 12;  // s, of all threads together
 // Nor is one whose answers are right, and slower than this, once so long was waited.
@@ -58,13 +58,13 @@ void RemoteStore::judge(std::string_view verb, const HttpAnswer& answer, double 
     case kNotFound:
     case kGone:
     case kContentTooLarge:
-      failures_ = 0;
+      (puts ? failed_puts_ : failures_) = 0;
       return;
     default:
       break;
   }
   if (answer.is_good()) {
-    failures_ = 0;
+    (puts ? failed_puts_ : failures_) = 0;
     ++answers_;
     if (traffic_.waited > kMostWaited && traffic_.waited > kSlow * answers_) {
       stop(true, "its answers take longer than a second");
@@ -72,7 +72,11 @@ void RemoteStore::judge(std::string_view verb, const HttpAnswer& answer, double 
     return;
   }
   wasted_ += seconds;
-  if (++failures_ >= kMostFailures || wasted_ > kMostWasted) stop(true, answer.trouble());
+  // A server that takes nothing, as with a full disk, can still be read.
+  if (puts) ++failed_puts_;
+  if (!puts || answer.status == 0) ++failures_;
+  const bool is_of_no_use = failures_ >= kMostFailures || wasted_ > kMostWasted;
+  if (is_of_no_use || failed_puts_ >= kMostFailures) stop(is_of_no_use, answer.trouble());
 }
 
 HttpAnswer RemoteStore::ask(std::string_view verb, const std::string& path,

@@ -58,7 +58,7 @@ class RemoteStore : public Store {
   mutable std::mutex mutex_;
   bool reads_ = true, writes_;
   bool was_damaged_ = false, was_unsigned_ = false;  // and was noted
-  int failures_ = 0;                                 // one after the other
+  int failures_ = 0, failed_puts_ = 0;               // one after the other
   double wasted_ = 0;                                // s, waiting for what did not come
   int answers_ = 0;                                  // that were right
   Traffic traffic_;
