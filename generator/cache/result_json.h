@@ -90,7 +90,7 @@ MJCOURSE_FIELDS(LabModel, main, texts, assets)
 MJCOURSE_FIELDS(LabReading, steps, values, ghost)
 MJCOURSE_FIELDS(LabRunResult, control, value, readings)
 MJCOURSE_FIELDS(Lab::Camera, azimuth, elevation, distance, target)
-MJCOURSE_FIELDS(LabResult, readouts, traces, camera, memory, model, script_names, scripts,
+MJCOURSE_FIELDS(LabResult, readouts, traces, camera, overlays, memory, model, script_names, scripts,
                 keyframes, runs, predicted, poster, pin)
 MJCOURSE_FIELDS(PlotDrawing, svg, width, height)
 MJCOURSE_FIELDS(PlotDrawings, wide, narrow)

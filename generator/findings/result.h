@@ -160,6 +160,7 @@ struct LabResult {
   std::vector<double> readouts;             // at the start, in the lab's order
   std::vector<std::vector<double>> traces;  // at the start, for each plot
   Lab::Camera camera;                       // the lab's, or one that shows all of the model
+  std::vector<std::string> overlays;        // that are drawn at the start
   std::uint64_t memory = 0;                 // bytes that it takes in a page
   LabModel model;
   std::vector<std::string> script_names;            // what scripts may use of the world

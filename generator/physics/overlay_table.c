@@ -53,3 +53,14 @@ void mjc_set_overlay(mjvOption* option, const mjcOverlay* overlay, int on) {
       break;
   }
 }
+
+int mjc_shows_overlay(const mjvOption* option, const mjcOverlay* overlay) {
+  switch (overlay->kind) {
+    case mjcOVERLAY_FRAME:
+      return option->frame == overlay->value;
+    case mjcOVERLAY_LABEL:
+      return option->label == overlay->value;
+    default:
+      return option->flags[overlay->value];
+  }
+}

@@ -32,6 +32,8 @@ const mjcOverlay* mjc_overlays(int* count);
 /* Switch `overlay` on or off in `option`. A frame or label that is switched on replaces the one
  * before; one that is switched off leaves another's alone. */
 void mjc_set_overlay(mjvOption* option, const mjcOverlay* overlay, int on);
+/* Is `overlay` on in `option`? Of MuJoCo's defaults some are. */
+int mjc_shows_overlay(const mjvOption* option, const mjcOverlay* overlay);
 
 #ifdef __cplusplus
 }

@@ -46,4 +46,12 @@ tl::expected<mjvOption, std::string> visual_options(const Overlays& overlays) {
   return option;
 }
 
+std::vector<std::string> overlays_in(const mjvOption& option) {
+  std::vector<std::string> names;
+  for (const mjcOverlay& overlay : table()) {
+    if (mjc_shows_overlay(&option, &overlay) != 0) names.emplace_back(overlay.name);
+  }
+  return names;
+}
+
 }  // namespace mjcourse

@@ -20,4 +20,7 @@ std::vector<std::string> overlay_names();
 // mean"), or two kinds of frames or of labels, of which MuJoCo draws one.
 tl::expected<mjvOption, std::string> visual_options(const Overlays& overlays);
 
+// The names of those that are on in `option`, MuJoCo's defaults among them.
+std::vector<std::string> overlays_in(const mjvOption& option);
+
 }  // namespace mjcourse

@@ -89,6 +89,18 @@ test("an overlay adds its decoration, and labels have text", () => {
   assert.ok(scene.overlays.includes("contacts"));
 });
 
+test("the scene tells which overlays are drawn", () => {
+  assert.deepEqual([...scene.shown], ["tendons"]);
+  scene.showOverlay("frames", true);
+  scene.showOverlay("tendons", false);
+  assert.deepEqual([...scene.shown], ["frames"]);
+  scene.showOverlay("geom-frames", true);
+  assert.deepEqual([...scene.shown], ["geom-frames"]);
+  scene.showOverlay("geom-frames", false);
+  scene.showOverlay("tendons", true);
+  assert.deepEqual([...scene.shown], ["tendons"]);
+});
+
 test("the camera moves and the view follows", () => {
   scene.update();
   const before = [...scene.view.numbers.pos];

@@ -76,6 +76,9 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson,
   }
   if (diagnostics.size() > before) return std::nullopt;
   result.camera = camera_of(lab.camera, view);
+  if (const auto options = visual_options(switched(lab.overlays))) {
+    result.overlays = overlays_in(*options);
+  }
   return result;
 }
 

@@ -34,6 +34,12 @@ std::vector<LocatedText> names_of(const std::vector<Lab::Overlay>& overlays) {
   return names;
 }
 
+Overlays switched(const std::vector<Lab::Overlay>& overlays) {
+  Overlays switched;
+  for (const Lab::Overlay& overlay : overlays) switched[overlay.name.text] = overlay.on;
+  return switched;
+}
+
 Lab::Camera camera_of(const std::optional<Lab::Camera>& camera, const WholeView& view) {
   if (camera) return *camera;
   const auto [target, distance] = view.place();
@@ -47,11 +53,10 @@ std::optional<Picture> draw(const Simulation& simulation, const View& view, cons
     context.error("E-picture", blamed, "no picture can be drawn: " + renderer.error());
     return std::nullopt;
   }
-  Overlays overlays;
-  for (const Lab::Overlay& overlay : view.overlays) overlays[overlay.name.text] = overlay.on;
   const auto& [azimuth, elevation, distance, target] = view.camera;
-  tl::expected<Picture, std::string> picture = (*renderer)->render(
-      simulation, {azimuth, elevation, distance, target}, overlays, size_of(view), view.detail);
+  tl::expected<Picture, std::string> picture =
+      (*renderer)->render(simulation, {azimuth, elevation, distance, target},
+                          switched(view.overlays), size_of(view), view.detail);
   if (picture) return *std::move(picture);
   context.error("E-picture", blamed, what + " cannot be drawn: " + picture.error());
   return std::nullopt;

@@ -7,6 +7,7 @@
 
 #include "evaluate/context/block_context.h"
 #include "findings/result.h"
+#include "physics/overlays.h"
 #include "physics/whole_view.h"
 
 namespace mjcourse {
@@ -21,6 +22,7 @@ struct View {
 // Report the names that are no overlay of MuJoCo's.
 void check_overlays(const std::vector<LocatedText>& names, const BlockContext& context);
 std::vector<LocatedText> names_of(const std::vector<Lab::Overlay>& overlays);
+Overlays switched(const std::vector<Lab::Overlay>& overlays);
 
 // Without one of the author's, all of the model is seen.
 Lab::Camera camera_of(const std::optional<Lab::Camera>& camera, const WholeView& view);

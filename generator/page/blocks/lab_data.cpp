@@ -1,5 +1,6 @@
 #include "page/blocks/lab_data.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "page/blocks/lab_module.h"
@@ -104,10 +105,7 @@ json lab_data(const Lab& lab, std::size_t index, LessonContext& context) {
     data["plots"].push_back({{"ylabel", lab.plots[p].ylabel}, {"traces", std::move(traces)}});
   }
   for (const LocatedText& toggle : lab.toggles) {
-    bool on = false;
-    for (const Lab::Overlay& overlay : lab.overlays) {
-      if (overlay.name.text == toggle.text) on = overlay.on;
-    }
+    const bool on = result != nullptr && std::ranges::count(result->overlays, toggle.text) > 0;
     data["toggles"].push_back({{"name", toggle.text}, {"on", on}});
   }
   return data;

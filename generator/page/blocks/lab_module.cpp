@@ -177,11 +177,8 @@ json LabDescription::editable() {
 
 // `assets` has the addresses of the model's.
 json LabDescription::describe(const std::map<std::string, std::string>& assets) {
-  json toggles = json::array(), overlays = json::array();
+  json toggles = json::array();
   for (const LocatedText& toggle : lab_.toggles) toggles.push_back(toggle.text);
-  for (const Lab::Overlay& overlay : lab_.overlays) {
-    if (overlay.on) overlays.push_back(overlay.name.text);
-  }
   const Lab::Camera& camera = result_.camera;
   const LabModel& model = result_.model;
   return {{"title", lab_.title},
@@ -193,7 +190,7 @@ json LabDescription::describe(const std::map<std::string, std::string>& assets) 
             {"distance", camera.distance},
             {"target", camera.target}}},
           {"toggles", std::move(toggles)},
-          {"overlays", std::move(overlays)},
+          {"overlays", result_.overlays},
           {"controls", controls()},
           {"readouts", readouts()},
           {"plots", plots()},

@@ -40,16 +40,15 @@ export class Scene {
   ) {
     this.layouts = readLayouts(memory);
     this.buffer = memory.buffer;
+    this.overlays = overlayNames(memory);
   }
 
   /** The overlays that there are: "joints", "contacts" … */
-  get overlays(): readonly string[] {
-    const names: string[] = [];
-    for (;;) {
-      const name = this.memory.text(this.memory.call("mjc_overlay_name", names.length));
-      if (name === "") return names;
-      names.push(name);
-    }
+  readonly overlays: readonly string[];
+
+  /** Those of them that are drawn. MuJoCo draws some by itself, and of frames and labels one kind. */
+  get shown(): ReadonlySet<string> {
+    return new Set(this.overlays.filter((_, i) => this.call("mjc_scene_shows_overlay", i) !== 0));
   }
 
   showOverlay(name: string, on: boolean): void {
@@ -151,5 +150,14 @@ export class Scene {
   private call(name: string, ...args: number[]): number {
     if (this.handle === 0) throw new MujocoError("this scene was freed with its simulation");
     return this.memory.call(name, this.handle, ...args);
+  }
+}
+
+function overlayNames(memory: Memory): string[] {
+  const names: string[] = [];
+  for (;;) {
+    const name = memory.text(memory.call("mjc_overlay_name", names.length));
+    if (name === "") return names;
+    names.push(name);
   }
 }

@@ -27,7 +27,7 @@ export interface LabDescription {
   readonly camera: CameraPlace;
   /** The overlays that the reader may switch. */
   readonly toggles: readonly string[];
-  /** The overlays that are on from the start. */
+  /** The overlays that are on from the start, MuJoCo's own choice among them. */
   readonly overlays: readonly string[];
   readonly controls: readonly Control[];
   readonly readouts: readonly Readout[];

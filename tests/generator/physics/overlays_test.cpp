@@ -30,6 +30,14 @@ TEST(Overlays, NotNamedStayAtMujocosDefault) {
   EXPECT_EQ(visual_options({{"tendons", false}})->flags[mjVIS_TENDON], 0);
 }
 
+TEST(Overlays, TellWhichAreOn) {
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(overlays_in(*visual_options({})), Names{"tendons"});
+  EXPECT_EQ(overlays_in(*visual_options({{"tendons", false}})), Names{});
+  EXPECT_EQ(overlays_in(*visual_options({{"labels", true}, {"com", true}, {"joints", false}})),
+            (Names{"labels", "com", "tendons"}));
+}
+
 TEST(Overlays, OffLeavesAnothersFramesAlone) {
   EXPECT_EQ(visual_options({{"frames", true}, {"geom-frames", false}})->frame, mjFRAME_BODY);
   EXPECT_EQ(visual_options({{"geom-frames", true}, {"site-frames", false}})->frame, mjFRAME_GEOM);

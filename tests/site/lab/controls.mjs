@@ -87,6 +87,13 @@ async function tryShown(visitor, lab) {
   visitor.expect((await lab.picture()) !== before, fourLabs, "an overlay changes nothing");
   await lab.root.getByRole("checkbox", { name: "com" }).uncheck();
   visitor.expect((await lab.picture()) === before, fourLabs, "an overlay stays");
+  // MuJoCo draws one kind of label at a time, and tendons by itself.
+  await lab.root.getByRole("checkbox", { name: "labels", exact: true }).check();
+  await lab.root.getByRole("checkbox", { name: "joint labels" }).check();
+  await lab.settle();
+  const shown = await lab.shown();
+  visitor.expect(shown === "joints tendons joint labels", fourLabs, `${shown} are shown`);
+  await lab.root.getByRole("checkbox", { name: "joint labels" }).uncheck();
   await lab.press("camera");
   await lab.press("Top");
   visitor.expect((await lab.picture()) !== before, fourLabs, "Top looks as before");

@@ -87,6 +87,11 @@ export class Lab {
     return row.locator(".value").innerText();
   }
 
+  // The overlays whose boxes are checked, as one text.
+  async shown() {
+    return (await this.root.locator(".lab-shown label:has(:checked)").allInnerTexts()).join(" ");
+  }
+
   // All of them, as one text.
   async readings() {
     return (await this.root.locator(".lab-live .readouts .value").allInnerTexts()).join(" ");

@@ -47,10 +47,8 @@ await testSite(async (visitor) => {
     await lab.press("reset all");
     const fresh = await state(lab);
     expect(fresh === "0.000 0.0000 0.0000 0.00 -9.81 1", `after the reset: ${fresh}`);
-    expect(
-      (await lab.root.getByRole("checkbox", { name: "com" }).isChecked()) === false,
-      "com stays",
-    );
+    const shown = await lab.shown();
+    expect(shown === "joints tendons", `after the reset, ${shown} are shown`);
     expect(!page.url().includes("lab="), "the address still speaks of the lab");
   });
 

@@ -65,6 +65,12 @@ const char* mjc_overlay_name(int index) {
   return index < count ? overlays[index].name : nullptr;
 }
 
+int mjc_scene_shows_overlay(const mjcScene* scene, int index) {
+  int count = 0;
+  const mjcOverlay* overlays = mjc_overlays(&count);
+  return index < count ? mjc_shows_overlay(&scene->options, overlays + index) : 0;
+}
+
 // mj_forward brings what is drawn up to date with the state. On the simulation's own data it would
 // also change the solver's warm start, and with it the last bits of every later step.
 int mjc_scene_update(mjcScene* scene) {

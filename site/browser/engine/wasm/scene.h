@@ -25,6 +25,8 @@ MJC_EXPORT void mjc_scene_free(mjcScene* scene);
 MJC_EXPORT int mjc_scene_overlay(mjcScene* scene, const char* name, int on);
 /* The name of overlay `index`; NULL past the last. */
 MJC_EXPORT const char* mjc_overlay_name(int index);
+/* Is overlay `index` on? */
+MJC_EXPORT int mjc_scene_shows_overlay(const mjcScene* scene, int index);
 
 /* Bring the scene up to date with the simulation, whose data are not touched. Returns 0, and leaves
  * the scene as it was, when the simulation has stopped. */

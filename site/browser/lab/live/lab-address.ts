@@ -41,7 +41,7 @@ export class LabAddress {
     if (link.mjcf !== undefined) await replace(link.mjcf);
     if (link.run) run.restore(link.run);
     if (link.camera) run.visualization.camera = link.camera;
-    if (link.overlays) showOnly(this.#player, link.overlays);
+    if (link.overlays) run.visualization.overlays = link.overlays;
     this.#player.speed = link.speed ?? run.lab.speed;
   }
 
@@ -51,13 +51,5 @@ export class LabAddress {
     if (!address.searchParams.has(parameter)) return;
     address.searchParams.delete(parameter);
     history.replaceState(history.state, "", address);
-  }
-}
-
-/** The overlays of that name and no others; names that there are not are passed over. */
-export function showOnly({ run }: Player, names: readonly string[]): void {
-  for (const name of run.scene.overlays) run.visualization.showOverlay(name, false);
-  for (const name of run.scene.overlays) {
-    if (names.includes(name)) run.visualization.showOverlay(name, true);
   }
 }

@@ -12,7 +12,7 @@ import { presets } from "../view/presets.js";
 import { ViewPanel } from "../view/view-panel.js";
 import { Head } from "./head.js";
 import { listenToKeys } from "./keys.js";
-import { LabAddress, showOnly } from "./lab-address.js";
+import { LabAddress } from "./lab-address.js";
 import { Panel } from "./panel.js";
 import { type Follower, Player } from "./player.js";
 import { everywhere, inView, listOf } from "./shortcuts.js";
@@ -92,7 +92,7 @@ export class LiveLab implements Follower {
     await this.#panel.edit?.restoreLesson();
     this.#player.reset();
     this.#view.home();
-    showOnly(this.#player, run.lab.overlays);
+    run.visualization.overlays = run.lab.overlays;
     this.#player.speed = run.lab.speed;
     this.#address.forget();
   }

@@ -16,7 +16,6 @@ export interface Look {
 export class Visualization {
   readonly scene: Scene;
   readonly ghost: Scene | undefined;
-  readonly #overlays = new Set<string>();
   #selected = 0;
   #held = false;
 
@@ -24,7 +23,7 @@ export class Visualization {
     this.scene = simulation.openScene();
     this.ghost = ghost?.openScene();
     this.camera = look.camera;
-    for (const overlay of look.overlays) this.showOverlay(overlay, true);
+    this.overlays = look.overlays;
     this.update();
   }
 
@@ -34,14 +33,18 @@ export class Visualization {
     return this.scene.update();
   }
 
+  /** Those that are shown; to be set, too. Names of overlays that there are not are passed over. */
   get overlays(): ReadonlySet<string> {
-    return this.#overlays;
+    return this.scene.shown;
+  }
+  set overlays(names: Iterable<string>) {
+    const shown = new Set(names);
+    for (const name of this.scene.overlays) this.scene.showOverlay(name, false);
+    for (const name of this.scene.overlays) if (shown.has(name)) this.scene.showOverlay(name, true);
   }
 
   showOverlay(name: string, on: boolean): void {
     this.scene.showOverlay(name, on);
-    if (on) this.#overlays.add(name);
-    else this.#overlays.delete(name);
   }
 
   get camera(): CameraPlace {

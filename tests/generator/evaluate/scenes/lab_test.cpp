@@ -17,6 +17,7 @@ TEST(Lab, IsReadAtRestAndDrawn) {
   const auto& result = found.result<LabResult>();
   EXPECT_EQ(result.readouts, (std::vector<double>{1, 8}));
   EXPECT_EQ(result.traces, (std::vector<std::vector<double>>{{0}}));
+  EXPECT_EQ(result.overlays, (std::vector<std::string>{"frames", "tendons"}));
   EXPECT_EQ(result.poster.value().width, 712);
   EXPECT_EQ(result.poster->height, 20);
   EXPECT_EQ(result.poster->png.bytes().substr(1, 3), "PNG");

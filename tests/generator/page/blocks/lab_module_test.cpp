@@ -52,6 +52,7 @@ TEST_F(LabModuleTest, DescribesALab) {
 }
 
 TEST_F(LabModuleTest, HasFunctionsForScripts) {
+  result_.overlays = {"frames", "tendons"};
   const LabFiles files = module(R"(, "speed": 0.5, "toggles": ["frames"],
       "overlays": {"frames": true, "contacts": false},
       "controls": [{"type": "button", "label": "B", "run": ["data.time = 1 // one", "f"]}],
@@ -60,7 +61,7 @@ TEST_F(LabModuleTest, HasFunctionsForScripts) {
   const json found = lab(files);
   EXPECT_EQ(found["speed"], 0.5);
   EXPECT_EQ(found["toggles"], json({"frames"}));
-  EXPECT_EQ(found["overlays"], json({"frames"}));
+  EXPECT_EQ(found["overlays"], json({"frames", "tendons"}));
   EXPECT_EQ(found["controls"], json::parse(R"([{"type": "button", "label": "B", "run": 0}])"));
   EXPECT_EQ(found["readouts"],
             json::parse(R"([{"label": "R", "value": 1, "digits": 5, "unit": "u"}])"));
