@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 using FilesWithHashes = std::vector<std::pair<std::string, std::string>>;
 
-constexpr std::string_view kPrefix = "files ";
+constexpr std::string_view kFiles = "files ", kHeaders = "headers in ";
 
 // The list that is kept at this address.
 template <typename List>
@@ -24,7 +24,7 @@ std::optional<List> list_at(Store& store, const std::string& address) {
 }  // namespace
 
 bool DependencySets::is_name(const std::string& dependency) {
-  return dependency.starts_with(kPrefix);
+  return dependency.starts_with(kFiles) || dependency.starts_with(kHeaders);
 }
 
 std::string DependencySets::keep(const std::string& list) {
@@ -34,18 +34,33 @@ std::string DependencySets::keep(const std::string& list) {
 }
 
 std::string DependencySets::name_of(const std::vector<std::string>& files) {
-  return std::string(kPrefix) + keep(json(files).dump());
+  return std::string(kFiles) + keep(json(files).dump());
+}
+
+std::string DependencySets::name_of(const std::string& folder,
+                                    const std::set<std::string>& headers) {
+  return std::string(kHeaders) + folder + " " + keep(json(headers).dump());
 }
 
 std::string DependencySets::now(const std::string& name) {
-  const auto files = list_at<std::vector<std::string>>(store_, name.substr(kPrefix.size()));
-  if (!files) return kAbsent;
-  json found = json::array();
-  for (const std::string& file : *files) found.push_back({file, fingerprints_.of(file)});
-  std::string value = keep(found.dump());
+  std::string value = found_now(name);
   const std::lock_guard lock(mutex_);
   known_[name] = value;
   return value;
+}
+
+std::string DependencySets::found_now(const std::string& name) {
+  const std::string address = name.substr(name.rfind(' ') + 1);
+  if (name.starts_with(kHeaders)) {
+    const auto headers = list_at<std::set<std::string>>(store_, address);
+    const std::string folder = name.substr(0, name.rfind(' ')).substr(kHeaders.size());
+    return headers ? fingerprints_.headers_in(folder, *headers) : kAbsent;
+  }
+  const auto files = list_at<std::vector<std::string>>(store_, address);
+  if (!files) return kAbsent;
+  json found = json::array();
+  for (const std::string& file : *files) found.push_back({file, fingerprints_.of(file)});
+  return keep(found.dump());
 }
 
 std::string DependencySets::known(const std::string& name) {

@@ -4,11 +4,16 @@
 // `files HASH`, and one value. Both are addresses in the store: of the list of their names, and of
 // that list with what is behind each. So to look whether a result may be used again takes one
 // comparison, and only a caller that wants to know which of the files has changed finds it out.
+//
+// A file that is added later can come in place of one of these only if it has that one's name. So
+// of an include folder the names of such files are one dependency, `headers in FOLDER HASH`, and
+// any other file may be added.
 // Tested by tests/generator/cache/result_store_test.cpp.
 #pragma once
 
 #include <map>
 #include <mutex>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,7 +33,8 @@ class DependencySets {
 
   // All from any thread.
   std::string name_of(const std::vector<std::string>& files);
-  // What is behind the files of a name; `now`, or when that was last looked at here. Where the
+  std::string name_of(const std::string& folder, const std::set<std::string>& headers);
+  // What is behind a name; `now`, or when that was last looked at here. Where the
   // store has lost their names, they are absent.
   std::string now(const std::string& name);
   std::string known(const std::string& name);
@@ -38,6 +44,7 @@ class DependencySets {
 
  private:
   std::string keep(const std::string& list);
+  std::string found_now(const std::string& name);
 
   Store& store_;
   Fingerprints& fingerprints_;

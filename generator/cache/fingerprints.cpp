@@ -35,6 +35,17 @@ std::string fingerprint(const fs::path& path, const struct stat& status) {
   return bytes ? sha256(*bytes) : kUnreadable;
 }
 
+std::vector<fs::directory_entry> entries_below(const fs::path& folder) {
+  std::vector<fs::directory_entry> entries;
+  std::error_code unreadable;
+  const fs::recursive_directory_iterator end;
+  for (fs::recursive_directory_iterator at(folder, unreadable); !unreadable && at != end;
+       at.increment(unreadable)) {
+    entries.push_back(*at);
+  }
+  return entries;
+}
+
 }  // namespace
 
 Fingerprints::Fingerprints(const fs::path& root, std::shared_ptr<FingerprintCache> files)
@@ -59,6 +70,23 @@ std::string Fingerprints::of(const std::string& name) {
   return found;
 }
 
+std::string Fingerprints::headers_in(const std::string& folder,
+                                     const std::set<std::string>& names) const {
+  std::set<std::string> found;
+  for (const fs::directory_entry& entry : entries_below(root_ / folder)) {
+    const std::string path = entry.path().lexically_relative(root_ / folder);
+    std::error_code none;
+    if (entry.is_directory(none)) {
+      found.insert(path + "/");
+    } else if (names.contains(entry.path().filename())) {
+      found.insert(path);
+    }
+  }
+  std::string text;
+  for (const std::string& path : found) text += (text.empty() ? "" : ", ") + path;
+  return text;
+}
+
 void Fingerprints::set(const std::string& name, const std::string& value) {
   const std::lock_guard lock(mutex_);
   others_[name] = value;
@@ -77,6 +105,14 @@ bool Fingerprints::unchanged_since(const std::string& name, Clock::time_point be
     path = path.parent_path();
   }
   return changed_at(status) + tick_of(status) < begin;
+}
+
+bool Fingerprints::tree_unchanged_since(const std::string& folder, Clock::time_point begin) const {
+  if (!unchanged_since(folder, begin)) return false;
+  return std::ranges::all_of(entries_below(root_ / folder), [&](const fs::directory_entry& entry) {
+    std::error_code none;
+    return !entry.is_directory(none) || unchanged_since(entry.path(), begin);
+  });
 }
 
 }  // namespace mjcourse

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <set>
 #include <string>
 
 #include "cache/fingerprint_cache.h"
@@ -25,12 +26,19 @@ class Fingerprints {
   // Of a dependency's name. From any thread.
   std::string of(const std::string& name);
 
+  // The folders below `folder` and the files there that have one of these names, in their order;
+  // paths below it, "" where there is none. What is there is looked at anew each time.
+  std::string headers_in(const std::string& folder, const std::set<std::string>& names) const;
+
   // What a program reported, once that is known.
   void set(const std::string& name, const std::string& value);
 
   // Has this stayed as it is since `begin`? When in doubt, it has not: a result that was made while
   // somebody saved a file belongs to neither version.
   bool unchanged_since(const std::string& name, std::chrono::system_clock::time_point begin) const;
+  // And what there is in this folder and in all below it?
+  bool tree_unchanged_since(const std::string& folder,
+                            std::chrono::system_clock::time_point begin) const;
 
  private:
   std::filesystem::path root_;

@@ -55,12 +55,13 @@ std::string text_of(const Dependencies& recipe, const Dependencies& traced) {
 
 }  // namespace
 
+Dependency ResultStore::now(const std::string& name) {
+  return {name, DependencySets::is_name(name) ? sets_.known(name) : fingerprints_.of(name)};
+}
+
 Dependencies ResultStore::known(const Names& names) {
   Dependencies found;
-  for (const std::string& name : names) {
-    found.push_back(
-        {name, DependencySets::is_name(name) ? sets_.known(name) : fingerprints_.of(name)});
-  }
+  for (const std::string& name : names) found.push_back(now(name));
   return found;
 }
 
@@ -98,6 +99,11 @@ std::optional<ResultStore::Kept> ResultStore::keep(const Dependencies& recipe, c
     names.push_back(sets_.name_of(set));
     sets_.now(names.back());  // what was known before the work began may be former
     looked_at_all.insert(looked_at_all.end(), set.begin(), set.end());
+  }
+  for (const auto& [folder, headers] : trace.headers()) {
+    names.push_back(sets_.name_of(folder, headers));
+    sets_.now(names.back());
+    if (!fingerprints_.tree_unchanged_since(folder, begin)) return std::nullopt;
   }
   const Dependencies traced = known(names);
   for (const std::string& name : looked_at_all) {

@@ -52,6 +52,9 @@ class ResultStore {
   // What the result of that name depends on, the recipe first; empty where there is none.
   Dependencies dependencies_of(const std::string& name) const;
 
+  // What a result depended on, as it is now.
+  Dependency now(const std::string& name);
+
   // As DependencySets (dependency_sets.h) has it.
   Dependencies one_by_one(const Dependencies& traced) { return sets_.one_by_one(traced); }
 

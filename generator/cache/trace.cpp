@@ -11,6 +11,7 @@ Trace::Trace(const fs::path& root) : root_(fs::absolute(root).lexically_normal()
 void Trace::clear() {
   names_.clear();
   sets_.clear();
+  headers_.clear();
   complete_ = true;
 }
 
@@ -29,6 +30,11 @@ void Trace::files(const std::vector<std::string>& paths) {
     }
   }
   if (!others.empty()) sets_.insert(std::move(others));
+}
+
+void Trace::headers_in(const fs::path& folder, const std::vector<std::string>& paths) {
+  std::set<std::string>& names = headers_[file_dependency(folder, root_)];
+  for (const std::string& path : paths) names.insert(fs::path(path).filename());
 }
 
 void Trace::program(const std::string& name) {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -27,6 +28,9 @@ class Trace {
   // Files that many a piece of work has looked at (dependency_sets.h). Those of the course are
   // written down one by one.
   void files(const std::vector<std::string>& paths);
+  // Which folders are below `folder`, and which files there are called as one of `paths`: each may
+  // be found in place of that one.
+  void headers_in(const std::filesystem::path& folder, const std::vector<std::string>& paths);
   // What the program `name` reported.
   void program(const std::string& name);
   // What somebody else has looked at for the same piece of work, as its trace names it.
@@ -38,11 +42,15 @@ class Trace {
   const std::set<std::string>& names() const { return names_; }
   // Each a list of absolute paths.
   const std::set<std::vector<std::string>>& sets() const { return sets_; }
+  // What files are called, by the folders in which they were looked for.
+  using Headers = std::map<std::string, std::set<std::string>>;
+  const Headers& headers() const { return headers_; }
 
  private:
   std::filesystem::path root_;
   std::set<std::string> names_;
   std::set<std::vector<std::string>> sets_;
+  Headers headers_;
   bool complete_ = true;
 };
 

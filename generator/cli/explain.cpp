@@ -28,10 +28,19 @@
 namespace mjcourse {
 namespace {
 
+bool is_hash(std::string_view text) {
+  return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == text.npos;
+}
+
 // A hash by its first digits.
 std::string short_value(const std::string& value) {
-  const bool hash = value.size() == 64 && value.find_first_not_of("0123456789abcdef") == value.npos;
-  return hash ? value.substr(0, 8) : value;
+  return is_hash(value) ? value.substr(0, 8) : value;
+}
+
+// Without the hash that a name may end with.
+std::string short_name(const std::string& name) {
+  const std::size_t space = name.rfind(' ');
+  return space != name.npos && is_hash(name.substr(space + 1)) ? name.substr(0, space) : name;
 }
 
 void print_changes(const Explanation& task) {
@@ -46,7 +55,8 @@ void print_changes(const Explanation& task) {
     const auto known = before.find(one.name);
     const std::string was = known == before.end() ? "not looked at" : short_value(known->second);
     if (known != before.end() && known->second == one.value) continue;
-    std::cout << "  " << one.name << " changed: " << was << " → " << short_value(one.value) << '\n';
+    std::cout << "  " << short_name(one.name) << " changed: " << was << " → "
+              << short_value(one.value) << '\n';
     changed = true;
   }
   if (!changed) std::cout << "  nothing has changed, but the result is no longer kept\n";
@@ -58,13 +68,14 @@ void print_dependencies(const Dependencies& all) {
     if (one.name.starts_with('/')) {
       ++system;
     } else {
-      width = std::max(width, one.name.size());
+      width = std::max(width, short_name(one.name).size());
     }
   }
   std::cout << "  depends on\n";
   for (const Dependency& one : all) {
     if (one.name.starts_with('/')) continue;
-    std::cout << "    " << one.name << std::string(width + 2 - one.name.size(), ' ')
+    const std::string name = short_name(one.name);
+    std::cout << "    " << name << std::string(width + 2 - name.size(), ' ')
               << short_value(one.value) << '\n';
   }
   if (system > 0) std::cout << "    and " << counted(system, "file") << " of the system\n";

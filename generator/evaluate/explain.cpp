@@ -62,8 +62,7 @@ class Explainer {
     }
     // What it looked at the last time, as that is now.
     for (std::size_t i = record.recipe.size(); i < explanation.before.size(); ++i) {
-      const std::string& name = explanation.before[i].name;
-      now.push_back({name, fingerprints_.of(name)});
+      now.push_back(task_store_.now(explanation.before[i].name));
     }
     return explanation;
   }

@@ -50,6 +50,7 @@ class TaskStore {
   // All that the task depended on when it was last kept or found, one by one; empty where it never
   // was.
   Dependencies last(const Task& task);
+  Dependency now(const std::string& name) { return results_.now(name); }
   Dependencies one_by_one(const Dependencies& traced) { return results_.one_by_one(traced); }
 
   // Keep the finding of `record`, whose work began at `begin` and looked at what is in `trace`.

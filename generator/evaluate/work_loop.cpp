@@ -80,7 +80,8 @@ class Answerer {
       answer.whole = task.work_apart(worker_context, answer.finding);
       worker_context.let_go();
       answer.looked_at = worker_context.trace().names();
-      answer.traced = worker_context.trace().complete() && worker_context.trace().sets().empty();
+      answer.traced = worker_context.trace().complete() && worker_context.trace().sets().empty() &&
+                      worker_context.trace().headers().empty();
     } catch (const std::exception& error) {
       answer = {};
       answer.failure = error.what();

@@ -32,8 +32,8 @@ struct Compiled {
   // Every file that was read for it, but for the program itself: absolute paths, sorted; nothing
   // where the compiler does not tell, as of a program that includes a file that is not there. What
   // came by the warm header or with the handlers stands in their `inputs`, lists that all programs
-  // with them share (null: there are none). A file that is added to an include folder later may
-  // hide one of these.
+  // with them share (null: there are none). A file of the same name that is added to an
+  // include folder later may hide one of these.
   std::optional<std::vector<std::string>> dependencies{std::in_place};
   WarmObjects::Entry header, handlers;
 

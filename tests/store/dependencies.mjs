@@ -171,8 +171,18 @@ try {
   expect("a header", ["two"], ["^  examples/include/other.hpp changed"]);
   change("examples/include/mjcourse/mjcourse.hpp", "pragma once", "pragma once\n// newer");
   expect("the helper header", ["one"], ["^  examples/include/mjcourse/mjcourse.hpp changed"]);
-  write("examples/include/third.hpp", "#pragma once\n");
-  expect("a header that may hide another", ["one", "two"], ["^  examples/include changed"]);
+  write("examples/include/mjcourse/third.hpp", "#pragma once\n");
+  expect("a header of a name that nobody read", []);
+  write("examples/include/stdlib.h", "#include_next <stdlib.h>\n");
+  const hides = "^  headers in examples/include changed: .*hpp → .*hpp, stdlib.h$";
+  expect("a header that hides one of the system's", ["one"], [hides]);
+  write("examples/include/mjcourse/other.hpp", "#pragma once\n");
+  expect("a header that may hide another", ["two"], ["^  headers in examples/include changed"]);
+  for (const path of [lesson, "examples/two.cpp"])
+    change(path, "// More.", '#if __has_include("fourth.hpp")\n#endif');
+  expect("the text of a program that asks for a header", ["two"]);
+  write("examples/include/fourth.hpp", "#pragma once\n");
+  expect("the header that it asks for", ["two"], ["^  examples/include changed"]);
   change(lesson, "file=examples/two.cpp", "file=examples/two.cpp optimize");
   expect("a flag", ["two"], ["^  flags changed: -O0 .* → -O2 "]);
   expect(

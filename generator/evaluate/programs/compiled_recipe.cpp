@@ -1,5 +1,8 @@
 #include "evaluate/programs/compiled_recipe.h"
 
+#include <algorithm>
+
+#include "base/files.h"
 #include "evaluate/context/recipe.h"
 #include "process/sandbox.h"
 
@@ -31,6 +34,30 @@ void trace_folders(const fs::path& folder, Trace& trace) {
   }
 }
 
+bool asks_which_there_are(const fs::path& file) {
+  const auto text = read_file(file);
+  return !text || text->find("__has_include") != std::string::npos;
+}
+
+// A header that is added may be read before one that was, `files`. Where the compiler missed one,
+// or somebody asks which there are, any may be read.
+void trace_include_folders(const std::vector<std::string>& files, const Compiled& compiled,
+                           const fs::path& source, WorkerContext& worker_context) {
+  Trace& trace = worker_context.trace();
+  const bool any = compiled.refused() || asks_which_there_are(source);
+  for (const fs::path& include : worker_context.run_context().include_folders()) {
+    const fs::path folder = fs::absolute(include).lexically_normal();
+    const auto is_asking = [&](const std::string& file) {
+      return is_within(file, folder.string()) && asks_which_there_are(file);
+    };
+    if (any || std::ranges::any_of(files, is_asking)) {
+      trace_folders(folder, trace);
+    } else {
+      trace.headers_in(folder, files);
+    }
+  }
+}
+
 }  // namespace
 
 Dependencies compiled_recipe(const RunContext& run_context, const std::string& kind,
@@ -53,20 +80,21 @@ Dependencies with_page(Dependencies recipe, const RunContext& run_context) {
   return recipe;
 }
 
-void trace_compilation(const Compiled& compiled, const fs::path& folder,
+void trace_compilation(const Compiled& compiled, const fs::path& source,
                        WorkerContext& worker_context) {
   Trace& trace = worker_context.trace();
   if (!compiled.dependencies) return trace.unknown();
   // Mostly the system's headers, which are the same hundreds behind each program.
   std::vector<std::string> files = *compiled.dependencies;
-  std::erase_if(files, [&](const std::string& file) { return is_within(file, folder.string()); });
+  const std::string folder = source.parent_path();
+  std::erase_if(files, [&](const std::string& file) { return is_within(file, folder); });
   trace.files(files);
   for (const WarmObjects::Entry& entry : {compiled.header, compiled.handlers}) {
-    if (entry) trace.files(entry->inputs);
+    if (!entry) continue;
+    trace.files(entry->inputs);
+    files.insert(files.end(), entry->inputs.begin(), entry->inputs.end());
   }
-  for (const fs::path& include : worker_context.run_context().include_folders()) {
-    trace_folders(fs::absolute(include), trace);
-  }
+  trace_include_folders(files, compiled, source, worker_context);
 }
 
 void trace_run(const Outcome& outcome, const fs::path& folder, WorkerContext& worker_context) {

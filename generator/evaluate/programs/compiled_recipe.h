@@ -21,8 +21,9 @@ Dependencies compiled_recipe(const RunContext& run_context, const std::string& k
 // With the compiler and the engine of the page, which run the program again.
 Dependencies with_page(Dependencies recipe, const RunContext& run_context);
 
-// `folder` is where both worked, of which nothing is traced.
-void trace_compilation(const Compiled& compiled, const std::filesystem::path& folder,
+// The folder of `source` is where the compiler worked, `folder` where the program did; of these
+// nothing is traced.
+void trace_compilation(const Compiled& compiled, const std::filesystem::path& source,
                        WorkerContext& worker_context);
 void trace_run(const Outcome& outcome, const std::filesystem::path& folder,
                WorkerContext& worker_context);

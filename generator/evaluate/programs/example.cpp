@@ -159,7 +159,7 @@ std::optional<CompiledExample> compile_example(const Example& example, const Loc
   write_file(source,
              "#line " + std::to_string(text.first_line) + " \"" + text.name + "\"\n" + code.text);
   program.compiled = compiler->compile(source, program.binary, folder, example.optimize, beside);
-  trace_compilation(program.compiled, folder, worker_context);
+  trace_compilation(program.compiled, source, worker_context);
   return program;
 }
 

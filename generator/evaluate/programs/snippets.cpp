@@ -183,7 +183,7 @@ std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson,
   write_file(source,
              program_text(snippets, lesson, worker_context.run_context().include_folders()));
   const Compiled compiled = compiler->compile(source, binary, folder.path());
-  trace_compilation(compiled, folder.path(), worker_context);
+  trace_compilation(compiled, source, worker_context);
   report_messages(compiled, snippets, lesson, root, diagnostics);
   const std::string prelude = snippets_prelude(worker_context.run_context().include_folders());
   std::map<std::size_t, ExampleResult> results;

@@ -201,6 +201,31 @@ TEST_F(ResultStoreTest, SeesWhichFileOfASetHasChanged) {
   EXPECT_EQ(ResultStore(store_, prints_).find(recipe_)->bytes, "of one") << "both are kept";
 }
 
+TEST_F(ResultStoreTest, SeesOnlyHeadersThatMayHideOneThatWasRead) {
+  write("include/own/a.hpp", "one");
+  trace_.headers_in("include", {folder_.path() / "include/own/a.hpp", "/usr/include/c.h"});
+  keep(recipe_, "of one");
+  const auto found_anew = [&] { return ResultStore(store_, prints_).find(recipe_).has_value(); };
+  const Dependencies traced = results_.find(recipe_)->traced;
+  ASSERT_EQ(traced.size(), 1);
+  EXPECT_EQ(traced[0].value, "own/, own/a.hpp");
+  write("include/own/b.hpp", "of another name");
+  EXPECT_TRUE(found_anew());
+  for (const char* hiding : {"include/a.hpp", "include/own/c.h", "include/more/b.hpp"}) {
+    write(hiding, "one");
+    EXPECT_FALSE(found_anew()) << hiding;
+    std::filesystem::remove(folder_.path() / hiding);
+    std::filesystem::remove(folder_.path() / "include/more");
+    EXPECT_TRUE(found_anew()) << hiding;
+  }
+}
+
+TEST_F(ResultStoreTest, KeepsNothingWhereAHeaderMayHaveComeMeanwhile) {
+  write("include/own/a.hpp", "one");
+  trace_.headers_in("include", {"a.hpp"});
+  EXPECT_FALSE(results_.keep(recipe_, trace_, Clock::now() - 1h, "of one"));
+}
+
 TEST_F(ResultStoreTest, SaysWhatAResultDependsOn) {
   write("models/a.xml", "one");
   trace_.file("models/a.xml");
