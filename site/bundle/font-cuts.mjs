@@ -23,23 +23,27 @@ const prose = rangesOf(
   invisible + ascii + "\u00a0\u2009\u202f" + "’‘“”–—…·•×−±°²³µ½§©→←↑↓≈≤≥" + "\u0304\u0308\u0329",
 );
 
-// Digits, names of functions, accents, and the signs that a page of mechanics has.
+// Names of Western Europe.
+const western = rangesOf(span("ß", "ö") + span("ø", "ÿ") + "ÄÅÉÖØÜŁłŠšŽž√");
+
+// Digits, names of functions, accents, and the signs that a page of mechanics has; U+E020 is the
+// stroke that KaTeX sets ≠ with.
 const formula = rangesOf(
   invisible +
     span("0", "9") +
     span("a", "z") +
-    "()[]{}|/,.;:!?'=+<>^~ \u00a0−×⋅±≤≥≠≈≡∝∞∂∇∈∀→⇒…⋯′∥∣⟨⟩⊗⊤Δ∘√∗ℓ˙¨ˉˆ˜⃗",
+    "()[]{}|/,.;:!?'=+<>^~ \u00a0−×⋅±≤≥\ue020≈∝∞∂∇∈→←⇒…⋯′∥∣⟨⟩⊕⊖⊗⊤Δ∘√∗ℓ˙¨ˉˆ˜⃗",
 );
 const large = rangesOf("()[]∑∫");
 
 export const pieces = {
-  "source-serif-4-latin-wght-normal": [prose],
-  "source-serif-4-latin-wght-italic": [prose],
-  "source-sans-3-latin-wght-normal": [prose],
-  "source-sans-3-latin-wght-italic": [prose],
+  "source-serif-4-latin-wght-normal": [prose, western],
+  "source-serif-4-latin-wght-italic": [prose, western],
+  "source-sans-3-latin-wght-normal": [prose, western],
+  "source-sans-3-latin-wght-italic": [prose, western],
   "source-code-pro-latin-wght-normal": [prose],
   "KaTeX_Main-Regular": [formula],
-  "KaTeX_Main-Bold": [rangesOf(letters)],
+  "KaTeX_Main-Bold": [rangesOf(letters + "1Λ")],
   "KaTeX_Math-Italic": [rangesOf(letters), rangesOf(greek)],
   "KaTeX_Math-BoldItalic": [rangesOf(letters), rangesOf(greek)],
   "KaTeX_Size1-Regular": [large],
