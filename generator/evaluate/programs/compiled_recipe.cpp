@@ -40,20 +40,20 @@ bool asks_which_there_are(const fs::path& file) {
 }
 
 // A header that is added may be read before one that was, `files`. Where the compiler missed one,
-// or somebody asks which there are, any may be read.
+// or the course asks which there are, any may be read.
 void trace_include_folders(const std::vector<std::string>& files, const Compiled& compiled,
                            const fs::path& source, WorkerContext& worker_context) {
-  Trace& trace = worker_context.trace();
-  const bool any = compiled.refused() || asks_which_there_are(source);
+  const std::string root = fs::absolute(worker_context.root()).lexically_normal();
+  const bool any = compiled.refused() || asks_which_there_are(source) ||
+                   std::ranges::any_of(files, [&](const std::string& file) {
+                     return is_within(file, root) && asks_which_there_are(file);
+                   });
   for (const fs::path& include : worker_context.run_context().include_folders()) {
     const fs::path folder = fs::absolute(include).lexically_normal();
-    const auto is_asking = [&](const std::string& file) {
-      return is_within(file, folder.string()) && asks_which_there_are(file);
-    };
-    if (any || std::ranges::any_of(files, is_asking)) {
-      trace_folders(folder, trace);
+    if (any) {
+      trace_folders(folder, worker_context.trace());
     } else {
-      trace.headers_in(folder, files);
+      worker_context.trace().headers_in(folder, files);
     }
   }
 }
