@@ -1,6 +1,6 @@
 /* What a picture of a simulation may show beside the bodies: body frames, joint axes, contacts …
  *
- * Each overlay has a name that lessons use and is one run_context of MuJoCo's mjvOption. The table
+ * Each overlay has a name that lessons use and is one setting of MuJoCo's mjvOption. The table
  * is plain C because the browser's engine compiles the same file: a poster and the live view then
  * show the same things under the same names. */
 #ifndef MJCOURSE_PHYSICS_OVERLAY_TABLE_H_
