@@ -38,8 +38,8 @@ void RemoteStore::stop(bool reads, const std::string& why) {
   writes_ = false;
   reads_ = reads_ && !reads;
   if (!new_to_us) return;
-  notes_.push_back("the shared store at " + server_.shown() + " is " +
-                   (reads ? "not used" : "read and not written") + " from here on: " + why);
+  stopped_ = "the shared store at " + server_.shown() + " is " +
+             (reads ? "not used" : "read and not written") + " from here on: " + why;
 }
 
 // What this answer says of the server.
@@ -166,7 +166,9 @@ RemoteStore::Traffic RemoteStore::traffic() const {
 
 std::vector<std::string> RemoteStore::notes() const {
   const std::lock_guard lock(mutex_);
-  return notes_;
+  std::vector<std::string> notes = notes_;
+  if (!stopped_.empty()) notes.push_back(stopped_);
+  return notes;
 }
 
 }  // namespace mjcourse

@@ -63,6 +63,7 @@ class RemoteStore : public Store {
   int answers_ = 0;                                  // that were right
   Traffic traffic_;
   std::vector<std::string> notes_;
+  std::string stopped_;  // the note on what is not asked any more: all of it, or what is put
 };
 
 }  // namespace mjcourse

@@ -179,10 +179,8 @@ await test("every third 500", async () => {
   for (let i = 0; i < 3; ++i) {
     const { notes } = await expectRight("every third 500", machine(), server);
     const known = / (not used|read and not written) from here on: it answers with 500$/;
-    expect(
-      notes.every((note) => known.test(note)),
-      `every third 500: says ${notes}`,
-    );
+    const good = notes.length === 0 || (notes.length === 1 && known.test(notes[0]));
+    expect(good, `every third 500: says ${notes}`);
   }
   await server.stop();
 });
