@@ -117,7 +117,7 @@ int main() {
 
   // At rest both errors can be derived.
   std::vector<double> taus, mean, mean_derived, spread, spread_derived, motion;
-  for (double tau = 0.02; tau < 8; tau *= std::sqrt(2)) {
+  for (double tau = 0.025; tau < 8; tau *= std::sqrt(2)) {
     const auto filter = [&] {
       return [f = Complementary{tau}](const ImuSample& imu) mutable {
         return f.update(imu);
