@@ -3,8 +3,7 @@
 // INPUT    planar_arm.xml; a straight line of 0.2 m, to be followed in 0.5 s
 // PROCESS  follow it with servos that a plan leads, as in lesson 5.1, and with
 //          Lambda; then with 0.5 kg in the hand that no controller knows
-// OUTPUT   how far the hand is from where it should be, and the force with
-//          which it presses when it is held 10 mm from its target
+// OUTPUT   how far the hand is from where it should be, at most
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l3_3_follow

@@ -48,7 +48,7 @@ Matrix3d consistent(const Hand& hand) {
 // #endregion
 
 // #region hold
-// Keeps the hand where it is, as far as this torque is concerned.
+// The torque that keeps the hand at home.
 Vector3d hold(const Hand& hand, const Vector2d& home) {
   const auto& J = hand.J;
   const Matrix2d lambda = (J * hand.M.inverse() * J.transpose()).inverse();
