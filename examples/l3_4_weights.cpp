@@ -5,8 +5,7 @@
 // PROCESS  LQR of MuJoCo's A and B; the same by the formulas; then let the leg
 //          go, 5 degrees off, with all the torque that it asks for
 // OUTPUT   gains, the damping ratio, the largest torque, and the time until
-//          the leg is within a tenth of a degree; for the lesson, the table
-//          "gains"
+//          the leg is within a tenth of a degree
 //
 // Run: cmake -S examples -B build && cmake --build build
 //      build/l3_4_weights
@@ -15,7 +14,6 @@
 #include <cmath>
 #include <cstdio>
 #include <mjcourse/lqr.hpp>
-#include <vector>
 
 using namespace mjcourse;
 using Eigen::MatrixXd, Eigen::Vector3d, Eigen::VectorXd;
@@ -80,20 +78,4 @@ int main() {
 
   result("quicker", first.settled / last.settled);
   result("stronger", last.torque / first.torque);
-
-  std::vector<double> weights, angle, speed, angle_formula, speed_formula;
-  for (int i = 0; i <= 24; ++i) {
-    const double weight = 10 * std::pow(10, -i / 4.0);  // to 1e-5
-    const MatrixXd K = gain(model, weight);
-    weights.push_back(weight);
-    angle.push_back(K(1, 1));
-    speed.push_back(K(1, 4));
-    angle_formula.push_back(angle_gain(weight));
-    speed_formula.push_back(speed_gain(weight));
-  }
-  table("gains", {{"R", weights},
-                  {"angle", angle},
-                  {"speed", speed},
-                  {"angle formula", angle_formula},
-                  {"speed formula", speed_formula}});
 }
