@@ -52,6 +52,7 @@ int main() {
     ++messages;
   };
   const Model model = load_model("screwdriver");
+  model->opt.timestep = 0.002;  // MuJoCo's default
   const int servo = id_of(model, mjOBJ_ACTUATOR, "tool");
   model->actuator_forcelimited[servo] = 0;
 
@@ -64,6 +65,7 @@ int main() {
               mj_id2name(model, mjOBJ_JOINT, joint));
   std::printf("resets: %d, messages: %d, counted: %d, clock: %.3f s\n",
               bare.resets, messages, warning.number, data->time);
+  result("step_ms", 1000 * model->opt.timestep);
   result("growth", -bare.growth);
   result("resets", bare.resets);
   result("messages", messages);
