@@ -18,4 +18,15 @@ std::string lab_script_key(const std::string& text, ScriptKind kind);
 // at it, since a page must not get such a script.
 const std::string& guarded(const LabScripts& scripts, const std::string& text, ScriptKind kind);
 
+// `text` as it runs where its lab defines names, which it may declare anew. Both are guarded.
+std::string behind_definitions(const std::string& definitions, const std::string& text,
+                               ScriptKind kind);
+
+// Where line `line` of that stands: in one of the two, or in neither.
+struct LineBehind {
+  enum class Part { none, definitions, script } part = Part::none;
+  int line = 0;
+};
+LineBehind line_behind(const std::string& definitions, int line, ScriptKind kind);
+
 }  // namespace mjcourse

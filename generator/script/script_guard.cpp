@@ -10,8 +10,17 @@ namespace mjcourse {
 namespace {
 
 std::string name_of(ScriptKind kind) {
-  if (kind == ScriptKind::script) return "script";
-  return kind == ScriptKind::value ? "value" : "assignment";
+  switch (kind) {
+    case ScriptKind::script:
+      return "script";
+    case ScriptKind::value:
+      return "value";
+    case ScriptKind::assignment:
+      return "assignment";
+    case ScriptKind::definitions:
+      break;
+  }
+  return "definitions";
 }
 
 std::string lines_of(const std::vector<std::string>& names) {
@@ -22,12 +31,13 @@ std::string lines_of(const std::vector<std::string>& names) {
 
 }  // namespace
 
-tl::expected<std::string, ScriptError> ScriptGuard::guard(const std::string& text, ScriptKind kind,
-                                                          const std::vector<std::string>& names) {
+tl::expected<GuardedScript, ScriptError> ScriptGuard::guard(const std::string& text,
+                                                            ScriptKind kind,
+                                                            const std::vector<std::string>& names) {
   const auto answer = engine_.call("guard", {text, name_of(kind), lines_of(names)});
   if (!answer) return tl::unexpected(answer.error());
   const nlohmann::json found = json_of(*answer);
-  if (found.contains("text")) return found["text"].get<std::string>();
+  if (found.contains("text")) return GuardedScript{found["text"], found["declares"]};
   ScriptError error;
   error.id = found["id"];
   error.message = found["message"];

@@ -17,6 +17,11 @@
 
 namespace mjcourse {
 
+struct GuardedScript {
+  std::string text;                   // as it is run
+  std::vector<std::string> declared;  // by definitions, for the scripts that they stand before
+};
+
 // What the text of an expression tells (site/press/script/guard/asked.ts).
 struct ExpressionText {
   bool world = false;          // it names the model or its data, or what `run` made of them
@@ -30,8 +35,8 @@ class ScriptGuard {
 
   // What is run of `text`, which may use `names`; or why it is not. One that does not parse is
   // E-script-syntax without a place, which the engine that runs it knows.
-  tl::expected<std::string, ScriptError> guard(const std::string& text, ScriptKind kind,
-                                               const std::vector<std::string>& names);
+  tl::expected<GuardedScript, ScriptError> guard(const std::string& text, ScriptKind kind,
+                                                 const std::vector<std::string>& names);
 
   // What `value` asks for, which sees what `run` declares. Nothing of texts that do not parse.
   std::optional<ExpressionText> ask(const std::string& run, const std::string& value,

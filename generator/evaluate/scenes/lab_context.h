@@ -19,6 +19,12 @@ class LabContext : public BlockContext {
     return mjcourse::guarded(scripts_, text.text, kind);
   }
 
+  using BlockContext::error;
+  // Of what was run of `text`, which counts the lines of the lab's definitions as well. A mistake
+  // of theirs is reported once, however many scripts come to it.
+  bool error(ScriptError error, const LocatedText& text, ScriptKind kind,
+             const LocatedText* solution) const;
+
  private:
   const Lab& lab_;
   const LabScripts& scripts_;

@@ -110,7 +110,7 @@ bool LabRun::apply(Actor& actor, const Lab::Control& control, const ControlValue
     if (set.error().id == "E-script-value" && set.error().cure.empty()) {
       set.error().cure = "choose \"min\", \"max\" and \"step\" so that every value fits";
     }
-    return context_.error(set.error(), slider->bind, solution_);
+    return context_.error(set.error(), slider->bind, ScriptKind::assignment, solution_);
   }
   if (const auto* keyframe = std::get_if<Lab::Keyframe>(&control)) {
     return reset_to(keyframe->key, actor.simulation, context_);
@@ -120,7 +120,7 @@ bool LabRun::apply(Actor& actor, const Lab::Control& control, const ControlValue
 
 bool LabRun::run(Actor& actor, const LocatedText& text) {
   const auto done = actor.world.run(context_.guarded(text, ScriptKind::script));
-  return done || context_.error(done.error(), text, solution_);
+  return done || context_.error(done.error(), text, ScriptKind::script, solution_);
 }
 
 bool LabRun::forward(Actor& actor) {
@@ -170,14 +170,14 @@ bool LabRun::follow() {
 
 bool LabRun::number(const LocatedText& expression, double& value) {
   const auto found = main_->world.number(context_.guarded(expression, ScriptKind::value));
-  if (!found) return context_.error(found.error(), expression, solution_);
+  if (!found) return context_.error(found.error(), expression, ScriptKind::value, solution_);
   value = *found;
   return true;
 }
 
 bool LabRun::truth(const LocatedText& expression, bool& value) {
   const auto found = main_->world.truth(context_.guarded(expression, ScriptKind::value));
-  if (!found) return context_.error(found.error(), expression, solution_);
+  if (!found) return context_.error(found.error(), expression, ScriptKind::value, solution_);
   value = *found;
   return true;
 }
@@ -196,7 +196,9 @@ bool LabRun::read(std::vector<double>& readouts) {
       if (!ghost_) continue;
       const auto found =
           ghost_->world.number(context_.guarded(trace.expression, ScriptKind::value));
-      if (!found) return context_.error(found.error(), trace.expression, solution_);
+      if (!found) {
+        return context_.error(found.error(), trace.expression, ScriptKind::value, solution_);
+      }
       ghost_traces_.push_back(*found);
     }
   }

@@ -11,12 +11,17 @@ class Guarding {
   Guarding(const LabContext& context, LabScripts& scripts, std::vector<DoubtfulScript>& doubtful)
       : context_(context), scripts_(scripts), doubtful_(doubtful) {}
 
+  // The definitions come first. One mistake is told once: not for each script that they stand
+  // before, nor for both the reading and the setting of a slider's.
   bool run() {
+    bool is_defined = true;
     for (const auto& [text, kind] : scripts_of(context_.lab())) {
-      if (kind != ScriptKind::assignment || guard(*text, ScriptKind::value)) {
-        guard(*text, kind);
-      } else {
-        scripts_[lab_script_key(text->text, kind)] = text->text;  // one mistake is told once
+      const bool is_told =
+          !is_defined || (kind == ScriptKind::assignment && !guard(*text, ScriptKind::value));
+      if (is_told) {
+        keep(text->text, text->text, kind);
+      } else if (!guard(*text, kind) && kind == ScriptKind::definitions) {
+        is_defined = false;
       }
     }
     return good_;
@@ -24,11 +29,13 @@ class Guarding {
 
  private:
   bool guard(const LocatedText& text, ScriptKind kind) {
-    WorkerContext& worker_context = context_.worker_context();
-    const auto safe =
-        worker_context.script_guard().guard(text.text, kind, worker_context.script_names());
-    std::string& known = scripts_[lab_script_key(text.text, kind)];
-    known = safe ? *safe : text.text;
+    const auto safe = context_.worker_context().script_guard().guard(text.text, kind, names_);
+    const std::string& run = safe ? safe->text : text.text;
+    keep(text.text, run, kind);
+    if (kind == ScriptKind::definitions) {
+      definitions_ = run;
+      if (safe) names_.insert(names_.end(), safe->declared.begin(), safe->declared.end());
+    }
     if (safe) return true;
     if (safe.error().id == "E-script-syntax" || safe.error().id == "E-script-name") {
       doubtful_.push_back({&text, safe.error()});
@@ -38,9 +45,18 @@ class Guarding {
     return false;
   }
 
+  void keep(const std::string& text, const std::string& safe, ScriptKind kind) {
+    const bool is_behind =
+        !definitions_.empty() && (kind == ScriptKind::script || kind == ScriptKind::value);
+    scripts_[lab_script_key(text, kind)] =
+        is_behind ? behind_definitions(definitions_, safe, kind) : safe;
+  }
+
   const LabContext& context_;
   LabScripts& scripts_;
   std::vector<DoubtfulScript>& doubtful_;
+  std::vector<std::string> names_ = context_.worker_context().script_names();
+  std::string definitions_;  // as they run
   bool good_ = true;
 };
 

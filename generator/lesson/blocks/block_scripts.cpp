@@ -10,6 +10,7 @@ class Collector {
   std::vector<BlockScript> take() { return std::move(scripts_); }
 
   void operator()(const Lab& lab) {
+    add(lab.define, ScriptKind::definitions);
     for (const Lab::Control& control : lab.controls) std::visit(*this, control);
     for (const Lab::Readout& readout : lab.readouts) add_values(readout.expression);
     for (const Lab::Plot& plot : lab.plots) {

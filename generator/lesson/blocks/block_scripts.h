@@ -8,7 +8,8 @@
 namespace mjcourse {
 
 // A script runs; a value is an expression that is read, and an assignment one that is set as well.
-enum class ScriptKind { script, value, assignment };
+// Definitions declare names for the scripts and values of their block.
+enum class ScriptKind { script, value, assignment, definitions };
 
 struct BlockScript {
   const LocatedText* text;

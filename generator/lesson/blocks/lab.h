@@ -108,6 +108,7 @@ struct Lab {
   std::optional<Camera> camera;
   std::vector<LocatedText> toggles;
   std::vector<Overlay> overlays;
+  LocatedText define;  // functions and constants that all scripts and expressions below see
   std::vector<Control> controls;
   std::vector<Readout> readouts;
   std::vector<Plot> plots;

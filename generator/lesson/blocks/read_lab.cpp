@@ -44,6 +44,7 @@ std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
     }
   }
   lab.overlays = read_overlays(object, reading);
+  lab.define = object.script("define");
   for (const JsonValue& control : object.list("controls")) {
     if (auto read = read_control(control, reading)) lab.controls.push_back(std::move(*read));
   }

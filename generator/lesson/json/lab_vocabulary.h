@@ -170,6 +170,7 @@ inline constexpr std::array kLabKeys{
     kCameraKey,
     Key{"toggles", KeyKind::texts, "Overlays that the reader can switch."},
     kOverlaysKey,
+    Key{"define", KeyKind::script, "Functions and constants that the lab's scripts may use."},
     Key{"controls", KeyKind::objects, "What the reader can do.", Need::none, {}, &kControl},
     Key{"readouts",
         KeyKind::objects,

@@ -14,7 +14,7 @@ const std::vector<std::string> kScriptNames{"data", "model", "step", "key$", "ow
 std::string guarded(const std::string& text, ScriptKind kind = ScriptKind::script) {
   static ScriptGuard guard(bundle("guard"));
   const auto safe = guard.guard(text, kind, kScriptNames);
-  if (safe) return *safe;
+  if (safe) return safe->text;
   const ScriptError& error = safe.error();
   return error.id + " " + std::to_string(error.line) + ":" + std::to_string(error.column) + "+" +
          std::to_string(error.width) + " " + error.message +
@@ -54,6 +54,21 @@ TEST(ScriptGuardTest, RefusesAtItsPlace) {
   EXPECT_EQ(guarded("key$((1))"), "E-script-foreign 1:1+5 a script cannot hold `key$(`");
   EXPECT_EQ(guarded("a) = 1, (b", ScriptKind::assignment),
             "E-script-syntax 0:0+1 a closing bracket has no opening one | remove it, or open it");
+}
+
+TEST(ScriptGuardTest, TellsWhatDefinitionsDeclare) {
+  static ScriptGuard guard(bundle("guard"));
+  const auto found = guard.guard("const a = 1, [b] = [2];\nfunction f(x) { return data.qpos[x]; }",
+                                 ScriptKind::definitions, kScriptNames);
+  EXPECT_EQ(found.value().text,
+            "const a = 1, [b] = [2];\nfunction f(x) { return data.qpos[key$((x))/*$*/]; }");
+  EXPECT_EQ(found->declared, (std::vector<std::string>{"a", "b", "f"}));
+  const std::string refused =
+      " `define` declares functions and constants, and does nothing else | begin with `const` or "
+      "`function`; what runs belongs into a control's script";
+  EXPECT_EQ(guarded("const a = 1;\nstep(1);", ScriptKind::definitions),
+            "E-lab-define 2:1+8" + refused);
+  EXPECT_EQ(guarded("let a = 1;", ScriptKind::definitions), "E-lab-define 1:1+10" + refused);
 }
 
 // "world callee(values)", as far as it is so.

@@ -1,16 +1,19 @@
 /**
  * Scripts, by their text. `guard(text, kind, names)` puts the guards into a lab's, and gives JSON, of
- * the text that is run or of why there is none; `ask(run, value, names)` tells what a proof's asks.
+ * the text that is run and what it declares for others, or of why there is none; `ask(run, value,
+ * names)` tells what a proof's asks.
  */
 import { parseExpressionAt } from "acorn";
 
 import { asked } from "../guard/asked.js";
+import { inBlock } from "../guard/declared.js";
 import { guarded, Refusal } from "../guard/guarded.js";
 import { isNode, type Node } from "../guard/syntax.js";
 import { closing, key, target, withoutGuards } from "../guards.js";
 
 /** As the page has it (generator/script/page_function.cpp), a line before it and a line behind. */
 const around: Readonly<Record<string, readonly [before: string, after: string]>> = {
+  definitions: ["() => { {\n", "\n} }"],
   script: ["() => { {\n", "\n} }"],
   value: ["() => { return (\n", "\n); }"],
   assignment: ["() => { (\n", "\n) = value; }"],
@@ -23,9 +26,13 @@ function guard(text: string, kind: string, names: string): string {
     if (mark !== undefined) throw marked(text, mark, before.length);
     const whole = before + text + after;
     const tree = onlyFunction(whole, kind);
+    const declares = kind === "definitions" ? declaredBy(tree) : [];
     const world = kind === "assignment" ? `${names}\nvalue` : names;
     const safe = guarded(whole, tree, world.split("\n"));
-    return JSON.stringify({ text: safe.slice(before.length, safe.length - after.length) });
+    return JSON.stringify({
+      text: safe.slice(before.length, safe.length - after.length),
+      declares,
+    });
   } catch (error) {
     return JSON.stringify(told(error, text, before.length));
   }
@@ -50,8 +57,25 @@ function onlyFunction(text: string, kind: string): Node {
   return tree;
 }
 
+/** The names that the script `tree` declares. It stands before others, and does nothing else. */
+function declaredBy(tree: Node): string[] {
+  const block = ((tree["body"] as Node)["body"] as Node[])[0]!;
+  const statements = block["body"] as Node[];
+  const other = statements.find(
+    (one) => one.type !== "FunctionDeclaration" && one["kind"] !== "const",
+  );
+  if (other === undefined) return inBlock(statements);
+  throw new Refusal(
+    "E-lab-define",
+    "`define` declares functions and constants, and does nothing else",
+    other.start,
+    other.end,
+    "begin with `const` or `function`; what runs belongs into a control's script",
+  );
+}
+
 function isOurs(statement: Node, kind: string): boolean {
-  if (kind === "script") return statement.type === "BlockStatement";
+  if (kind === "script" || kind === "definitions") return statement.type === "BlockStatement";
   if (kind === "value") return statement.type === "ReturnStatement";
   const set = statement["expression"];
   return isNode(set) && set.type === "AssignmentExpression" && set["operator"] === "=";

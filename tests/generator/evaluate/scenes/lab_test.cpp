@@ -163,6 +163,63 @@ content/1-a/1.1-x.md:8:42: error: a lab's script cannot use `import` [E-script-f
 )--");
 }
 
+// Each script may declare a name of theirs anew.
+TEST(Lab, HasDefinitionsForAllItsScripts) {
+  const EvaluationOf found(lab_text(R"j("define": [
+      "const HEIGHT = 3;",
+      "function lift(by) { data.qpos[2] = HEIGHT + by; }"],
+    "controls": [
+      {"type": "slider", "label": "X", "bind": "data.qpos[0]", "min": 0, "max": 4, "value": 2},
+      {"type": "toggle", "label": "T", "value": true, "on": "lift(1)",
+       "off": "const HEIGHT = 5; lift(HEIGHT)"}],
+    "readouts": [{"label": "above", "expr": "data.qpos[2] - HEIGHT"},
+                 {"label": "x", "expr": "data.qpos[0]"}])j"));
+  EXPECT_EQ(found.mistakes(), "");
+  EXPECT_EQ(found.result<LabResult>().readouts, (std::vector<double>{1, 2}));
+}
+
+TEST(Lab, BlamesDefinitionsAndScriptsAtTheirLines) {
+  EXPECT_EQ(evaluated_mistakes(lab_text(R"j("define": [
+      "const z = () =>",
+      "  data.qpso[2];"],
+    "readouts": [{"label": "z", "expr": "z()"},
+                 {"label": "y", "expr": "0 / (z - z)"},
+                 {"label": "x", "expr": "data.qpos[99] + z()"}])j")),
+            R"j(content/1-a/1.1-x.md:8:15: error: data.qpso does not exist [E-script-name]
+  8 |       "  data.qpso[2];"],
+    |               ^~~~
+  cure: did you mean `data.qpos`?
+content/1-a/1.1-x.md:10:42: error: the value is NaN, not a finite number [E-script-value]
+  10 |                  {"label": "y", "expr": "0 / (z - z)"},
+     |                                          ^~~~~~~~~~~
+  cure: look for a division by 0, or a root or a logarithm of a negative number
+content/1-a/1.1-x.md:11:42: error: data.qpos[99] is out of range 0..7 [E-script-range]
+  11 |                  {"label": "x", "expr": "data.qpos[99] + z()"}]}
+     |                                          ^~~~~~~~~~~~~
+)j");
+}
+
+TEST(Lab, TellsOnceOfAMistakeInItsDefinitions) {
+  const auto mistakes = [](const std::string& define) {
+    return rehearsed_mistakes("\"define\": \"" + define + R"j(",
+      "controls": [{"type": "button", "label": "A", "run": "f()"},
+                   {"type": "button", "label": "B", "run": "f()"}])j");
+  };
+  EXPECT_EQ(mistakes("const f = () => step(1);"), "");
+  EXPECT_EQ(mistakes("const f = () => fetch('x');"),
+            "E-script-name <fetch> `fetch` does not exist | known: model, data, Math, qpos, qvel, "
+            "body, geom, site, joint, sensor, ctrl, step, …\n");
+  EXPECT_EQ(mistakes("const f = step.constructor;"),
+            "E-script-foreign <constructor> a lab's script cannot use `constructor`\n");
+  EXPECT_EQ(mistakes("let f = 1;"),
+            "E-lab-define <let f = 1;> `define` declares functions and constants, and does nothing "
+            "else | begin with `const` or `function`; what runs belongs into a control's script\n");
+  EXPECT_EQ(
+      mistakes("const f = (;"),
+      "E-script-syntax <;> Unexpected token ';' | look for a missing bracket, quote or operator "
+      "just before this\n");
+}
+
 TEST(Lab, HasGuardsAroundWhatItsTextDoesNotTell) {
   EXPECT_EQ(
       evaluated_mistakes(lab_text(R"j("controls": [

@@ -12,6 +12,7 @@ TEST(Lab, ReadsAllThatTheSeedLessonUses) {
   "dock": true, "height": 420,
   "camera": {"azimuth": 10, "elevation": -20, "distance": 3, "target": [0, 0.5, 1]},
   "toggles": ["frames", "contacts"], "overlays": {"frames": true, "contacts": false},
+  "define": ["function a() {}", "const b = a;"],
   "controls": [{"type": "button", "label": "Push", "run": ["a();", "b();"]}],
   "readouts": [{"label": "w", "expr": "data.qpos[3]", "digits": 5, "unit": "m"},
                {"label": "t", "expr": "data.time"}],
@@ -29,6 +30,7 @@ TEST(Lab, ReadsAllThatTheSeedLessonUses) {
   EXPECT_EQ(found.toggles[1].text, "contacts");
   EXPECT_TRUE(found.overlays[0].on);
   EXPECT_FALSE(found.overlays[1].on);
+  EXPECT_EQ(found.define.text, "function a() {}\nconst b = a;");
   EXPECT_EQ(std::get<Lab::Button>(found.controls[0]).run.text, "a();\nb();");
   EXPECT_EQ(found.readouts[0].digits, 5);
   EXPECT_EQ(found.readouts[1].digits, 3);
