@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "lesson/blocks/block_scripts.h"
 #include "lesson/blocks/read_assignment.h"
 #include "lesson/blocks/read_control.h"
 #include "lesson/blocks/read_lab_plots.h"
@@ -19,6 +20,20 @@ std::optional<Lab::Ghost> read_ghost(const JsonValue* value, Reading& reading) {
   Lab::Ghost ghost{object.string("label").text, object.script("run")};
   object.finish();
   return ghost.run.text.empty() ? std::nullopt : std::optional(ghost);
+}
+
+// What a lab defines is run before each of its scripts, so a long text would soon be an enormous
+// one.
+constexpr std::size_t kMostDefined = 16 << 20;  // bytes, before all scripts together
+
+bool has_bounded_definitions(const Lab& lab, Reading& reading) {
+  const std::size_t scripts = scripts_of(lab).size();
+  if (lab.define.text.size() * scripts <= kMostDefined) return true;
+  reading.error("E-lab-define", lab.define.span(),
+                "`define` stands before each script: " + std::to_string(lab.define.text.size()) +
+                    " bytes, " + std::to_string(scripts) + " times, are more than 16 MiB",
+                "define less, or split the lab");
+  return false;
 }
 
 }  // namespace
@@ -59,7 +74,7 @@ std::optional<Lab> read_lab(Fence& fence, LessonReader& reader) {
   lab.pin = read_pin(object, reading);
   lab.note = reader.fragment(object.string("note"));
   object.finish();
-  if (lab.model.text.empty()) return std::nullopt;
+  if (lab.model.text.empty() || !has_bounded_definitions(lab, reading)) return std::nullopt;
   return lab;
 }
 

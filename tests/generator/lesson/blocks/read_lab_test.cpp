@@ -51,6 +51,26 @@ TEST(Lab, KnowsWhereEachLineOfAScriptStands) {
   EXPECT_EQ(reading.place(run, 4), "7:47");
 }
 
+TEST(Lab, HasDefinitionsOfLimitedSize) {
+  const auto mistakes = [](int buttons) {
+    std::string controls;
+    for (int i = 0; i < buttons; ++i) {
+      controls +=
+          std::string(i == 0 ? "" : ",") + R"({"type": "button", "label": "L", "run": "f"})";
+    }
+    return lab_reading(R"({"title": "T", "model": "m", "alt": "A.",
+  "define": "const f = ')" +
+                       std::string(200'000, 'x') + "';\",\n\"controls\": [" + controls + "]}")
+        .mistakes();
+  };
+  EXPECT_EQ(mistakes(80), "");
+  EXPECT_TRUE(
+      mistakes(90).starts_with("content/1-a/1.1-x.md:6:14: error: `define` stands before each "
+                               "script: 200013 bytes, 91 times, "
+                               "are more than 16 MiB [E-lab-define]\n"))
+      << mistakes(90).substr(0, 300);
+}
+
 TEST(Lab, NeedsATitleAModelAndWordsForItsPicture) {
   EXPECT_EQ(lab_reading("  {}").mistakes(),
             R"(content/1-a/1.1-x.md:5:3: error: this lab has no "title" [E-json-missing]
