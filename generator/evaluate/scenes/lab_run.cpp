@@ -75,7 +75,17 @@ std::optional<LabRun> LabRun::start(const LabContext& context, const LocatedText
   return run;
 }
 
+// The lab's definitions by themselves, or each script behind them would be blamed for a bracket
+// that they leave open.
+bool LabRun::define(Actor& actor) {
+  const LocatedText& define = context_.lab().define;
+  if (define.text.empty()) return true;
+  const auto done = actor.world.run(context_.guarded(define, ScriptKind::definitions));
+  return done || context_.error(done.error(), define);
+}
+
 bool LabRun::begin(Actor& actor) {
+  if (!define(actor)) return false;
   bool any = false;
   for (const Lab::Control& control : context_.lab().controls) {
     const auto value = std::visit(ValueAtStart{}, control);

@@ -55,6 +55,7 @@ class LabRun {
   // Null (reported) where the model does not compile.
   static std::unique_ptr<Actor> load(const LabContext& context, const LocatedText& model);
   bool begin(Actor& actor);
+  bool define(Actor& actor);
   bool apply(Actor& actor, const Lab::Control& control, const ControlValue& value);
   bool run(Actor& actor, const LocatedText& text);
   bool forward(Actor& actor);

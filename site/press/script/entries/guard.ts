@@ -26,7 +26,7 @@ function guard(text: string, kind: string, names: string): string {
     if (mark !== undefined) throw marked(text, mark, before.length);
     const whole = before + text + after;
     const tree = onlyFunction(whole, kind);
-    const declares = kind === "definitions" ? declaredBy(tree) : [];
+    const declares = kind === "definitions" ? declaredBy(tree, names.split("\n")) : [];
     const world = kind === "assignment" ? `${names}\nvalue` : names;
     const safe = guarded(whole, tree, world.split("\n"));
     return JSON.stringify({
@@ -57,13 +57,20 @@ function onlyFunction(text: string, kind: string): Node {
   return tree;
 }
 
-/** The names that the script `tree` declares. It stands before others, and does nothing else. */
-function declaredBy(tree: Node): string[] {
+/** The names that the script `tree` declares, none of the world's. It stands before others, and does
+ * nothing else. */
+function declaredBy(tree: Node, world: readonly string[]): string[] {
   const block = ((tree["body"] as Node)["body"] as Node[])[0]!;
   const statements = block["body"] as Node[];
   const other = statements.find(
     (one) => one.type !== "FunctionDeclaration" && one["kind"] !== "const",
   );
+  const taken = statements.find((one) => inBlock([one]).some((name) => world.includes(name)));
+  if (taken !== undefined) {
+    const name = inBlock([taken]).find((one) => world.includes(one))!;
+    const message = `\`${name}\` is a name of every script already`;
+    throw new Refusal("E-lab-define", message, taken.start, taken.end, "choose another name");
+  }
   if (other === undefined) return inBlock(statements);
   throw new Refusal(
     "E-lab-define",

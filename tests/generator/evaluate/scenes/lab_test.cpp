@@ -215,6 +215,16 @@ TEST(Lab, TellsOnceOfAMistakeInItsDefinitions) {
             "E-lab-define <let f = 1;> `define` declares functions and constants, and does nothing "
             "else | begin with `const` or `function`; what runs belongs into a control's script\n");
   EXPECT_EQ(
+      mistakes("const data = 1;"),
+      "E-lab-define <const data = 1;> `data` is a name of every script already | choose another "
+      "name\n");
+  EXPECT_EQ(mistakes("const f = `a"),
+            "E-script-syntax <\"> the script ends too early: Unexpected EOF | look for a missing "
+            "bracket, "
+            "quote or operator just before this\n");
+  EXPECT_EQ(mistakes("const f = data.qpos[99];"),
+            "E-script-range <data.qpos[99]> data.qpos[99] is out of range 0..7\n");
+  EXPECT_EQ(
       mistakes("const f = (;"),
       "E-script-syntax <;> Unexpected token ';' | look for a missing bracket, quote or operator "
       "just before this\n");
