@@ -1,4 +1,5 @@
 // LabContext: the context in which a lab is rehearsed.
+// Tested by tests/generator/evaluate/scenes/lab_test.cpp.
 #pragma once
 
 #include "evaluate/context/block_context.h"
