@@ -1,4 +1,4 @@
-// Lesson 3.4, exercise: the matrix A by finite differences of one's own.
+// Lesson 3.4, exercise: the matrix A by finite differences.
 //
 // INPUT    balancing_leg.xml, leaning; drone.xml, tumbling; arm_and_crate.xml,
 //          pushing: each has a quaternion in its qpos

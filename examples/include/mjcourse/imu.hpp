@@ -1,4 +1,4 @@
-// What the programs of lesson 3.2 share: noise of one's own, and a recorded
+// What the programs of lesson 3.2 share: noise with a seed, and a recorded
 // run of the IMU in imu_lift.xml.
 //
 //   Gaussian gauss(7);              // a seed
@@ -13,8 +13,9 @@
 
 namespace mjcourse {
 
-// Numbers with mean 0 and standard deviation 1, by Box and Muller. A generator
-// of one's own: the same seed gives the same numbers, whatever others draw.
+// Numbers with mean 0 and standard deviation 1, by Box and Muller. Each
+// object has its own generator, so a seed gives the same numbers, whatever
+// others draw.
 class Gaussian {
  public:
   explicit Gaussian(unsigned long seed) : bits_(seed) {}
