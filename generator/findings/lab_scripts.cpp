@@ -30,8 +30,9 @@ LineBehind line_behind(const std::string& definitions, int line, ScriptKind kind
   const int before = kind == ScriptKind::value ? 1 : 0;
   const int count = 1 + static_cast<int>(std::ranges::count(definitions, '\n'));
   if (line > before + count + 1) return {LineBehind::Part::script, line - before - count - 1};
-  if (line > before && line <= before + count)
+  if (line > before && line <= before + count) {
     return {LineBehind::Part::definitions, line - before};
+  }
   return {};
 }
 

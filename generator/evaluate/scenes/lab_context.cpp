@@ -20,8 +20,9 @@ bool LabContext::error(ScriptError error, const LocatedText& text, ScriptKind ki
   }
   const LineBehind place = line_behind(define.text, error.line, kind);
   error.line = place.line;
-  if (place.part != LineBehind::Part::definitions)
+  if (place.part != LineBehind::Part::definitions) {
     return BlockContext::error(error, text, solution);
+  }
   BlockContext::error(error, define, solution);
   const Diagnostic& told = diagnostics().back();
   const auto count = std::ranges::count_if(
