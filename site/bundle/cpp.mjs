@@ -24,6 +24,7 @@ import { promisify } from "node:util";
 
 import { build } from "esbuild";
 
+import { withLargerSteps } from "./allocation-step.mjs";
 import { copyCompilerLicenses } from "./licenses.mjs";
 import { forBrowsers, manifestOf } from "./manifest.mjs";
 
@@ -49,12 +50,13 @@ export async function buildCpp(site, out, engine) {
   const folder = path.join(out, "cpp");
   await mkdir(folder, { recursive: true });
   await mkdir(path.join(out, "public/assets"), { recursive: true });
-  const llvm = await keptFolder(sources.slice(0, 1), (into) => compress(sources[0], into, "llvm"));
+  const llvm = path.join(folder, "llvm.wasm");
+  await writeFile(llvm, withLargerSteps(await readFile(sources[0])));
+  const compressed = await keptFolder([llvm], (into) => compress(llvm, into, "llvm"));
   // Another release of emscripten may have other sources.
   const pack = await packIn(site, clang, sources).catch(({ message }) => giveUp(message));
   if (typeof pack !== "string") return {};
   await Promise.all([
-    copyFile(sources[0], path.join(folder, "llvm.wasm")),
     copyFile(path.join(pack, "cpp.pack"), path.join(folder, "cpp.pack")),
     bundleForNode(site, "run", folder),
     copyEngine(engine, path.join(folder, "engine")),
@@ -67,7 +69,7 @@ export async function buildCpp(site, out, engine) {
 
   const [worker, ...hashed] = await Promise.all([
     bundleWorker(site, path.join(out, "public")),
-    copyHashed(path.join(llvm, "llvm.xz"), out, "llvm", "wasm.xz"),
+    copyHashed(path.join(compressed, "llvm.xz"), out, "llvm", "wasm.xz"),
     copyHashed(path.join(pack, "cpp.pack.xz"), out, "cpp", "pack.xz"),
     copyCompilerLicenses(site, path.join(out, "public/licenses/cpp")),
   ]);

@@ -43,7 +43,8 @@ export async function copyCompilerLicenses(site, out) {
     const { version, license, author, homepage } = JSON.parse(await readFile(file, "utf8"));
     return `${name} ${version}: ${license}, ${author}, ${homepage}\n`;
   });
-  await writeFile(path.join(out, "packages.txt"), (await Promise.all(lines)).join(""));
+  const changed = "In llvm.core.wasm, mjcourse changed how much memory is taken at a time.\n";
+  await writeFile(path.join(out, "packages.txt"), (await Promise.all(lines)).join("") + changed);
   const copies = Object.entries(ofCompiler).map(([name, source]) =>
     copyFile(source, path.join(out, name)),
   );

@@ -6,7 +6,7 @@ import { existsSync, readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 
 const course = path.resolve(import.meta.dirname, "../..");
-const { MJCOURSE_CPP: cpp, MJCOURSE_ENGINE: engine } = process.env;
+export const { MJCOURSE_CPP: cpp, MJCOURSE_ENGINE: engine } = process.env;
 const run = path.join(cpp, "run.mjs");
 
 // Where something is missing there is no compiler; tests/CMakeLists.txt knows these words.
