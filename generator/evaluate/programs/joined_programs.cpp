@@ -9,6 +9,13 @@ namespace {
 
 constexpr std::string_view kMain = "int main(";
 
+// A warning would cost a second compilation, without the warm header (toolchain/compiler.h), and
+// nobody is told of it.
+constexpr const char* kNoWarnings = R"(#ifdef __clang__
+#pragma clang diagnostic ignored "-Weverything"
+#endif
+)";
+
 constexpr const char* kSwitch = R"(#line 1 "joined.cpp"
 inline int call(int (*version)(), int, char**) { return version(); }
 inline int call(int (*version)(int, char**), int count, char** words) {
@@ -90,7 +97,7 @@ std::optional<std::string> joined_programs(const std::vector<std::string>& versi
     choice += "  if (index == " + std::to_string(i) + ") return call(" + name_of(i) +
               "::main_of_version, count - 1, words + 1);\n";
   }
-  return includes + bodies + kSwitch + choice + "  return 1;\n}\n";
+  return includes + kNoWarnings + bodies + kSwitch + choice + "  return 1;\n}\n";
 }
 
 std::vector<std::string> joined_arguments(std::size_t index, std::vector<std::string> arguments) {

@@ -2,7 +2,8 @@
 // compiler's time goes into headers and into the templates that all of them use.
 //
 // Each version is in a namespace of its own, behind the includes that they share, and its main() is
-// a function there. The number of the version is the first argument.
+// a function there. The number of the version is the first argument. The compiler warns of nothing:
+// a starter does not use what its reader is to use.
 // Tested by tests/generator/evaluate/programs/joined_programs_test.cpp.
 #pragma once
 

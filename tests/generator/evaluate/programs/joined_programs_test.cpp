@@ -15,6 +15,9 @@ TEST(JoinedPrograms, AreOneProgramThatChoosesByItsFirstArgument) {
       joined_programs({version("1"), version("2", "int main(int, char**) {")}, "examples/a.cpp"),
       R"(// A program.
 #include <cstdio>
+#ifdef __clang__
+#pragma clang diagnostic ignored "-Weverything"
+#endif
 namespace version_0 {
 #line 3 "examples/a.cpp"
 
