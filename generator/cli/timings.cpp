@@ -19,6 +19,13 @@ std::string milliseconds(double seconds) {
   return text;
 }
 
+std::string page_text(const TaskTime& time) {
+  if (time.in_page == 0) return "";
+  char text[48];
+  std::snprintf(text, sizeof text, ", %.1f s of it in the page", time.in_page);
+  return text;
+}
+
 }  // namespace
 
 std::string timings_table(const std::vector<TaskTime>& times) {
@@ -34,16 +41,20 @@ std::string timings_table(const std::vector<TaskTime>& times) {
   std::stable_sort(worked.begin(), worked.end(),
                    [](const TaskTime& a, const TaskTime& b) { return a.seconds > b.seconds; });
   std::string text;
-  double others = 0;
+  double others = 0, in_page = 0;
   for (std::size_t i = 0; i < worked.size(); ++i) {
     if (i < kRows) {
-      text += milliseconds(worked[i].seconds) + "  " + worked[i].what + "\n";
+      text += milliseconds(worked[i].seconds) + "  " + worked[i].what + page_text(worked[i]) + "\n";
     } else {
       others += worked[i].seconds;
     }
+    in_page += worked[i].in_page;
   }
   if (worked.size() > kRows) {
     text += milliseconds(others) + "  " + counted(worked.size() - kRows, "other task") + "\n";
+  }
+  if (in_page > 0) {
+    text += milliseconds(in_page) + "  of all these in the page\n";
   }
   const std::size_t reused = times.size() - worked.size();
   if (reused > 0) {
@@ -70,7 +81,8 @@ void write_trace(const std::vector<TaskTime>& times, const std::filesystem::path
                       {"ts", time.begin * kMicroseconds},
                       {"dur", time.seconds * kMicroseconds},
                       {"pid", 1},
-                      {"tid", time.thread}});
+                      {"tid", time.thread},
+                      {"args", {{"seconds in the page", time.in_page}}}});
   }
   write_file(file, nlohmann::json{{"traceEvents", std::move(events)}}.dump() + "\n");
 }

@@ -189,7 +189,7 @@ class Evaluator {
       Finding& finding = records[i].finding;
       if (records[i].open) stand_in(task, finding);
       evaluation_.times.push_back({task.what(), records[i].thread, records[i].begin,
-                                   records[i].seconds, records[i].reused});
+                                   records[i].seconds, records[i].reused, records[i].in_page});
       gather_diagnostics(std::move(finding.diagnostics), evaluation_.diagnostics);
       if (finding.model_page) evaluation_.models.push_back(*std::move(finding.model_page));
       LessonResults& results = task.page() < evaluation_.lessons.size()

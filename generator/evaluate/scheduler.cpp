@@ -71,9 +71,11 @@ void Scheduler::do_task(Task& task, Tools& tools, TaskRecord& record) const {
     // From here on a trace tells what the work depends on; what preparing read is in the recipe.
     worker_context.trace().clear();
     const auto begin = std::chrono::system_clock::now();
+    const double in_page = worker_context.page_seconds();
     const Stopwatch stopwatch;
     const bool whole = work(task, tools, record);
     record.finding.work = stopwatch.seconds();
+    record.in_page = worker_context.page_seconds() - in_page;
     const bool silent = record.finding.diagnostics.size() == record.said;
     if (task_store_ != nullptr && whole && silent) {
       task_store_->keep(task, worker_context.trace(), begin, record);

@@ -24,6 +24,7 @@ struct TaskRecord {
   std::size_t said = 0;         // diagnostics, when it was prepared
   std::size_t thread = 0;
   double begin = 0, seconds = 0;  // measured, since the scheduler began
+  double in_page = 0;             // of these seconds
 };
 
 class TaskStore {

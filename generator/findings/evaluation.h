@@ -23,6 +23,7 @@ struct TaskTime {
   std::size_t thread = 0;
   double begin = 0, seconds = 0;
   bool reused = false;
+  double in_page = 0;  // of its seconds, those that the page's compiler and engine took
 };
 
 struct Evaluation {

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/stopwatch.h"
 #include "base/temporary_folder.h"
 #include "process/process_supervisor.h"
 
@@ -43,9 +44,11 @@ PageProcess::PageProcess(PageToolchain& toolchain) : toolchain_(toolchain) {}
 PageProcess::~PageProcess() = default;
 
 tl::expected<std::string, Outcome> PageProcess::ask(std::string_view question, double seconds) {
+  const Stopwatch stopwatch;
   auto running = std::move(running_);
   if (!running) running = std::make_unique<Running>(toolchain_);
   auto answer = running->ask(question, seconds);
+  asked_ += stopwatch.seconds();
   if (answer) running_ = std::move(running);
   return answer;
 }

@@ -27,11 +27,15 @@ class PageProcess {
   // and std::runtime_error where nothing can be asked.
   tl::expected<std::string, Outcome> ask(std::string_view question, double seconds);
 
+  // Seconds that all questions together took.
+  double asked() const { return asked_; }
+
  private:
   class Running;
 
   PageToolchain& toolchain_;
   std::unique_ptr<Running> running_;
+  double asked_ = 0;
 };
 
 }  // namespace mjcourse

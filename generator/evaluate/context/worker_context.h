@@ -43,6 +43,8 @@ class WorkerContext {
 
   // Runs programs as a page does; null where the build cannot (RunContext::page).
   PageProcess* page_process();
+  // Seconds that it took so far.
+  double page_seconds() const { return page_process_ ? page_process_->asked() : 0; }
 
   // Frees what a large model allocated.
   void let_go();
