@@ -55,25 +55,27 @@ std::size_t AuthorText::end() const {
   return last == std::string_view::npos ? 0 : last + 1;
 }
 
+void AuthorText::point_at_end(ScriptError& error) const {
+  const Position stop = lines_.position(end());
+  error.line = stop.line;
+  error.column = stop.column;
+  error.width = 1;
+  if (!error.message.starts_with(kTooEarly)) error.message.insert(0, kTooEarly);
+}
+
 void AuthorText::point_at(const Exception& exception, int line, ScriptError& error) const {
   const auto mark = [&](std::string_view text, std::size_t begin, std::string_view marked) {
     error.column = 1 + count_characters(text.substr(0, begin));
     error.width = std::max(1, count_characters(marked));
   };
   if (line < 1) return;
-  if (line > lines_.line_count()) {
-    const Position stop = lines_.position(end());
-    error.line = stop.line;
-    error.column = stop.column;
-    error.message = "the script ends too early: " + error.message;
-    return;
-  }
+  if (line > lines_.line_count()) return point_at_end(error);
   error.line = line;
   const std::string_view text = lines_.line(line);
   std::optional<std::size_t> reported;
   if (exception.column > 0) {
-    const std::string run(run_.line(line));
-    reported = without_guards(run.substr(0, bytes_before(run, exception.column))).size();
+    const std::string_view run = run_.line(line);
+    reported = place_without_guards(run, bytes_before(run, exception.column));
   }
   for (const std::string& token : exception.tokens) {
     const auto at = find_token(text, token, reported);

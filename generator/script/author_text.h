@@ -13,6 +13,9 @@
 
 namespace mjcourse {
 
+// How the message of a text begins whose mistake is what it lacks.
+inline constexpr const char* kTooEarly = "the script ends too early: ";
+
 class AuthorText {
  public:
   // `run` is the text as it is run, with guards in it or without (script_guard.h).
@@ -26,6 +29,8 @@ class AuthorText {
   // its column, else the column itself, else the whole line. A line past the last means that the
   // text ended too early.
   void point_at(const Exception& exception, int line, ScriptError& error) const;
+  // The text ended too early.
+  void point_at_end(ScriptError& error) const;
 
  private:
   std::size_t end() const;

@@ -107,9 +107,11 @@ bool is_fault(const std::string& id) {
 }  // namespace
 
 std::string cure_of_syntax(const std::string& message) {
-  return message == kStrayBracket
-             ? "remove it, or open it"
-             : "look for a missing bracket, quote or operator just before this";
+  if (message == kStrayBracket) return "remove it, or open it";
+  const bool is_second = message.find("already been declared") != message.npos ||
+                         message.find("Cannot declare") != message.npos;
+  return is_second ? "choose another name"
+                   : "look for a missing bracket, quote or operator just before this";
 }
 
 ScriptError explain(const Exception& exception, const std::vector<std::string>& names) {

@@ -1,13 +1,17 @@
 #include "script/script_guard.h"
 
+#include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "script/exception.h"
 #include "script/js_value.h"
 
 namespace mjcourse {
 namespace {
+
+// As site/press/script/guards.ts writes them; no text of an author's has them.
+constexpr std::array<std::string_view, 3> kMarks{"key$((", "own$((", "))/*$*/"};
 
 std::string name_of(ScriptKind kind) {
   switch (kind) {
@@ -57,12 +61,22 @@ std::optional<ExpressionText> ScriptGuard::ask(const std::string& run, const std
   return ExpressionText{found["world"], found["callee"], found["values"]};
 }
 
-// As site/press/script/guards.ts writes them; no text of an author's has them.
 std::string without_guards(std::string text) {
-  for (const std::string_view mark : {"key$((", "own$((", "))/*$*/"}) {
+  for (const std::string_view mark : kMarks) {
     for (std::size_t at = 0; (at = text.find(mark, at)) != text.npos;) text.erase(at, mark.size());
   }
   return text;
+}
+
+std::size_t place_without_guards(std::string_view text, std::size_t at) {
+  std::size_t own = 0;
+  for (std::size_t i = 0; i < std::min(at, text.size());) {
+    const auto* const mark = std::ranges::find_if(
+        kMarks, [&](std::string_view one) { return text.substr(i).starts_with(one); });
+    if (mark == kMarks.end()) ++own;
+    i += mark == kMarks.end() ? 1 : mark->size();
+  }
+  return own;
 }
 
 }  // namespace mjcourse

@@ -8,6 +8,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 #include <vector>
 
@@ -34,7 +35,7 @@ class ScriptGuard {
   explicit ScriptGuard(const std::string& bundle) { engine_.load(bundle, "guard.js"); }
 
   // What is run of `text`, which may use `names`; or why it is not. One that does not parse is
-  // E-script-syntax without a place, which the engine that runs it knows.
+  // E-script-syntax, without a place (line 0) where it ends too early.
   tl::expected<GuardedScript, ScriptError> guard(const std::string& text, ScriptKind kind,
                                                  const std::vector<std::string>& names);
 
@@ -48,5 +49,7 @@ class ScriptGuard {
 
 // The author's of a text with guards.
 std::string without_guards(std::string text);
+// Where byte `at` of `text`, which has guards, is in the author's: within a guard, where it stands.
+std::size_t place_without_guards(std::string_view text, std::size_t at);
 
 }  // namespace mjcourse

@@ -50,8 +50,8 @@ std::optional<LabResult> rehearse_lab(const Lab& lab, const Lesson& lesson,
                                       WorkerContext& worker_context, Diagnostics& diagnostics) {
   const std::size_t before = diagnostics.size();
   LabResult result;
-  std::vector<DoubtfulScript> doubtful;
-  const LabContext context(lab, result.scripts, lesson, worker_context, diagnostics);
+  DoubtfulScripts doubtful;
+  const LabContext context(lab, result.scripts, lesson, worker_context, diagnostics, &doubtful);
   check_overlays(lab.toggles, context);
   check_overlays(names_of(lab.overlays), context);
   if (!guard_scripts(context, result.scripts, doubtful)) return std::nullopt;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "script/author_text.h"
+
 namespace mjcourse {
 namespace {
 
@@ -12,17 +14,34 @@ bool is_same(const Diagnostic& a, const Diagnostic& b) {
 
 }  // namespace
 
+void LabContext::sharpen(const LocatedText& text, ScriptError& error) const {
+  if (doubtful_ == nullptr) return;
+  for (const auto& [script, told] : *doubtful_) {
+    if (script->text != text.text || told.id != error.id) continue;
+    const bool is_placed = told.id == "E-script-syntax" && told.line > 0;
+    if (is_placed && !error.message.starts_with(kTooEarly)) {
+      error.line = told.line;
+      error.column = told.column;
+      error.width = told.width;
+    }
+    if (told.message == error.message && !told.cure.empty()) error.cure = told.cure;
+  }
+}
+
 bool LabContext::error(ScriptError error, const LocatedText& text, ScriptKind kind,
                        const LocatedText* solution) const {
+  if (kind == ScriptKind::assignment) return BlockContext::error(error, text, solution);
   const LocatedText& define = lab_.define;
-  if (define.text.empty() || kind == ScriptKind::assignment) {
-    return BlockContext::error(error, text, solution);
-  }
-  const LineBehind place = line_behind(define.text, error.line, kind);
+  LineBehind place{LineBehind::Part::script, error.line};
+  if (!define.text.empty()) place = line_behind(define.text, error.line, kind);
   error.line = place.line;
   if (place.part != LineBehind::Part::definitions) {
+    const AuthorText own(text.text);
+    if (place.line > own.lines().line_count()) own.point_at_end(error);
+    sharpen(text, error);
     return BlockContext::error(error, text, solution);
   }
+  sharpen(define, error);
   BlockContext::error(error, define, solution);
   const Diagnostic& told = diagnostics().back();
   const auto count = std::ranges::count_if(

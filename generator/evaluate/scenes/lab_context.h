@@ -9,10 +9,14 @@ namespace mjcourse {
 
 class LabContext : public BlockContext {
  public:
-  // `scripts` may be filled later; it outlives the context.
+  // `scripts` and `doubtful`, which may be null, may be filled later; they outlive the context.
   LabContext(const Lab& lab, const LabScripts& scripts, const Lesson& lesson,
-             WorkerContext& worker_context, Diagnostics& diagnostics)
-      : BlockContext(lesson, worker_context, diagnostics), lab_(lab), scripts_(scripts) {}
+             WorkerContext& worker_context, Diagnostics& diagnostics,
+             const DoubtfulScripts* doubtful = nullptr)
+      : BlockContext(lesson, worker_context, diagnostics),
+        lab_(lab),
+        scripts_(scripts),
+        doubtful_(doubtful) {}
 
   const Lab& lab() const { return lab_; }
   // What is run of the author's `text`.
@@ -27,8 +31,13 @@ class LabContext : public BlockContext {
              const LocatedText* solution) const;
 
  private:
+  // What the guard knows better than the engine, of the same mistake: the names that the lab's
+  // scripts declare, and where a text does not parse.
+  void sharpen(const LocatedText& text, ScriptError& error) const;
+
   const Lab& lab_;
   const LabScripts& scripts_;
+  const DoubtfulScripts* doubtful_;
 };
 
 }  // namespace mjcourse

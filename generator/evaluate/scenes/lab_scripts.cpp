@@ -8,7 +8,7 @@ namespace {
 // Goes through all scripts of a lab; every mistake is shown.
 class Guarding {
  public:
-  Guarding(const LabContext& context, LabScripts& scripts, std::vector<DoubtfulScript>& doubtful)
+  Guarding(const LabContext& context, LabScripts& scripts, DoubtfulScripts& doubtful)
       : context_(context), scripts_(scripts), doubtful_(doubtful) {}
 
   // The definitions come first. One mistake is told once: not for each script that they stand
@@ -34,7 +34,7 @@ class Guarding {
     keep(text.text, run, kind);
     if (kind == ScriptKind::definitions) {
       definitions_ = run;
-      if (safe) names_.insert(names_.end(), safe->declared.begin(), safe->declared.end());
+      if (safe) names_.insert(names_.begin(), safe->declared.begin(), safe->declared.end());
     }
     if (safe) return true;
     if (safe.error().id == "E-script-syntax" || safe.error().id == "E-script-name") {
@@ -54,7 +54,7 @@ class Guarding {
 
   const LabContext& context_;
   LabScripts& scripts_;
-  std::vector<DoubtfulScript>& doubtful_;
+  DoubtfulScripts& doubtful_;
   std::vector<std::string> names_ = context_.worker_context().script_names();
   std::string definitions_;  // as they run
   bool good_ = true;
@@ -62,8 +62,7 @@ class Guarding {
 
 }  // namespace
 
-bool guard_scripts(const LabContext& context, LabScripts& scripts,
-                   std::vector<DoubtfulScript>& doubtful) {
+bool guard_scripts(const LabContext& context, LabScripts& scripts, DoubtfulScripts& doubtful) {
   return Guarding(context, scripts, doubtful).run();
 }
 
@@ -71,8 +70,8 @@ bool guard_scripts(const Lab& lab, const Lesson& lesson, WorkerContext& worker_c
                    LabScripts& scripts) {
   scripts.clear();
   Diagnostics told;  // of what the worker has passed, and should not have
-  std::vector<DoubtfulScript> doubtful;
-  const LabContext context(lab, scripts, lesson, worker_context, told);
+  DoubtfulScripts doubtful;
+  const LabContext context(lab, scripts, lesson, worker_context, told, &doubtful);
   return guard_scripts(context, scripts, doubtful) && doubtful.empty();
 }
 

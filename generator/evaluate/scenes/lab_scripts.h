@@ -20,10 +20,10 @@ struct DoubtfulScript {
   const LocatedText* text;
   ScriptError error;
 };
+using DoubtfulScripts = std::vector<DoubtfulScript>;
 
 // Guards the scripts of `context.lab()`. False where the page would refuse one, which is reported.
-bool guard_scripts(const LabContext& context, LabScripts& scripts,
-                   std::vector<DoubtfulScript>& doubtful);
+bool guard_scripts(const LabContext& context, LabScripts& scripts, DoubtfulScripts& doubtful);
 
 // The same of a lab whose result a worker has given: a page runs only what was guarded here. False
 // where a script would have been refused.

@@ -37,9 +37,21 @@ TEST(ScriptGuardTest, AsksWhatItsTextDoesNot) {
   EXPECT_EQ(without_guards("own$((data.ctrl))/*$*/[key$((i))/*$*/] = 1"), "data.ctrl[i] = 1");
 }
 
+TEST(ScriptGuardTest, KnowsWhereTheTextIsWithoutGuards) {
+  const std::string text = "own$((data.ctrl))/*$*/[key$((i))/*$*/] = 1";
+  const std::string own = without_guards(text);
+  EXPECT_EQ(place_without_guards(text, 0), 0U);
+  EXPECT_EQ(place_without_guards(text, text.find("data") + 5), own.find("ctrl"));
+  for (const std::size_t within : {0U, 1U, 7U}) {
+    const std::size_t at = text.find("))/*$*/]") + within;
+    EXPECT_EQ(place_without_guards(text, at), own.find("]")) << within;
+  }
+  EXPECT_EQ(place_without_guards(text, 999), own.size());
+}
+
 TEST(ScriptGuardTest, RefusesAtItsPlace) {
   EXPECT_EQ(guarded("step(1);\nconst é = document.body;"),
-            "E-script-name 2:11+8 `document` does not exist | known: data, model, step");
+            "E-script-name 2:11+8 `document` does not exist | known: é, data, model, step");
   EXPECT_EQ(guarded("stp()"), "E-script-name 1:1+3 `stp` does not exist | did you mean `step`?");
   EXPECT_EQ(guarded("step.constructor('return this')()"),
             "E-script-foreign 1:6+11 a lab's script cannot use `constructor`");
@@ -54,6 +66,19 @@ TEST(ScriptGuardTest, RefusesAtItsPlace) {
   EXPECT_EQ(guarded("key$((1))"), "E-script-foreign 1:1+5 a script cannot hold `key$(`");
   EXPECT_EQ(guarded("a) = 1, (b", ScriptKind::assignment),
             "E-script-syntax 0:0+1 a closing bracket has no opening one | remove it, or open it");
+}
+
+TEST(ScriptGuardTest, RefusesWhereATextDoesNotParse) {
+  EXPECT_EQ(guarded("const a = 1;\n}\nconst b = 2;"),
+            "E-script-syntax 2:1+1 a closing bracket has no opening one | remove it, or open it");
+  EXPECT_EQ(guarded("const a = 1;\nconst é = 2, a = 3;"),
+            "E-script-syntax 2:14+1 Identifier 'a' has already been declared | choose another name");
+  EXPECT_EQ(guarded("const s = 'abc;\nstep(1);"),
+            "E-script-syntax 1:11+1 Unterminated string constant | look for a missing bracket, "
+            "quote or operator just before this");
+  EXPECT_EQ(guarded("if (1) {\n  step(1);"),
+            "E-script-syntax 0:0+1 Unexpected token | look for a missing bracket, quote or operator "
+            "just before this");
 }
 
 TEST(ScriptGuardTest, TellsWhatDefinitionsDeclare) {

@@ -52,7 +52,9 @@ function onlyFunction(text: string, kind: string): Node {
   const [first] = statements;
   const whole = tree.end === text.length && statements.length === 1 && first !== undefined;
   if (!whole || !isOurs(first, kind)) {
-    throw new SyntaxError("a closing bracket has no opening one");
+    const isBlock = first?.type === "BlockStatement"; // which the stray bracket has closed
+    const pos = isBlock ? first.end - 1 : undefined;
+    throw Object.assign(new SyntaxError("a closing bracket has no opening one"), { pos });
   }
   return tree;
 }
@@ -91,17 +93,32 @@ function isOurs(statement: Node, kind: string): boolean {
 /** Why `text` is not run; lines and columns count from 1, in characters. */
 function told(error: unknown, text: string, before: number): object {
   if (!(error instanceof Error)) throw error;
-  if (!(error instanceof Refusal)) {
-    const syntax = { id: "E-script-syntax", cure: "", line: 0, column: 0, width: 1 };
-    return { ...syntax, message: error.message };
-  }
-  const start = Math.min(Math.max(error.start - before, 0), text.length);
-  const lines = text.slice(0, start).split("\n");
-  const shown = text.slice(start, error.end - before).split("\n")[0]!;
+  if (!(error instanceof Refusal)) return syntaxError(error, text, before);
   return {
     id: error.id,
     message: error.message,
     cure: error.cure,
+    ...placed(text, error.start - before, error.end - before),
+  };
+}
+
+/** Of a text that does not parse. Its place is acorn's; behind the end of the text there is none, as
+ * something is missing. A message of acorn's ends with a place that counts what is around the text. */
+function syntaxError(error: Error, text: string, before: number): object {
+  const message = error.message.replace(/ \(\d+:\d+\)$/u, "");
+  const at = (error as { readonly pos?: number }).pos ?? 0;
+  const isInside = at >= before && at - before < text.trimEnd().length;
+  const place = isInside
+    ? placed(text, at - before, at - before + 1)
+    : { line: 0, column: 0, width: 1 };
+  return { id: "E-script-syntax", cure: "", message, ...place };
+}
+
+function placed(text: string, from: number, to: number): object {
+  const start = Math.min(Math.max(from, 0), text.length);
+  const lines = text.slice(0, start).split("\n");
+  const shown = text.slice(start, to).split("\n")[0]!;
+  return {
     line: lines.length,
     column: Array.from(lines.at(-1)!).length + 1,
     width: Math.max(Array.from(shown).length, 1),

@@ -183,7 +183,7 @@ class Walk {
     }
     const cure = suggest(
       name,
-      this.#names.filter((known) => !known.includes("$")),
+      [...scope, ...this.#names].filter((known) => !known.includes("$")),
       "",
     );
     throw new Refusal("E-script-name", `\`${name}\` does not exist`, node.start, node.end, cure);
