@@ -90,7 +90,7 @@ Linear delayed(const Linear& step, int delay) {
   // #endregion
 }
 
-// Room for the queue, and the same states as a queue that is played by hand.
+// Room for the queue, and the same states as a queue that is simulated by hand.
 bool check(const Linear& step, int delay) {
   const Linear late = delayed(step, delay);
   const Index n = step.A.rows(), nu = step.B.cols(), all = n + delay * nu;

@@ -1,7 +1,7 @@
 // Lesson 3.4: what the weights of LQR do to a leg.
 //
 // INPUT    balancing_leg.xml; weights of 1 on each angle, 0 on the speeds, and
-//          R on the torques, from dear ones to cheap ones
+//          R on the torques, from expensive ones to cheap ones
 // PROCESS  LQR of MuJoCo's A and B; the same by the formulas; then let the leg
 //          go, 5 degrees off, with all the torque that it asks for
 // OUTPUT   gains, the damping ratio, the largest torque, and the time until
