@@ -44,7 +44,7 @@ TEST(ScriptGuardTest, KnowsWhereTheTextIsWithoutGuards) {
   EXPECT_EQ(place_without_guards(text, text.find("data") + 5), own.find("ctrl"));
   for (const std::size_t within : {0U, 1U, 7U}) {
     const std::size_t at = text.find("))/*$*/]") + within;
-    EXPECT_EQ(place_without_guards(text, at), own.find("]")) << within;
+    EXPECT_EQ(place_without_guards(text, at), own.find(']')) << within;
   }
   EXPECT_EQ(place_without_guards(text, 999), own.size());
 }
