@@ -1,7 +1,7 @@
 // The compiler takes its memory in larger steps. Enter with withLargerSteps().
 //
 // As it comes, it grows its memory by 64 KiB some thousand times a program. V8 counts the whole memory
-// anew at each growth, and collects garbage at every fifth: a third of a compilation. The step is a
+// anew at each growth, and collects garbage at every fifth: nearly a third of a compilation. The step is a
 // constant of its allocator, dlmalloc in wasi-libc, which nothing from outside can set. So it is
 // changed in the bytes, where dlmalloc begins to work and stores its parameters side by side: its page
 // size and its step, of 4 bytes each, as one number, and before that no limit to two others.
@@ -10,7 +10,7 @@ const pageSize = 64 << 10;
 // The largest power of two that needs no more bytes than the constant in its place.
 const step = 4 << 20;
 
-// `program` as bytes of WebAssembly. Throws where the compiler is another than we know.
+// `program` as bytes of WebAssembly. Throws where it has an unknown allocator.
 export function withLargerSteps(program) {
   const larger = Buffer.from(program);
   const wanted = stores(pageSize);

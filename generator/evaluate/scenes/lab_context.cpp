@@ -33,7 +33,8 @@ bool LabContext::error(ScriptError error, const LocatedText& text, ScriptKind ki
   if (kind == ScriptKind::assignment) return BlockContext::error(error, text, solution);
   const LocatedText& define = lab_.define;
   LineBehind place{LineBehind::Part::script, error.line};
-  if (!define.text.empty()) place = line_behind(define.text, error.line, kind);
+  const bool is_behind = kind != ScriptKind::definitions && !define.text.empty();
+  if (is_behind) place = line_behind(define.text, error.line, kind);
   error.line = place.line;
   if (place.part != LineBehind::Part::definitions) {
     const AuthorText own(text.text);

@@ -25,7 +25,7 @@ class LabContext : public BlockContext {
   }
 
   using BlockContext::error;
-  // Of what was run of `text`, which counts the lines of the lab's definitions as well. A mistake
+  // Of what was run of `text`; behind the lab's definitions, it counts their lines as well. A mistake
   // of theirs is reported once, however many scripts come to it.
   bool error(ScriptError error, const LocatedText& text, ScriptKind kind,
              const LocatedText* solution) const;

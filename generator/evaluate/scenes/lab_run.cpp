@@ -81,7 +81,7 @@ bool LabRun::define(Actor& actor) {
   const LocatedText& define = context_.lab().define;
   if (define.text.empty()) return true;
   const auto done = actor.world.run(context_.guarded(define, ScriptKind::definitions));
-  return done || context_.error(done.error(), define);
+  return done || context_.error(done.error(), define, ScriptKind::definitions, nullptr);
 }
 
 bool LabRun::begin(Actor& actor) {

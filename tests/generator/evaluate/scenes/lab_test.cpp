@@ -243,6 +243,19 @@ TEST(Lab, PointsToWhatAGuardRefuses) {
 )--");
 }
 
+TEST(Lab, MarksAStrayBracketOfItsDefinitions) {
+  EXPECT_EQ(evaluated_mistakes(lab_text(R"j("define": [
+      "const a = 1;",
+      "}",
+      "const b = 2;"],
+    "readouts": [{"label": "x", "expr": "a + b"}])j")),
+            R"--(content/1-a/1.1-x.md:8:8: error: a closing bracket has no opening one [E-script-syntax]
+  8 |       "}",
+    |        ^
+  cure: remove it, or open it
+)--");
+}
+
 TEST(Lab, EndsWhereItsScriptDoesBehindDefinitions) {
   EXPECT_EQ(evaluated_mistakes(lab_text(R"j("define": "const a = 1;",
     "controls": [{"type": "button", "label": "Go", "run": [
