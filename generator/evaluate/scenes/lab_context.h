@@ -25,8 +25,8 @@ class LabContext : public BlockContext {
   }
 
   using BlockContext::error;
-  // Of what was run of `text`; behind the lab's definitions, it counts their lines as well. A mistake
-  // of theirs is reported once, however many scripts come to it.
+  // Of what was run of `text`; behind the lab's definitions it counts their lines as well. Each of
+  // their mistakes is reported once, however many scripts come to it.
   bool error(ScriptError error, const LocatedText& text, ScriptKind kind,
              const LocatedText* solution) const;
 
