@@ -71,14 +71,16 @@ TEST(ScriptGuardTest, RefusesAtItsPlace) {
 TEST(ScriptGuardTest, RefusesWhereATextDoesNotParse) {
   EXPECT_EQ(guarded("const a = 1;\n}\nconst b = 2;"),
             "E-script-syntax 2:1+1 a closing bracket has no opening one | remove it, or open it");
-  EXPECT_EQ(guarded("const a = 1;\nconst é = 2, a = 3;"),
-            "E-script-syntax 2:14+1 Identifier 'a' has already been declared | choose another name");
+  EXPECT_EQ(
+      guarded("const a = 1;\nconst é = 2, a = 3;"),
+      "E-script-syntax 2:14+1 Identifier 'a' has already been declared | choose another name");
   EXPECT_EQ(guarded("const s = 'abc;\nstep(1);"),
             "E-script-syntax 1:11+1 Unterminated string constant | look for a missing bracket, "
             "quote or operator just before this");
-  EXPECT_EQ(guarded("if (1) {\n  step(1);"),
-            "E-script-syntax 0:0+1 Unexpected token | look for a missing bracket, quote or operator "
-            "just before this");
+  EXPECT_EQ(
+      guarded("if (1) {\n  step(1);"),
+      "E-script-syntax 0:0+1 Unexpected token | look for a missing bracket, quote or operator "
+      "just before this");
 }
 
 TEST(ScriptGuardTest, TellsWhatDefinitionsDeclare) {

@@ -244,12 +244,13 @@ TEST(Lab, PointsToWhatAGuardRefuses) {
 }
 
 TEST(Lab, MarksAStrayBracketOfItsDefinitions) {
-  EXPECT_EQ(evaluated_mistakes(lab_text(R"j("define": [
+  EXPECT_EQ(
+      evaluated_mistakes(lab_text(R"j("define": [
       "const a = 1;",
       "}",
       "const b = 2;"],
     "readouts": [{"label": "x", "expr": "a + b"}])j")),
-            R"--(content/1-a/1.1-x.md:8:8: error: a closing bracket has no opening one [E-script-syntax]
+      R"--(content/1-a/1.1-x.md:8:8: error: a closing bracket has no opening one [E-script-syntax]
   8 |       "}",
     |        ^
   cure: remove it, or open it
@@ -257,18 +258,20 @@ TEST(Lab, MarksAStrayBracketOfItsDefinitions) {
 }
 
 TEST(Lab, EndsWhereItsScriptDoesBehindDefinitions) {
-  EXPECT_EQ(evaluated_mistakes(lab_text(R"j("define": "const a = 1;",
+  EXPECT_EQ(
+      evaluated_mistakes(lab_text(R"j("define": "const a = 1;",
     "controls": [{"type": "button", "label": "Go", "run": [
         "if (a) {",
         "  step(1);"]}])j")),
-            R"--(content/1-a/1.1-x.md:9:19: error: the script ends too early: Unexpected end of script [E-script-syntax]
+      R"--(content/1-a/1.1-x.md:9:19: error: the script ends too early: Unexpected end of script [E-script-syntax]
   9 |         "  step(1);"]}]}
     |                   ^
   cure: look for a missing bracket, quote or operator just before this
 )--");
-  EXPECT_EQ(evaluated_mistakes(lab_text(R"j("define": "const a = 1;",
+  EXPECT_EQ(
+      evaluated_mistakes(lab_text(R"j("define": "const a = 1;",
     "readouts": [{"label": "x", "expr": "Math.abs(data.time"}])j")),
-            R"--(content/1-a/1.1-x.md:7:60: error: the script ends too early: Unexpected token ';'. Expected ')' to end a compound expression. [E-script-syntax]
+      R"--(content/1-a/1.1-x.md:7:60: error: the script ends too early: Unexpected token ';'. Expected ')' to end a compound expression. [E-script-syntax]
   7 |     "readouts": [{"label": "x", "expr": "Math.abs(data.time"}]}
     |                                                            ^
   cure: look for a missing bracket, quote or operator just before this
