@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace mjcourse {
 
@@ -25,5 +26,8 @@ class Descriptor {
 
 // A call of the system failed on `path`: throws std::system_error with what errno says.
 [[noreturn]] void throw_errno(const std::filesystem::path& path);
+
+// Writes all of `bytes`, or throws as throw_errno(path) does.
+void write_all(int descriptor, std::string_view bytes, const std::filesystem::path& path);
 
 }  // namespace mjcourse

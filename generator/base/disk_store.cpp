@@ -52,14 +52,6 @@ std::optional<std::string> read_entry(const fs::path& path) {
   return bytes;
 }
 
-void write_all(int descriptor, std::string_view bytes, const fs::path& path) {
-  while (!bytes.empty()) {
-    const ssize_t count = write(descriptor, bytes.data(), bytes.size());
-    if (count < 0 && errno != EINTR) throw_errno(path);
-    if (count > 0) bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
-}
-
 // What a store removes is its own, so a folder with anything else in it is none.
 void refuse_other_folder(const fs::path& folder) {
   if (!fs::is_directory(folder)) return;

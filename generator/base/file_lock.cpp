@@ -12,7 +12,7 @@
 namespace mjcourse {
 
 FileLock::FileLock(const std::filesystem::path& file, Patience patience)
-    : descriptor_(open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644)) {
+    : descriptor_(open(file.c_str(), O_CREAT | O_RDWR | O_NOFOLLOW | O_CLOEXEC, 0644)) {
   if (descriptor_ < 0) throw_errno(file);
   const int operation = LOCK_EX | (patience == Patience::try_once ? LOCK_NB : 0);
   int result = 0;

@@ -12,7 +12,7 @@ class FileLock {
   enum class Patience { wait, try_once };
 
   // The file is made if it is not there, and stays. Throws std::system_error with the path where it
-  // cannot be made.
+  // cannot be made, or is a link.
   explicit FileLock(const std::filesystem::path& file, Patience patience = Patience::wait);
   ~FileLock();
   FileLock(const FileLock&) = delete;

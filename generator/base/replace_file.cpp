@@ -57,12 +57,7 @@ class Beside {
   }
 
   void write_all(std::string_view bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = write(file_, bytes.data(), bytes.size());
-      if (written < 0 && errno == EINTR) continue;
-      if (written < 0) throw_errno(called_);
-      bytes.remove_prefix(static_cast<std::size_t>(written));
-    }
+    mjcourse::write_all(file_, bytes, called_);
     if (fsync(file_) != 0) throw_errno(called_);
   }
 

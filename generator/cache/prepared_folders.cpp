@@ -94,6 +94,13 @@ void bring_to_disk(const fs::path& path) {
   if (!synced) throw std::system_error(reason, std::generic_category(), path.string());
 }
 
+// None is ours, and what is written through one lands elsewhere.
+void remove_links(const fs::path& folder) {
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_symlink()) fs::remove(entry.path());
+  }
+}
+
 std::uintmax_t size_of(const fs::path& folder) {
   std::uintmax_t bytes = 0;
   for (const fs::directory_entry& file : fs::recursive_directory_iterator(folder)) {
@@ -225,6 +232,7 @@ std::shared_ptr<const Entry> PreparedFolders::find_or_make(const fs::path& folde
   // What is made anew removes what was there, and a link leads to what is somebody's.
   if (fs::is_symlink(folder)) fs::remove(folder);
   fs::create_directories(folder);
+  remove_links(folder);
   const FileLock lock(folder / kLock);
   // Somebody else may have made it while we waited.
   if (const Found found = look(folder); found.current) return found.entry;

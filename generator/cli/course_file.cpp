@@ -4,6 +4,7 @@
 
 #include "base/utf8.h"
 #include "cli/run.h"
+#include "course/level_folder.h"
 #include "process/our_command.h"
 
 namespace mjcourse {
@@ -30,7 +31,10 @@ tl::expected<CourseFile, Refusal> read_course_file(const Files& course) {
   const auto yaml = course.read(kCoursePath);
   if (!yaml) return tl::unexpected(no_course(yaml.error()));
   auto levels = read_listing(*yaml);
-  if (!levels) {
+  const auto is_faulty = [](const ListedLevel& level) {
+    return fault_of_level_folder(level.folder).has_value();
+  };
+  if (!levels || std::ranges::any_of(*levels, is_faulty)) {
     return wrong_course(std::string(kCoursePath) + " has mistakes, so nothing was written",
                         "fix them first: " + our_command("check") + " shows them");
   }

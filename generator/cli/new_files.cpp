@@ -1,11 +1,11 @@
 #include "cli/new_files.h"
 
-#include <climits>
 #include <iostream>
 #include <system_error>
 #include <utility>
 
 #include "base/beneath.h"
+#include "base/plain_name.h"
 #include "base/replace_file.h"
 #include "cli/run.h"
 
@@ -13,9 +13,6 @@ namespace mjcourse {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Bytes. A file is written under a longer name first.
-constexpr std::size_t kLongestName = NAME_MAX - 15;
 
 Refusal in_the_way(const NewFile& file) {
   if (file.before) {

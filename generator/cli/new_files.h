@@ -25,7 +25,7 @@ struct NewFile {
   std::optional<std::string> before = {};  // what it holds now; nothing: it must not be there
 };
 
-// Refuses a path of which a part is longer than 240 bytes, or a disk may not take it.
+// Refuses a path of which a part is longer than 230 bytes, or a disk may not take it.
 tl::expected<void, Refusal> check_length(const std::filesystem::path& path);
 
 // Writes them below `root`, in their order. None is left where one of them is there already, or is

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <stdexcept>
@@ -13,6 +12,7 @@
 #include <utility>
 
 #include "base/cache_folder.h"
+#include "base/out_folder.h"
 #include "cli/user_settings.h"
 #include "cli/verify.h"
 #include "report/terminal.h"
@@ -27,8 +27,7 @@ bool is_due(const fs::path& stamp) {
   std::error_code none;
   const auto last = fs::last_write_time(stamp, none);
   if (!none && fs::file_time_type::clock::now() - last < std::chrono::hours(24)) return false;
-  fs::remove(stamp, none);  // a link may lead to what is somebody's
-  std::ofstream(stamp) << "";
+  OutFolder(stamp.parent_path()).write(stamp.filename(), "");
   return true;
 }
 

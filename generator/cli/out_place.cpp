@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/beneath.h"
+#include "base/out_folder.h"
 #include "cli/run.h"
 #include "page/site_directory.h"
 
@@ -15,15 +16,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Where the course has it: a change of a stranger's can bring each link and folder of that.
 std::optional<Refusal> refused_place(const fs::path& course, const fs::path& place,
                                      const std::string& option) {
-  const auto name =
-      name_beneath(fs::absolute(course).lexically_normal(), fs::absolute(place).lexically_normal());
+  const auto name = name_in_course(course, place);
   if (!name) return std::nullopt;  // elsewhere, as the user wants it
+  const auto refuse = [&](const std::string& what) {
+    return Refusal{kCourseErrors, what + ", so nothing is written there",
+                   "name another place: `" + option + "`"};
+  };
   const auto status = Beneath(course).status(*name);
-  if (status || !status.error().is_refused()) return std::nullopt;
-  return Refusal{kCourseErrors, *name + " " + status.error().why + ", so nothing is written there",
-                 "name another place: `" + option + "`"};
+  if (!status && status.error().is_refused()) return refuse(*name + " " + status.error().why);
+  if (const std::string link = link_on_way(course, *name); !link.empty()) {
+    return refuse(link + " is a link");
+  }
+  return std::nullopt;
 }
 
 // Before a course is worked on for minutes: may this user write what comes to lie at `place`? What
@@ -46,6 +53,11 @@ std::optional<Refusal> refused_by_system(const fs::path& place, const std::strin
 std::optional<Refusal> refused_folder(const fs::path& course, const fs::path& place,
                                       const std::string& option) {
   auto refused = refused_place(course, place, option);
+  if (!refused && name_in_course(place, course)) {
+    return Refusal{kWrongUsage,
+                   "the course lies in " + place.string() + ", which would be replaced",
+                   "name another place: `" + option + "`"};
+  }
   if (!refused) SiteDirectory::refuse_others(place);
   if (!refused) refused = refused_by_system(place, option);
   return refused;
@@ -75,6 +87,9 @@ std::optional<Refusal> refused_out(const OutPlaces& places) {
     if (!refused && !fs::exists(places.store)) {
       refused = refused_by_system(places.store, "--store DIR");
     }
+  }
+  if (!refused && !places.exercise.empty()) {
+    refused = refused_place(places.course, places.exercise, "--out DIR");
   }
   return refused;
 }

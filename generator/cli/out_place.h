@@ -13,13 +13,13 @@ namespace mjcourse {
 // Where a command writes; empty where it does not.
 struct OutPlaces {
   std::filesystem::path course = ".";
-  std::filesystem::path site, report, trace, store;
+  std::filesystem::path site, report, trace, store, exercise;
 };
 
-// What is wrong with the places that a command is to write to: those in the course that a link
-// leads out of it, and those where nothing can be written. A place elsewhere may be a link, as the
-// user wants it. Throws FolderRefused where a folder that is to be replaced holds something that no
-// build made.
+// What is wrong with the places that a command is to write to: those in the course to which a link
+// leads, those that the course lies in and would go with, and those where nothing can be written. A
+// place elsewhere may be a link, as the user wants it. Throws FolderRefused where a folder that is
+// to be replaced holds something that no build made.
 std::optional<Refusal> refused_out(const OutPlaces& places);
 
 // What the system refused in the middle of the work, as on a full disk.

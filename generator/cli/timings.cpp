@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/counted.h"
-#include "base/files.h"
 #include "cli/size.h"
 
 namespace mjcourse {
@@ -71,7 +70,7 @@ std::string traffic_text(const RemoteStore::Traffic& traffic) {
          size_text(traffic.sent) + ")\n";
 }
 
-void write_trace(const std::vector<TaskTime>& times, const std::filesystem::path& file) {
+void write_trace(const std::vector<TaskTime>& times, const OutPlace& place) {
   constexpr double kMicroseconds = 1e6;
   nlohmann::json events = nlohmann::json::array();
   for (const TaskTime& time : times) {
@@ -84,7 +83,7 @@ void write_trace(const std::vector<TaskTime>& times, const std::filesystem::path
                       {"tid", time.thread},
                       {"args", {{"seconds in the page", time.in_page}}}});
   }
-  write_file(file, nlohmann::json{{"traceEvents", std::move(events)}}.dump() + "\n");
+  place.folder.write(place.name, nlohmann::json{{"traceEvents", std::move(events)}}.dump() + "\n");
 }
 
 }  // namespace mjcourse

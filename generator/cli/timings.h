@@ -1,10 +1,10 @@
 // Timings: how long each task took, for people and for a browser's trace viewer.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "base/out_folder.h"
 #include "evaluate/evaluate.h"
 #include "remote/remote_store.h"
 
@@ -17,6 +17,7 @@ std::string timings_table(const std::vector<TaskTime>& times);
 std::string traffic_text(const RemoteStore::Traffic& traffic);
 
 // All of them in Chrome's trace format (chrome://tracing, ui.perfetto.dev): a row for each thread.
-void write_trace(const std::vector<TaskTime>& times, const std::filesystem::path& file);
+// Throws as OutFolder does.
+void write_trace(const std::vector<TaskTime>& times, const OutPlace& place);
 
 }  // namespace mjcourse

@@ -8,9 +8,11 @@
 #include <iostream>
 #include <stop_token>
 #include <string>
+#include <utility>
 
 #include "base/beneath.h"
 #include "base/counted.h"
+#include "base/out_folder.h"
 #include "base/text_lines.h"
 #include "base/utf8.h"
 #include "cli/commands.h"
@@ -56,7 +58,7 @@ class Trying {
       : listed_(listed), judged_(judged), judge_(judge), folder_(std::move(folder)) {}
 
   // What is there stays as it is.
-  void write_missing(const SiteData& site) const {
+  void write_missing(const SiteData& site, const OutFolder& folder) const {
     const ExampleResult taken{"", "", {}, 0, judged_.sources, {}};
     const ExerciseText& text = judged_.files.text;
     const auto files = program_folder(
@@ -65,7 +67,7 @@ class Trying {
     const DiskFiles there(folder_);
     for (const auto& [path, bytes] : files) {
       const std::string inside = path.substr(path.find('/') + 1);
-      if (!there.exists(inside)) write_file(folder_ / inside, bytes);
+      if (!there.exists(inside)) folder.write(inside, bytes);
     }
   }
 
@@ -132,6 +134,10 @@ void open_editor(const fs::path& file) {
   std::cerr << "no editor could be opened (xdg-open, of the package xdg-utils, does that)\n";
 }
 
+Refusal link_in_the_way(std::string message) {
+  return {kCourseErrors, std::move(message), "remove it, or name another folder: `--out DIR`"};
+}
+
 }  // namespace
 
 int try_exercise(const TryOptions& options) {
@@ -157,10 +163,20 @@ int try_exercise(const TryOptions& options) {
   const fs::path folder =
       fs::absolute(options.folder.empty() ? fs::path(listed->name) : options.folder)
           .lexically_normal();
+  // One that the reader has named may be a link; this one may be a stranger's.
+  if (options.folder.empty() && fs::is_symlink(folder)) {
+    return tell(link_in_the_way(folder.string() + " is a link, so nothing is written there"));
+  }
   const Trying trying(*listed, *judged, judge, folder);
   Evaluation evaluation;
   evaluation.versions = known_versions(assets);
-  trying.write_missing({course, evaluation, files, assets, {}, {}});
+  try {
+    const OutPlace place = open_out_place(folder, options.course);
+    trying.write_missing({course, evaluation, files, assets, {}, {}},
+                         place.folder.inner(place.name));
+  } catch (const RefusedPath& refused) {
+    return tell(link_in_the_way(refused.what()));
+  }
   trying.tell_what_to_do();
   if (options.open) open_editor(folder / (listed->name + ".cpp"));
   if (options.once) return trying.judge_and_tell() ? kClean : kCourseErrors;

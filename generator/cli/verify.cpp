@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/counted.h"
+#include "base/out_folder.h"
 #include "base/stopwatch.h"
 #include "base/utf8.h"
 #include "cli/progress_bar.h"
@@ -180,11 +181,13 @@ Verified verify_course(const VerifyOptions& options) {
     out << timings_table(verified.evaluation.times);
     if (const auto traffic = verified.store.traffic()) out << traffic_text(*traffic);
   }
-  if (!options.trace.empty()) write_trace(verified.evaluation.times, options.trace);
+  if (!options.trace.empty()) {
+    write_trace(verified.evaluation.times, open_out_place(options.trace, options.course));
+  }
   if (!options.report.empty()) {
     write_report(
         {verified.course ? &*verified.course : nullptr, verified.evaluation, verified.seconds},
-        assets_folder(), std::filesystem::absolute(options.report));
+        assets_folder(), std::filesystem::absolute(options.report), options.course);
     out << "report: " << options.report.lexically_normal().string() << "/index.html\n";
   }
   return verified;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <string_view>
 
+#include "base/plain_name.h"
 #include "base/utf8.h"
+#include "course/level_folder.h"
 
 namespace mjcourse {
 namespace {
@@ -13,7 +15,12 @@ constexpr std::string_view kEnd = ".html";
 // A folder's or a file's name that an address has as it is, and that hides nothing.
 bool is_name(std::string_view text) {
   const auto plain = [](char c) { return is_word_character(c) || c == '-' || c == '.'; };
-  return !text.empty() && text.front() != '.' && std::ranges::all_of(text, plain);
+  return std::ranges::all_of(text, plain) && !fault_of_name(text);
+}
+
+// A level's; the pages of models had addresses too.
+bool is_folder(const std::string& text) {
+  return is_name(text) && (text == kModelsFolder || !fault_of_level_folder(text));
 }
 
 std::string page_of(const Lesson& lesson) {
@@ -28,7 +35,7 @@ std::optional<std::string> former_page(const Lesson& lesson, const std::string& 
   const std::size_t slash = path.find('/');
   const bool bare = slash == path.npos;
   if (!is_name(bare ? path : path.substr(slash + 1))) return std::nullopt;
-  if (!bare && !is_name(path.substr(0, slash))) return std::nullopt;
+  if (!bare && !is_folder(std::string(path.substr(0, slash)))) return std::nullopt;
   return (bare ? lesson.folder + "/" : "") + std::string(path) + std::string(kEnd);
 }
 

@@ -6,6 +6,7 @@
 #include "course/former_page.h"
 #include "course/language.h"
 #include "course/lesson_cache.h"
+#include "course/level_folder.h"
 #include "course/link_target.h"
 #include "course/missing_lesson.h"
 #include "course/prerequisites.h"
@@ -45,6 +46,18 @@ void report_refused_folders(const Files& files, Diagnostics& diagnostics) {
   }
 }
 
+// Readers get what is used of these files, in the site and in archives.
+void report_names(const std::string& folder, const Files& files, Diagnostics& diagnostics) {
+  for (const std::string& name : files.list_below(folder)) {
+    const auto fault = fault_of_path(name, Hidden::is_allowed);
+    if (!fault) continue;
+    diagnostics.push_back(
+        error_at({folder + "/" + name, 0, 0, 1, ""}, "E-file-name",
+                 "readers get the files of `" + folder + "/`, and " + fault->text(),
+                 "give it a name of letters, digits, `-`, `_` and dots"));
+  }
+}
+
 void report_missing(const std::string& message, const std::string& cure, Diagnostics& diagnostics) {
   diagnostics.push_back(error_at({kCoursePath, 0, 0, 1, ""}, kId, message, cure));
 }
@@ -71,6 +84,28 @@ std::string read_address(YamlMap& map, const std::string& key, const std::string
   return "";
 }
 
+// The folder of a level; "" where that is none, which is reported.
+std::string read_folder(YamlMap& map, Reading& reading) {
+  const LocatedText folder = map.required_string("folder");
+  if (folder.text.empty()) return "";
+  const auto fault = fault_of_level_folder(folder.text);
+  if (!fault) return folder.text;
+  reading.error("E-level-folder", folder.span(),
+                "a level lies in a folder of `content/`, and " + fault->text(),
+                "give the folder one plain name, as `1-first-steps`, and write that here");
+  return "";
+}
+
+bool is_lesson_name(const LocatedText& entry, Reading& reading) {
+  const auto fault = fault_of_name(entry.text);
+  if (!fault) return true;
+  reading.error(
+      "E-lesson-name", entry.span(),
+      "a lesson is a file in its level's folder, and " + fault->text(),
+      "give the file one plain name, as `1.2-a-title.md`, and write that here without `.md`");
+  return false;
+}
+
 std::vector<Listed> read_levels(const std::vector<YAML::Node>& nodes, const LocatedText& text,
                                 Reading& reading, Course& course) {
   std::vector<Listed> listed;
@@ -78,7 +113,7 @@ std::vector<Listed> read_levels(const std::vector<YAML::Node>& nodes, const Loca
   for (const YAML::Node& node : nodes) {
     YamlMap map(node, "level", kId, text, reading);
     Level level;
-    level.folder = map.required_string("folder").text;
+    level.folder = read_folder(map, reading);
     level.number = level.folder.substr(0, level.folder.find_first_not_of("0123456789"));
     level.title = map.required_string("title").text;
     for (LocatedText& entry : map.strings("lessons")) {
@@ -89,11 +124,12 @@ std::vector<Listed> read_levels(const std::vector<YAML::Node>& nodes, const Loca
         }
         continue;
       }
+      if (level.folder.empty() || !is_lesson_name(entry, reading)) continue;
       std::string path = "content/" + level.folder + "/" + entry.text + ".md";
       listed.push_back({course.levels.size(), std::move(entry), std::move(path)});
     }
     map.finish();
-    course.levels.push_back(std::move(level));
+    if (!level.folder.empty()) course.levels.push_back(std::move(level));
   }
   return listed;
 }
@@ -296,6 +332,8 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
   for (Listed& one : listed) add_listed(files, one, reading, course, diagnostics);
   course.models = model_names(files);
   report_refused_folders(files, diagnostics);
+  report_names("models", files, diagnostics);
+  report_names("examples", files, diagnostics);
   warn_of_unlisted(files, course, diagnostics);
   read_glossary_file(files, course, diagnostics);
   check_references(files, course, diagnostics);
@@ -309,7 +347,8 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
 std::vector<std::string> model_names(const Files& files) {
   std::vector<std::string> names;
   for (const std::string& name : files.list_below("models")) {
-    if (name.ends_with(".xml")) names.push_back(name.substr(0, name.size() - 4));
+    if (!name.ends_with(".xml") || fault_of_path(name)) continue;
+    names.push_back(name.substr(0, name.size() - 4));
   }
   std::sort(names.begin(), names.end());
   return names;

@@ -44,6 +44,11 @@ bool are_names(const std::vector<std::string>& names) {
   });
 }
 
+// Which becomes a part of a file's name.
+bool is_hash(const std::string& hash) {
+  return !hash.empty() && std::ranges::all_of(hash, is_word_character);
+}
+
 bool is_pinned_as(const LocatedText& pin, const std::optional<PinComparison>& found) {
   return !found || found->name == pin.text;
 }
@@ -75,7 +80,10 @@ struct Fits {
   bool operator()(const ModelExcerpt&) const { return is<ModelResult>(); }
   bool operator()(const InlineModel&) const { return is<ModelResult>(); }
   bool operator()(const Output&) const { return is<OutputResult>(); }
-  bool operator()(const Image&) const { return is<ImageResult>(); }
+  bool operator()(const Image&) const {
+    const auto* known = std::get_if<ImageResult>(&result);
+    return known != nullptr && is_hash(known->hash);
+  }
   bool operator()(const Figure& figure) const {
     const auto* known = std::get_if<FigureResult>(&result);
     return known != nullptr && is_pinned_as(figure.pin, known->pin);

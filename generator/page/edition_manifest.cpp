@@ -107,14 +107,14 @@ json edition_manifest(const fs::path& site, const Course& course, const json& as
   return manifest;
 }
 
-void write_edition(const fs::path& site, const Course& course, const Files& assets,
+void write_edition(const OutFolder& site, const Course& course, const Files& assets,
                    std::size_t threads) {
   const json names = json::parse(assets.read("manifest.json").value());
-  const std::string manifest = edition_manifest(site, course, names, threads).dump() + "\n";
+  const std::string manifest = edition_manifest(site.path(), course, names, threads).dump() + "\n";
   const std::string path = "edition-" + content_hash(manifest) + ".json";
-  write_file(site / path, manifest);
-  write_file(site / "sw.js", "self.mjcourseEdition=" + json(path).dump() + ";\n" +
-                                 assets.read("worker/sw.js").value());
+  site.write(path, manifest);
+  site.write("sw.js", "self.mjcourseEdition=" + json(path).dump() + ";\n" +
+                          assets.read("worker/sw.js").value());
 }
 
 }  // namespace mjcourse

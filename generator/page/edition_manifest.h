@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/files.h"
+#include "base/out_folder.h"
 #include "course/course.h"
 
 namespace mjcourse {
@@ -23,7 +24,7 @@ nlohmann::json edition_manifest(const std::filesystem::path& site, const Course&
                                 const nlohmann::json& assets, std::size_t threads);
 
 // Both files, into `site`, which has all others. `assets` is what the site's build made.
-void write_edition(const std::filesystem::path& site, const Course& course, const Files& assets,
+void write_edition(const OutFolder& site, const Course& course, const Files& assets,
                    std::size_t threads);
 
 }  // namespace mjcourse

@@ -1,14 +1,10 @@
 #include "page/foreign_files.h"
 
-#include <fcntl.h>
-
 #include <algorithm>
-#include <cstdio>
 #include <set>
 #include <sstream>
 #include <utility>
 
-#include "base/descriptor.h"
 #include "base/files.h"
 
 namespace mjcourse {
@@ -81,24 +77,18 @@ class ForeignSearch {
   std::vector<std::string> found_;
 };
 
-void move_to_free_place(const fs::path& from, const fs::path& to) {
-  if (renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) != 0) {
-    throw_errno(from);
-  }
-}
-
 }  // namespace
 
-void write_site_list(const fs::path& site) {
+void write_site_list(const OutFolder& site) {
   Names names{kSiteList};
-  for (const auto& entry : fs::recursive_directory_iterator(site)) {
+  for (const auto& entry : fs::recursive_directory_iterator(site.path())) {
     if (!is_own_folder(entry.path())) {
-      names.insert(entry.path().lexically_relative(site).generic_string());
+      names.insert(entry.path().lexically_relative(site.path()).generic_string());
     }
   }
   std::string lines;
   for (const std::string& name : names) lines += name + "\n";
-  write_file(site / kSiteList, lines);
+  site.write(kSiteList, lines);
 }
 
 bool has_site_list(const fs::path& site) {
@@ -118,16 +108,15 @@ std::vector<std::string> foreign_files(const fs::path& site) {
   return foreign_files(site, site / kSiteList);  // a file, so nothing is in there, and in the way
 }
 
-void move_foreign_files(const fs::path& site, const fs::path& other) {
+void move_foreign_files(const OutFolder& site, const OutFolder& other) {
   std::vector<std::string> moved;
   try {
-    for (const std::string& path : foreign_files(site, other)) {
-      fs::create_directories((other / path).parent_path());
-      move_to_free_place(site / path, other / path);
+    for (const std::string& path : foreign_files(site.path(), other.path())) {
+      site.move(path, other);
       moved.push_back(path);
     }
   } catch (...) {
-    for (const std::string& path : moved) move_to_free_place(other / path, site / path);
+    for (const std::string& path : moved) other.move(path, site);
     throw;
   }
 }

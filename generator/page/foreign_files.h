@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "base/out_folder.h"
+
 namespace mjcourse {
 
 inline constexpr const char* kSiteList = ".mjcourse-site";
@@ -25,7 +27,7 @@ class FolderRefused : public std::runtime_error {
 };
 
 // Lists all that is in `site` now as written by this build.
-void write_site_list(const std::filesystem::path& site);
+void write_site_list(const OutFolder& site);
 bool has_site_list(const std::filesystem::path& site);
 
 // The paths of what `site` does not list, each to be moved into `other`: a whole folder where
@@ -38,6 +40,6 @@ std::vector<std::string> foreign_files(const std::filesystem::path& site);
 
 // Moves these by renaming them. All are where they were when this throws FolderRefused or
 // std::system_error.
-void move_foreign_files(const std::filesystem::path& site, const std::filesystem::path& other);
+void move_foreign_files(const OutFolder& site, const OutFolder& other);
 
 }  // namespace mjcourse

@@ -25,16 +25,14 @@ bool is_loose(const fs::path& file) {
   return endings.contains(file.extension().string());
 }
 
-std::vector<fs::path> loose_files(const fs::path& site) {
-  std::vector<fs::path> files;
+// Their paths below the site.
+std::vector<std::string> loose_files(const fs::path& site) {
+  std::vector<std::string> files;
   for (const auto& entry : fs::recursive_directory_iterator(site)) {
-    if (entry.is_regular_file() && is_loose(entry.path())) files.push_back(entry.path());
+    if (!entry.is_regular_file() || !is_loose(entry.path())) continue;
+    files.push_back(entry.path().lexically_relative(site).string());
   }
   return files;
-}
-
-void write_smaller(const fs::path& file, const std::string& packed, std::size_t size) {
-  if (packed.size() < size) write_file(file, packed);
 }
 
 }  // namespace
@@ -71,13 +69,16 @@ std::string gzip(std::string_view bytes) {
   return packed;
 }
 
-void precompress(const fs::path& site, std::size_t threads) {
-  const std::vector<fs::path> files = loose_files(site);
+void precompress(const OutFolder& site, std::size_t threads) {
+  const std::vector<std::string> files = loose_files(site.path());
+  const DiskFiles written(site.path());
   for_each_index(files.size(), threads, [&](std::size_t index, std::size_t) {
-    const std::string file = files[index].string();
-    const std::string bytes = DiskFiles(site).read(files[index].lexically_relative(site)).value();
-    write_smaller(file + ".br", brotli(bytes), bytes.size());
-    write_smaller(file + ".gz", gzip(bytes), bytes.size());
+    const std::string bytes = written.read(files[index]).value();
+    const auto write_smaller = [&](const char* ending, const std::string& packed) {
+      if (packed.size() < bytes.size()) site.write(files[index] + ending, packed);
+    };
+    write_smaller(".br", brotli(bytes));
+    write_smaller(".gz", gzip(bytes));
   });
 }
 

@@ -7,9 +7,10 @@
 #pragma once
 
 #include <cstddef>
-#include <filesystem>
 #include <string>
 #include <string_view>
+
+#include "base/out_folder.h"
 
 namespace mjcourse {
 
@@ -18,6 +19,6 @@ std::string brotli(std::string_view bytes);
 std::string gzip(std::string_view bytes);
 
 // On so many threads.
-void precompress(const std::filesystem::path& site, std::size_t threads);
+void precompress(const OutFolder& site, std::size_t threads);
 
 }  // namespace mjcourse

@@ -81,11 +81,12 @@ std::vector<ShownPicture> write_pictures(const Run& run, SiteFiles& directory) {
 
 }  // namespace
 
-void write_report(const Run& run, const fs::path& assets, const fs::path& out) {
+void write_report(const Run& run, const fs::path& assets, const fs::path& out,
+                  const fs::path& course) {
   const DiskFiles files(assets);
   Templates templates = site_templates(files);
   const json manifest = json::parse(files.read("manifest.json").value());
-  SiteDirectory directory(out);
+  SiteDirectory directory(out, course);
   // The stylesheet, what it names, and nothing that runs.
   for (const auto& [name, path] : manifest.items()) {
     const std::string file = path;

@@ -21,9 +21,9 @@ struct Run {
   double seconds;
 };
 
-// Replaces what an earlier report left in `out`. `assets` is what site/bundle/build.mjs made.
-// Throws as write_site does.
+// Replaces what an earlier report left in `out`, be that in the folder `course` or elsewhere.
+// `assets` is what site/bundle/build.mjs made. Throws as write_site does.
 void write_report(const Run& run, const std::filesystem::path& assets,
-                  const std::filesystem::path& out);
+                  const std::filesystem::path& out, const std::filesystem::path& course);
 
 }  // namespace mjcourse

@@ -6,27 +6,25 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
 #include "base/files.h"
+#include "base/utf8.h"
 #include "page/foreign_files.h"
 
 namespace mjcourse {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path beside(const fs::path& site, const std::string& suffix) {
-  return site.parent_path() / ("." + site.filename().string() + suffix);
+// The site's list has a line for each file, and what is obeyed instead of shown is in no address.
+const std::string& checked(const std::string& path) {
+  if (readable(path) == path) return path;
+  throw std::runtime_error("no file of a site is called " + readable(path));
 }
 
-void exchange(const fs::path& one, const fs::path& other) {
-  if (renameat2(AT_FDCWD, one.c_str(), AT_FDCWD, other.c_str(), RENAME_EXCHANGE) != 0) {
-    throw_errno(other);
-  }
-}
+constexpr int kLock = O_CREAT | O_RDWR | O_NOFOLLOW | O_CLOEXEC;
 
 }  // namespace
 
@@ -44,13 +42,15 @@ void SiteDirectory::refuse_others(const fs::path& site) {
 }
 
 SiteDirectory::SiteDirectory(const fs::path& site, fs::path course)
-    : site_(fs::weakly_canonical(site)), course_(std::move(course)) {
-  if (site_.filename().empty()) site_ = site_.parent_path();
-  staging_ = beside(site_, ".building");
+    : place_(open_out_place(site, course)),
+      site_(place_.path()),
+      course_(std::move(course)),
+      making_("." + place_.name + ".building") {
   refuse_others(site_);
-  fs::create_directories(site_.parent_path());
-  const fs::path lock = beside(site_, ".lock");
-  lock_ = Descriptor(open(lock.c_str(), O_CREAT | O_RDWR | O_NOFOLLOW | O_CLOEXEC, 0644));
+  const OutFolder& above = place_.folder;
+  const std::string name = "." + place_.name + ".lock";
+  const fs::path lock = above.path() / name, staging = above.path() / making_;
+  lock_ = Descriptor(openat(above.descriptor(), name.c_str(), kLock, 0644));
   if (!lock_.is_open() && errno == ELOOP) {
     throw FolderRefused(lock.string() + " is a link", "remove it; builds keep others out by it");
   }
@@ -58,30 +58,27 @@ SiteDirectory::SiteDirectory(const fs::path& site, fs::path course)
   if (flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
     throw std::runtime_error("another build is writing " + site_.string() + "; wait for it");
   }
-  // Under the lock nobody else writes here: this is what a killed build left.
-  put_back_foreign_files();
-  fs::remove_all(staging_);
+  // Under the lock nobody else writes here: this is what a killed build left, perhaps behind its
+  // exchange.
+  if (has_site_list(staging)) put_back_foreign_files();
+  fs::remove_all(staging);
   // Made here, and no link that somebody put there.
-  if (mkdir(staging_.c_str(), 0777) != 0) throw_errno(staging_);
+  if (mkdirat(above.descriptor(), making_.c_str(), 0777) != 0) throw_errno(staging);
+  staging_ = above.inner(making_);
 }
 
 SiteDirectory::~SiteDirectory() {
   std::error_code ignored;
-  if (!holds_foreign_files_) fs::remove_all(staging_, ignored);
+  if (!holds_foreign_files_) fs::remove_all(place_.folder.path() / making_, ignored);
 }
 
 void SiteDirectory::write(const std::string& path, std::string_view bytes) {
-  write_file(staging_ / path, bytes);
+  staging_->write(checked(path), bytes);
 }
 
 void SiteDirectory::write(const std::string& path,
                           const std::function<void(std::ostream&)>& writer) {
-  fs::create_directories((staging_ / path).parent_path());
-  errno = 0;
-  std::ofstream file(staging_ / path, std::ios::binary | std::ios::trunc);
-  writer(file);
-  file.close();
-  if (!file) throw std::system_error(errno ? errno : EIO, std::generic_category(), staging_ / path);
+  staging_->write(checked(path), writer);
 }
 
 bool SiteDirectory::is_new(const std::string& path) {
@@ -93,7 +90,7 @@ void SiteDirectory::copy(const fs::path& from, const std::string& path) {
   if (!is_new(path)) return;
   const auto bytes = read_beneath(course_, from);
   if (!bytes) throw LostFile(bytes.error());
-  write_file(staging_ / path, *bytes);
+  write(path, *bytes);
 }
 
 void SiteDirectory::copy_own(const fs::path& from, const std::string& path) {
@@ -108,31 +105,36 @@ void SiteDirectory::copy_own(const fs::path& from, const std::string& path) {
   // error".
   const auto bytes = read_file(from);
   if (!bytes) throw std::runtime_error(bytes.error());
-  write_file(staging_ / path, *bytes);
+  write(path, *bytes);
 }
 
-// A build was killed behind its exchange: what is foreign in the old site belongs to the new one.
+// What is foreign in the old site, which lies where the new one was made, belongs to that.
 void SiteDirectory::put_back_foreign_files() {
-  if (!has_site_list(staging_)) return;
-  fs::create_directories(site_);
-  move_foreign_files(staging_, site_);
+  move_foreign_files(place_.folder.inner(making_), place_.folder.inner(place_.name));
+}
+
+void SiteDirectory::put_into_place(unsigned flags) {
+  const int above = place_.folder.descriptor();
+  if (renameat2(above, making_.c_str(), above, place_.name.c_str(), flags) != 0) {
+    throw_errno(site_);
+  }
 }
 
 void SiteDirectory::commit() {
-  write_site_list(staging_);
+  write_site_list(*staging_);
   if (!fs::exists(site_)) {
-    fs::rename(staging_, site_);
+    put_into_place(RENAME_NOREPLACE);
     return;
   }
-  foreign_files(site_, staging_);  // is none of them in the way?
-  exchange(staging_, site_);
+  foreign_files(site_, staging_->path());  // is none of them in the way?
+  put_into_place(RENAME_EXCHANGE);
   // The old site is now where the new one was made, and goes with this object, but for what is
   // foreign in it.
   holds_foreign_files_ = true;
   try {
-    move_foreign_files(staging_, site_);
+    put_back_foreign_files();
   } catch (...) {
-    exchange(staging_, site_);
+    put_into_place(RENAME_EXCHANGE);
     holds_foreign_files_ = false;
     throw;
   }

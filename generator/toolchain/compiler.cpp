@@ -14,7 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kDependencies = "dependencies";
+// Hidden, as no program is: one may be called as anything else.
+constexpr const char* kDependencies = ".dependencies";
+constexpr const char* kOverlay = ".overlay.json";
+constexpr const char* kObject = ".program.o";
 constexpr const char* kNeedsMuch = "needed more than 4 GiB of memory, and was stopped";
 
 template <typename... Words>
@@ -141,7 +144,7 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
   plain.insert(plain.end(), beside.begin(), beside.end());
   std::vector<std::string> command = plain, link;
   if (header) {
-    const fs::path overlay = program.folder / "overlay.json", object = header->folder / "header.o";
+    const fs::path overlay = program.folder / kOverlay, object = header->folder / "header.o";
     write_file(overlay, warm_->headers().overlay(header->folder.parent_path() / "header.hpp"));
     command = toolchain_.command(program.optimize, warm_->headers().shown());
     command.insert(command.end(), beside.begin(), beside.end());
@@ -172,7 +175,7 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
     take(command, at, compiled);
   } else {
     // In two steps, as a compiler lists the files of one source alone.
-    const std::string object = program.folder / "program.o";
+    const std::string object = program.folder / kObject;
     append(command, "-c", "-o", object);
     take(command, at, compiled);
     command = plain;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/files.h"
+#include "base/out_folder.h"
 #include "base/temporary_folder.h"
 #include "toolchain/compiler_output.h"
 
@@ -92,7 +93,7 @@ void WarmObjects::make_header(const std::vector<std::string>& roots, Warmth warm
     const TemporaryFolder work;
     const fs::path source = kept / "header.hpp", pch = work.path() / "header.pch",
                    object = work.path() / "header.o", overlay = work.path() / "overlay.json";
-    write_file(source, text);  // clang looks for it whenever the header is used
+    OutFolder(kept).write("header.hpp", text);  // clang looks for it whenever the header is used
     write_file(overlay, headers_.overlay(source));
     std::vector<fs::path> reads = read_for(include_);
     reads.push_back(kept);

@@ -29,16 +29,53 @@ const marked = (where, number, line, word, path, why) =>
   `${where}:${number}:${line.indexOf(word) + 1}: error: ${path} ${why} [E-file-refused]\n` +
   `  ${number} | ${line}\n    | ${" ".repeat(line.indexOf(word))}^${"~".repeat(word.length - 1)}\n  cure: ${cures[why]}\n`;
 const ofListed = (why) =>
-  marked("content/course.yaml", 3, listed, "1.1-one", "content/1-basics/1.1-one.md", why);
+  marked(
+    "content/course.yaml",
+    3,
+    listed,
+    "1.1-one",
+    "content/1-basics/1.1-one.md",
+    why,
+  );
 const ofNamed = (line, word, path, why) =>
   marked("content/1-basics/1.1-one.md", 5, line, word, path, why);
 const ofModel = (path, line, what, code, advice) =>
   `${path}${line > 0 ? `:${line}:1` : ""}: error: ${what} [E-model-mjcf]\n` +
-  (line > 0 ? `  ${line} | ${code}\n    | ^${"~".repeat(code.length - 1)}\n` : "") +
+  (line > 0
+    ? `  ${line} | ${code}\n    | ^${"~".repeat(code.length - 1)}\n`
+    : "") +
   "  note: content/1-basics/1.1-one.md:5:3: lesson content/1-basics/1.1-one.md uses this model\n" +
   "  5 | `{m} model.nq`\n    |   ^\n" +
   `  cure: ${advice}\n`;
 const beside = "put it beside the model, or into a folder there";
+
+// Folders of a level from which a page would come to lie elsewhere, or nowhere, and why they are none.
+const levels = {
+  "..": "is the folder above",
+  ".": "is the folder itself",
+  "a/..": "has a `/` in it, where the name of a folder ends",
+  "..//": "has a `/` in it, where the name of a folder ends",
+  "/etc": "has a `/` in it, where the name of a folder ends",
+  ".git": "begins with a dot, so it is hidden",
+  "..\\..": "has a `\\` in it, which is a `/` on Windows",
+  "index.html": "ends with `.html`, as files of the site do",
+};
+
+// Each with what it makes of a course, and what is said then.
+export const coursesOfLevels = Object.entries(levels).map(([folder, why]) => {
+  const line = `  - {folder: '${folder}', title: Basics, lessons: [1.1-one]}`;
+  const make = (course) => {
+    course.write("content/course.yaml", `title: Levels\nlevels:\n${line}\n`);
+    const text = "---\ntitle: One\n---\n\nThe lesson.\n";
+    if (!folder.startsWith("/"))
+      course.write(`content/${folder}/1.1-one.md`, text);
+  };
+  const said =
+    `content/course.yaml:3:15: error: a level lies in a folder of \`content/\`, and \`${folder}\` ${why} ` +
+    `[E-level-folder]\n  3 | ${line}\n    |               ^${"~".repeat(folder.length - 1)}\n` +
+    "  cure: give the folder one plain name, as `1-first-steps`, and write that here\n";
+  return [folder, make, said];
+});
 
 // A course with one lesson, in which `body` is line 5.
 export class Course {
@@ -56,7 +93,10 @@ export class Course {
     writeFileSync(this.path(name), text);
   }
   lesson(body) {
-    this.write("content/1-basics/1.1-one.md", `---\ntitle: One\n---\n\n${body}\n`);
+    this.write(
+      "content/1-basics/1.1-one.md",
+      `---\ntitle: One\n---\n\n${body}\n`,
+    );
   }
   link(target, name) {
     mkdirSync(dirname(this.path(name)), { recursive: true });
@@ -85,15 +125,27 @@ const named = (file) => `\`\`\`sh run files="${file}"`;
 
 // Each with what it makes of a course, and what is said then.
 export const courses = {
-  "a lesson that is /etc/passwd": [(c) => c.link("/etc/passwd", lesson), ofListed(outside)],
+  "a lesson that is /etc/passwd": [
+    (c) => c.link("/etc/passwd", lesson),
+    ofListed(outside),
+  ],
   "a lesson that is the environment": [
     (c) => c.link("/proc/self/environ", lesson),
     ofListed(outside),
   ],
-  "a lesson that is the kernel's log": [(c) => c.link("/proc/kmsg", lesson), ofListed(outside)],
+  "a lesson that is the kernel's log": [
+    (c) => c.link("/proc/kmsg", lesson),
+    ofListed(outside),
+  ],
   "a lesson that is a pipe": [(c) => c.pipe(lesson), ofListed(noFile)],
-  "a lesson that is a device": [(c) => c.link("/dev/zero", lesson), ofListed(outside)],
-  "a lesson that is git's": [(c) => c.link("../../.git/config", lesson), ofListed(gits)],
+  "a lesson that is a device": [
+    (c) => c.link("/dev/zero", lesson),
+    ofListed(outside),
+  ],
+  "a lesson that is git's": [
+    (c) => c.link("../../.git/config", lesson),
+    ofListed(gits),
+  ],
   "a lesson by a chain of links": [
     (c) => {
       c.link("../two", lesson);
@@ -109,7 +161,10 @@ export const courses = {
     },
     ofListed(circle),
   ],
-  "a level's folder elsewhere": [(c) => c.link("/etc", "content/1-basics"), ofListed(outside)],
+  "a level's folder elsewhere": [
+    (c) => c.link("/etc", "content/1-basics"),
+    ofListed(outside),
+  ],
   "a course.yaml that is /etc/passwd": [
     (c) => c.link("/etc/passwd", "content/course.yaml"),
     ofFile("content/course.yaml", outside),
@@ -128,10 +183,19 @@ export const courses = {
       "[E-image-place]\n  5 | ![A picture](../../../../etc/passwd.svg)\n" +
       "    |              ^~~~~~~~~~~~~~~~~~~~~~~~~~\n  cure: put the file there\n",
   ],
-  "models that are the whole disk": [(c) => c.link("/", "models"), ofFile("models", outside)],
+  "models that are the whole disk": [
+    (c) => c.link("/", "models"),
+    ofFile("models", outside),
+  ],
   "a model that is /etc/passwd": [
     (c) => c.model(() => c.link("/etc/passwd", "models/m.xml")),
-    ofModel("models/m.xml", 0, `the model's file ${outside}`, "", cures[outside]),
+    ofModel(
+      "models/m.xml",
+      0,
+      `the model's file ${outside}`,
+      "",
+      cures[outside],
+    ),
   ],
   "a model that is a pipe": [
     (c) => c.model(() => c.pipe("models/m.xml")),
@@ -141,7 +205,10 @@ export const courses = {
     (c) =>
       c.model(() => {
         c.link("/proc/kmsg", "models/part.xml");
-        c.write("models/m.xml", '<mujoco>\n<include file="part.xml"/>\n</mujoco>\n');
+        c.write(
+          "models/m.xml",
+          '<mujoco>\n<include file="part.xml"/>\n</mujoco>\n',
+        );
       }),
     ofModel(
       "models/m.xml",
@@ -170,7 +237,10 @@ export const courses = {
     },
     ofNamed(named("examples"), "examples", "examples/deep/data", outside),
   ],
-  "examples that are the whole disk": [(c) => c.link("/", "examples"), ofFile("examples", outside)],
+  "examples that are the whole disk": [
+    (c) => c.link("/", "examples"),
+    ofFile("examples", outside),
+  ],
   "a header that is /etc/passwd": [
     (c) => c.link("/etc/passwd", "examples/include/a.hpp"),
     ofFile("examples/include/a.hpp", outside),
@@ -184,7 +254,12 @@ export const courses = {
       c.lesson("```cpp file=examples/a.cpp\nint main() {}\n```");
       c.link("/etc/passwd", "examples/a.cpp");
     },
-    ofNamed("```cpp file=examples/a.cpp", "examples/a.cpp", "examples/a.cpp", outside),
+    ofNamed(
+      "```cpp file=examples/a.cpp",
+      "examples/a.cpp",
+      "examples/a.cpp",
+      outside,
+    ),
   ],
   "a pipe among the headers beside a program": [
     (c) => {
@@ -209,5 +284,8 @@ export const courses = {
     (c) => c.link("../../.git/config", "theme/templates/page.hbs"),
     ofFile("theme/templates/page.hbs", gits),
   ],
-  "a theme elsewhere": [(c) => c.link("/etc", "theme"), ofFile("theme", outside)],
+  "a theme elsewhere": [
+    (c) => c.link("/etc", "theme"),
+    ofFile("theme", outside),
+  ],
 };

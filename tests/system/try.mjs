@@ -5,12 +5,23 @@
 
 import assert from "node:assert/strict";
 import { execFileSync, spawn, spawnSync } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { after, test } from "node:test";
 
-const mjcourse = resolve(process.env.MJCOURSE ?? "build/release/generator/mjcourse");
+const mjcourse = resolve(
+  process.env.MJCOURSE ?? "build/release/generator/mjcourse",
+);
 const course = join(import.meta.dirname, "../courses/exercise/right");
 const folder = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
 after(() => rmSync(folder, { recursive: true }));
@@ -19,7 +30,11 @@ const solved = "  return 9.81 * t * t / 2;";
 
 const words = (...more) => ["try", "--course", course, ...more];
 const run = (...more) =>
-  spawnSync(mjcourse, words(...more), { cwd: folder, encoding: "utf8", env: process.env });
+  spawnSync(mjcourse, words(...more), {
+    cwd: folder,
+    encoding: "utf8",
+    env: process.env,
+  });
 const write = (code) =>
   writeFileSync(
     program,
@@ -101,25 +116,63 @@ test("it keeps what is there, and knows what is solved", () => {
 });
 
 test("it judges after each save, and ends once all checks hold", async () => {
-  const child = spawn(mjcourse, words("1.1", "--out", "other/place"), { cwd: folder });
+  const child = spawn(mjcourse, words("1.1", "--out", "other/place"), {
+    cwd: folder,
+  });
   let said = "";
   child.stdout.setEncoding("utf8").on("data", (text) => (said += text));
   const ended = new Promise((tell) => child.on("exit", tell));
   const says = async (text) => {
-    while (!said.includes(text)) await new Promise((tell) => setTimeout(tell, 50));
+    while (!said.includes(text))
+      await new Promise((tell) => setTimeout(tell, 50));
     said = "";
   };
   const other = join(folder, "other/place/fall.cpp");
   const save = (code) =>
-    writeFileSync(other, readFileSync(other, "utf8").replace(/ {2}return .*/, code));
+    writeFileSync(
+      other,
+      readFileSync(other, "utf8").replace(/ {2}return .*/, code),
+    );
   await says("the next save is judged again (Ctrl-C ends it)");
   save("  return 9.81 * t / 2;");
   await says("1 of 2 checks holds");
   writeFileSync(other, "int main() {}\n");
-  await says("fall.cpp has no region `answer` any more: put its marks around what you write");
+  await says(
+    "fall.cpp has no region `answer` any more: put its marks around what you write",
+  );
   writeFileSync(other, readFileSync(program));
   await says("2 of 2 checks hold: solved");
   assert.equal(await ended, 0);
+});
+
+test("it writes nothing where a link leads", () => {
+  const elsewhere = join(folder, "elsewhere");
+  const here = join(folder, "here");
+  for (const made of [elsewhere, here]) mkdirSync(made);
+  const refused = (cwd, ...more) => {
+    const came = spawnSync(mjcourse, words("1.1", ...more), {
+      cwd,
+      encoding: "utf8",
+    });
+    return `${came.status}: ${came.stderr}`;
+  };
+  const said = (link) =>
+    `1: mjcourse: ${link} is a link, so nothing is written there\n` +
+    "  cure: remove it, or name another folder: `--out DIR`\n";
+  symlinkSync(elsewhere, join(here, "fall"));
+  assert.equal(refused(here), said(join(here, "fall")));
+  mkdirSync(join(here, "mine/real"), { recursive: true });
+  symlinkSync("real", join(here, "mine/include"));
+  assert.equal(
+    refused(here, "--out", "mine"),
+    said(join(here, "mine/include")),
+  );
+  assert.deepEqual(readdirSync(elsewhere), []);
+  assert.deepEqual(readdirSync(join(here, "mine/real")), []);
+  // One that the reader has named.
+  symlinkSync(elsewhere, join(here, "named"));
+  assert.match(refused(here, "--out", "named", "--once"), /^1: $/);
+  assert.ok(existsSync(join(elsewhere, "fall.cpp")));
 });
 
 test("it says which exercises there are", () => {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/out_folder.h"
 #include "base/stopwatch.h"
 #include "base/temporary_folder.h"
 #include "evaluate/programs/judge_run.h"
@@ -21,8 +22,8 @@ namespace fs = std::filesystem;
 // Copies files and folders of a course to the same names in another folder.
 class Copies {
  public:
-  Copies(fs::path to, WorkerContext& worker_context)
-      : to_(std::move(to)), worker_context_(worker_context), files_(worker_context.root()) {}
+  Copies(const fs::path& to, WorkerContext& worker_context)
+      : to_(to), worker_context_(worker_context), files_(worker_context.root()) {}
 
   struct Refused {
     std::string path;
@@ -49,7 +50,7 @@ class Copies {
 
   // The user that the commands run as may change the copies.
   void open_for_all() const {
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(to_)) {
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(to_.path())) {
       fs::permissions(entry, entry.is_directory() ? fs::perms::all : fs::perms(0666));
     }
   }
@@ -59,7 +60,7 @@ class Copies {
  private:
   bool add_file(const std::string& name) {
     const auto bytes = worker_context_.files().read(name);
-    if (bytes) write_file(to_ / name, *bytes);
+    if (bytes) to_.write(name, *bytes);
     names_.insert(name);
     auto refusal = bytes ? std::nullopt : files_.refusal(name);
     if (refusal && !refused_) refused_ = {name, *std::move(refusal)};
@@ -67,10 +68,10 @@ class Copies {
   }
   void add_folder(const std::string& name) {
     worker_context_.trace().file(name);
-    fs::create_directories(to_ / name);
+    to_.inner(name);
   }
 
-  fs::path to_;
+  OutFolder to_;
   WorkerContext& worker_context_;
   DiskFiles files_;
   std::set<std::string> names_;

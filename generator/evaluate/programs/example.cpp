@@ -81,7 +81,7 @@ Command run_command(const Example& example, const CompiledExample& program, cons
   if (example.handed_in) command.sandbox->add = fs::absolute(records);
   command.record_opened = true;
   if (draws(program.code.text)) {
-    const LentShaders shaders = lend_shaders_to(fs::absolute(program.folder->path() / "shaders"));
+    const LentShaders shaders = lend_shaders_to(fs::absolute(program.folder->path() / ".shaders"));
     command.environment.insert(command.environment.end(), shaders.variables.begin(),
                                shaders.variables.end());
     command.sandbox->write.push_back(shaders.own);
@@ -167,7 +167,8 @@ std::optional<ExampleResult> run_example(const Example& example, CompiledExample
                                          const Lesson& lesson, WorkerContext& worker_context,
                                          Diagnostics& diagnostics) {
   const fs::path& folder = program.folder->path();
-  const std::string run_name = "run-" + std::to_string(++program.runs);
+  // Hidden, as no program is: one may be called as anything else.
+  const std::string run_name = ".run-" + std::to_string(++program.runs);
   const fs::path records = folder / (run_name + ".records");
   const Stopwatch stopwatch;
   Outcome outcome =

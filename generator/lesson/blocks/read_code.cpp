@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/nearest.h"
+#include "base/plain_name.h"
 #include "base/text_lines.h"
 
 namespace mjcourse {
@@ -71,8 +72,18 @@ std::optional<LocatedText> take_region(LocatedText& file) {
   return region;
 }
 
-bool is_example_file(const std::string& path) {
-  return path.starts_with("examples/") && path.ends_with(".cpp") && path.find("..") == path.npos;
+// Report `file` where it is not the file of a program, which is `what`.
+bool is_example_file(const LocatedText& file, const std::string& what, Reading& reading) {
+  const std::string& path = file.text;
+  std::string why;
+  if (path.starts_with("examples/") && path.ends_with(".cpp")) {
+    const auto fault = fault_of_path(path);
+    if (!fault) return true;
+    why = ", and " + fault->text();
+  }
+  reading.error("E-example-file", file.span(), what + " is a file `examples/NAME.cpp`" + why,
+                why.empty() ? "" : "give the file a name of letters, digits, `-`, `_` and dots");
+  return false;
 }
 
 std::optional<Example> read_example(Fence& fence, Reading& reading) {
@@ -91,10 +102,7 @@ std::optional<Example> read_example(Fence& fence, Reading& reading) {
     return std::nullopt;
   }
   const std::optional<LocatedText> region = take_region(*file);
-  if (!is_example_file(file->text)) {
-    reading.error("E-example-file", file->span(), "an example is a file `examples/NAME.cpp`");
-    return std::nullopt;
-  }
+  if (!is_example_file(*file, "an example", reading)) return std::nullopt;
   Example example{*file, region, fence.body()};
   example.span = fence.span();
   if (region) {
@@ -110,16 +118,16 @@ std::optional<Example> read_example(Fence& fence, Reading& reading) {
 std::optional<Exercise> read_exercise(Fence& fence, Reading& reading) {
   std::optional<LocatedText> file = fence.option("file");
   const std::optional<LocatedText> region = file ? take_region(*file) : std::nullopt;
-  if (!region || region->text.empty() || !is_example_file(file->text)) {
+  if (!region || region->text.empty()) {
     reading.error("E-fence-kind", file ? file->span() : fence.span(),
                   "an exercise is a region of a program, which its reader writes",
                   "name both: `cpp exercise file=examples/NAME.cpp#REGION`");
     return std::nullopt;
   }
+  if (!is_example_file(*file, "an exercise", reading)) return std::nullopt;
   Exercise exercise{Example{*file, region, {}}, fence.option("hidden"), fence.span()};
-  if (exercise.hidden && !is_example_file(exercise.hidden->text)) {
-    reading.error("E-example-file", exercise.hidden->span(),
-                  "a program of hidden checks is a file `examples/NAME.cpp`");
+  if (exercise.hidden &&
+      !is_example_file(*exercise.hidden, "a program of hidden checks", reading)) {
     return std::nullopt;
   }
   exercise.program.span = fence.span();

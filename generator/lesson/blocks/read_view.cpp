@@ -55,12 +55,15 @@ std::string read_alt(JsonObject& object, Reading& reading) {
 
 // It becomes a part of a file's name.
 LocatedText read_pin(JsonObject& object, Reading& reading) {
+  constexpr std::size_t kMostPin = 100;
   constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789-";
   if (!object.has("pin")) return {};
   LocatedText pin = object.required_string("pin");
-  if (pin.text.find_first_not_of(letters) == pin.text.npos) return pin;
+  if (pin.text.find_first_not_of(letters) == pin.text.npos && pin.text.size() <= kMostPin) {
+    return pin;
+  }
   reading.error("E-pin-name", pin.span(),
-                "\"pin\" names a picture's file: small letters, digits and hyphens",
+                "\"pin\" names a picture's file: small letters, digits and hyphens, 100 at most",
                 "as in \"arm-at-rest\"");
   return {};
 }

@@ -42,6 +42,13 @@ TEST(FileLock, IsWaitedFor) {
   EXPECT_TRUE(got);
 }
 
+TEST(FileLock, IsNoLink) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("elsewhere", folder.path() / "lock");
+  EXPECT_THROW(FileLock(folder.path() / "lock"), std::system_error);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "elsewhere"));
+}
+
 TEST(FileLock, SaysWhereItCannotBe) {
   try {
     const FileLock lock("/nowhere/lock");

@@ -68,6 +68,25 @@ TEST_F(PreparedFoldersTest, GoThroughNoLink) {
   EXPECT_EQ(std::distance(fs::directory_iterator(elsewhere), {}), 1);
 }
 
+// In a store that somebody else has filled.
+TEST_F(PreparedFoldersTest, AreMadeAnewWhereLinksLieInThem) {
+  EXPECT_EQ(get("x"), "1");
+  const fs::path request = fs::directory_iterator(cache_)->path();
+  const fs::path elsewhere = folder_.path() / "elsewhere";
+  write_file(elsewhere / "file", "precious");
+  for (const fs::path& target : {elsewhere / "file", elsewhere / "missing", elsewhere}) {
+    fs::remove_all(request);
+    fs::create_directory(request);
+    for (const char* name : {"current", "lock", "making", "header.hpp"}) {
+      fs::create_symlink(target, request / name);
+    }
+    EXPECT_EQ(get("x"), "1") << target;
+    EXPECT_FALSE(fs::exists(fs::symlink_status(request / "header.hpp"))) << target;
+    EXPECT_EQ(bytes(elsewhere / "file"), "precious") << target;
+    EXPECT_EQ(std::distance(fs::directory_iterator(elsewhere), {}), 1) << target;
+  }
+}
+
 TEST_F(PreparedFoldersTest, AreFoundByWhoDoesNotMakeThem) {
   EXPECT_FALSE(PreparedFolders(cache_).find("x"));
   EXPECT_EQ(get("x"), "1");

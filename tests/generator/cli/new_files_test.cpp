@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "base/files.h"
+#include "base/plain_name.h"
 #include "base/temporary_folder.h"
 #include "cli/run.h"
 
@@ -44,7 +45,7 @@ TEST_F(NewFiles, OverwriteNothing) {
 }
 
 TEST_F(NewFiles, HaveNamesThatADiskTakes) {
-  const std::string name(241, 'a');
+  const std::string name(kLongestName + 1, 'a');
   for (const std::string& path : {name, name + "/b.md", "b/" + name}) {
     const auto result = write_new_files(folder_.path(), {{"first.md", "text"}, {path, "text"}});
     ASSERT_FALSE(result);
@@ -53,7 +54,7 @@ TEST_F(NewFiles, HaveNamesThatADiskTakes) {
     EXPECT_EQ(result.error().cure, "choose a shorter name");
     EXPECT_EQ(bytes_of("first.md"), "it is not there");
   }
-  EXPECT_EQ(written({{std::string(240, 'a'), "text"}}), "");
+  EXPECT_EQ(written({{std::string(kLongestName, 'a'), "text"}}), "");
 }
 
 TEST_F(NewFiles, DoNotFollowALinkToNowhere) {

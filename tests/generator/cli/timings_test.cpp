@@ -26,7 +26,7 @@ TEST(Timings, NameTheLongestFirst) {
 
 TEST(Timings, BecomeATrace) {
   const TemporaryFolder folder;
-  write_trace(kTimes, folder.path() / "trace.json");
+  write_trace(kTimes, {OutFolder(folder.path()), "trace.json"});
   const auto trace = nlohmann::json::parse(DiskFiles(folder.path()).read("trace.json").value());
   const auto& events = trace.at("traceEvents");
   ASSERT_EQ(events.size(), 3U);

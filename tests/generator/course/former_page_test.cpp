@@ -28,7 +28,8 @@ TEST(FormerPage, StandsInTheLessonsFolderOrInAnother) {
 
 TEST(FormerPage, IsNothingElse) {
   for (const char* written : {"", "/", "..", "../x", "x/..", "/x", "x/", "a/b/c", ".hidden", "a b",
-                              "x?y", "x#y", "\xC3\xBC", "https://a.org", ".html"}) {
+                              "x?y", "x#y", "\xC3\xBC", "https://a.org", ".html", "con",
+                              "nul/x", "x./y", "index.html/x", "search.js/x"}) {
     EXPECT_EQ(former(written), "none") << written;
   }
 }

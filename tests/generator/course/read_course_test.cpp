@@ -233,6 +233,75 @@ TEST(Course, ReadsOnAfterALessonThatCannotBeRead) {
   EXPECT_EQ(found.course->lessons.size(), 1u);
 }
 
+// Where a course's names would have its pages lie elsewhere, or nowhere.
+TEST(ReadCourse, TakesPlainNamesOfLevelsAndLessons) {
+  const CourseOf read({{"content/course.yaml", R"(title: C
+levels:
+  - {folder: "..", title: Above, lessons: [1.1-x]}
+  - {folder: 1-a, title: First, lessons: ["../1-a/1.1-x", 1.2-y, "1.3-\u0007"]}
+  - {folder: Models, title: Models}
+  - {folder: Sw.JS, title: Worker}
+)"},
+                       {"content/../1.1-x.md", lesson("")},
+                       {"content/1-a/../1-a/1.1-x.md", lesson("")},
+                       {"content/1-a/1.2-y.md", lesson("")}});
+  EXPECT_EQ(
+      read.mistakes(),
+      R"(content/course.yaml:3:15: error: a level lies in a folder of `content/`, and `..` is the folder above [E-level-folder]
+  3 |   - {folder: "..", title: Above, lessons: [1.1-x]}
+    |               ^~
+  cure: give the folder one plain name, as `1-first-steps`, and write that here
+content/course.yaml:4:44: error: a lesson is a file in its level's folder, and `../1-a/1.1-x` has a `/` in it, where the name of a folder ends [E-lesson-name]
+  4 |   - {folder: 1-a, title: First, lessons: ["../1-a/1.1-x", 1.2-y, "1.3-\u0007"]}
+    |                                            ^~~~~~~~~~~~
+  cure: give the file one plain name, as `1.2-a-title.md`, and write that here without `.md`
+content/course.yaml:4:66: error: a lesson is a file in its level's folder, and `1.3-\x07` has a control character in it [E-lesson-name]
+  4 |   - {folder: 1-a, title: First, lessons: ["../1-a/1.1-x", 1.2-y, "1.3-\u0007"]}
+    |                                                                  ^
+  cure: give the file one plain name, as `1.2-a-title.md`, and write that here without `.md`
+content/course.yaml:5:14: error: a level lies in a folder of `content/`, and `Models` is where the site has the pages of models [E-level-folder]
+  5 |   - {folder: Models, title: Models}
+    |              ^~~~~~
+  cure: give the folder one plain name, as `1-first-steps`, and write that here
+content/course.yaml:6:14: error: a level lies in a folder of `content/`, and `Sw.JS` ends with `.js`, as files of the site do [E-level-folder]
+  6 |   - {folder: Sw.JS, title: Worker}
+    |              ^~~~~
+  cure: give the folder one plain name, as `1-first-steps`, and write that here
+)");
+  ASSERT_EQ(read.course->lessons.size(), 1u);
+  EXPECT_EQ(read.course->lessons[0].number, "1.2");
+  ASSERT_EQ(read.course->levels.size(), 1u);
+}
+
+TEST(ReadCourse, HasPlainNamesForWhatReadersGet) {
+  const CourseOf read({{"content/course.yaml", kTwo},
+                       {"content/1-a/1.1-x.md", lesson("")},
+                       {"content/1-a/1.2-y.md", lesson("")},
+                       {"models/a b.xml", ""},
+                       {"models/a\nCNAME\nb.xml", ""},
+                       {"models/arm/nul.stl", ""},
+                       {"models/.arm.xml.swp", ""},
+                       {"models/.old/arm.xml", ""},
+                       {"examples/include/..\\..\\a.hpp", ""},
+                       {"examples/.deep/a:b.hpp", ""},
+                       {"examples/b.cpp", ""}});
+  const std::string cure = "  cure: give it a name of letters, digits, `-`, `_` and dots\n";
+  EXPECT_EQ(read.mistakes(),
+            "models/a\\nCNAME\\nb.xml: error: readers get the files of `models/`, and "
+            "`a\\nCNAME\\nb.xml` has a control character in it [E-file-name]\n" +
+                cure +
+                "models/arm/nul.stl: error: readers get the files of `models/`, and `nul.stl` is a "
+                "device on Windows [E-file-name]\n" +
+                cure +
+                "examples/.deep/a:b.hpp: error: readers get the files of `examples/`, and "
+                "`a:b.hpp` has a `:` in it, which no name on Windows has [E-file-name]\n" +
+                cure +
+                "examples/include/..\\..\\a.hpp: error: readers get the files of `examples/`, and "
+                "`..\\..\\a.hpp` has a `\\` in it, which is a `/` on Windows [E-file-name]\n" +
+                cure);
+  EXPECT_EQ(read.course->models, std::vector<std::string>{"a b"});
+}
+
 TEST(ReadCourse, UnloadsLessons) {
   const CourseOf read = course_of("$x$\n", "## Here\n\n[one](1.1)\n");
   EXPECT_EQ(read.mistakes(), "");

@@ -147,5 +147,16 @@ TEST(ResultFits, WhereColumnsAreEquallyLong) {
   EXPECT_FALSE(fits(program.lesson->blocks.at(0), Result(result)));
 }
 
+// Of its copy's name in the site.
+TEST(ResultFits, WhereAPicturesHashIsNoPath) {
+  const ReadingOf reading = reading_of("![A picture](p.png)\n");
+  const auto fits_as = [&](const std::string& hash) {
+    return fits(reading.lesson->blocks.at(0), Result(ImageResult{"p.png", hash, 1, 1}));
+  };
+  EXPECT_TRUE(fits_as("x4std3708x"));
+  for (const char* hash : {"", "/../../x", "a.b", "a/b", "a\nb"})
+    EXPECT_FALSE(fits_as(hash)) << hash;
+}
+
 }  // namespace
 }  // namespace mjcourse

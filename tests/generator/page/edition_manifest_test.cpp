@@ -69,7 +69,7 @@ TEST_F(EditionManifest, DoesNotDependOnThreads) {
 TEST_F(EditionManifest, MakesAnotherWorkerOfAnotherSite) {
   const MemoryFiles assets{{{"manifest.json", "{}"}, {"worker/sw.js", "work();\n"}}};
   const auto worker = [&] {
-    write_edition(folder_.path(), course_, assets, 1);
+    write_edition(OutFolder(folder_.path()), course_, assets, 1);
     std::string text = DiskFiles(folder_.path()).read("sw.js").value();
     for (const std::string& name : DiskFiles(folder_.path()).list("")) {
       if (name.starts_with("edition-") || name == "sw.js")

@@ -18,14 +18,14 @@ class ForeignFilesTest : public testing::Test {
     for (const fs::path& site : {old_, new_}) {
       write_file(site / "index.html", "x");
       write_file(site / "1-a/1.1-x.html", "x");
-      write_site_list(site);
+      write_site_list(OutFolder(site));
     }
   }
   // Of the user's.
   void add(const std::string& path) const { write_file(old_ / path, "mine"); }
   std::string refusal() const {
     try {
-      move_foreign_files(old_, new_);
+      move_foreign_files(OutFolder(old_), OutFolder(new_));
     } catch (const FolderRefused& refused) {
       std::string text = std::string(refused.what()) + " | " + refused.cure();
       for (std::size_t at; (at = text.find(folder_.path().string() + "/")) != text.npos;) {
@@ -66,7 +66,7 @@ TEST_F(ForeignFilesTest, MayBeLinksWhereverTheyLead) {
   fs::create_directory_symlink("/usr", old_ / "usr");
   fs::create_symlink("/nowhere", old_ / "lost");
   EXPECT_EQ(foreign_files(old_, new_), (Paths{"lost", "usr"}));
-  move_foreign_files(old_, new_);
+  move_foreign_files(OutFolder(old_), OutFolder(new_));
   EXPECT_TRUE(fs::is_symlink(new_ / "usr"));
   EXPECT_TRUE(fs::is_symlink(new_ / "lost"));
 }
@@ -75,7 +75,7 @@ TEST_F(ForeignFilesTest, GoAlong) {
   add("CNAME");
   add(".git/HEAD");
   add("1-a/deep/notes.txt");
-  move_foreign_files(old_, new_);
+  move_foreign_files(OutFolder(old_), OutFolder(new_));
   EXPECT_EQ(read_file(new_ / "CNAME"), "mine");
   EXPECT_EQ(read_file(new_ / ".git/HEAD"), "mine");
   EXPECT_EQ(read_file(new_ / "1-a/deep/notes.txt"), "mine");

@@ -11,7 +11,7 @@ namespace {
 std::string files_of(const std::map<std::string, std::string>& site) {
   const TemporaryFolder folder;
   for (const auto& [path, bytes] : site) write_file(folder.path() / path, bytes);
-  precompress(folder.path(), 2);
+  precompress(OutFolder(folder.path()), 2);
   std::string names;
   for (const std::string& name : DiskFiles(folder.path()).list("")) names += name + " ";
   return names;

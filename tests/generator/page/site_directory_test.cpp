@@ -5,6 +5,7 @@
 #include <map>
 #include <ostream>
 
+#include "base/beneath.h"
 #include "base/files.h"
 #include "base/temporary_folder.h"
 #include "page/foreign_files.h"
@@ -217,6 +218,36 @@ TEST_F(SiteDirectoryTest, DoesNotWriteThroughALinkInTheWay) {
   EXPECT_TRUE(fs::is_empty(folder_.path() / "elsewhere"));
 }
 
+// Whatever becomes of a course's names before they come here.
+TEST_F(SiteDirectoryTest, WritesNothingOutsideOfItself) {
+  const fs::path theirs = folder_.path() / "theirs";
+  write_file(theirs, "as it was");
+  fs::create_directories(site_.parent_path());
+  fs::create_symlink(theirs, site_.parent_path() / "page.html");
+  SiteDirectory directory(site_, folder_.path());
+  const auto says = [](std::ostream& file) { file << "new"; };
+  for (const std::string& path : {std::string("../page.html"), std::string("a/../../page.html"),
+                                  std::string(".."), theirs.string()}) {
+    EXPECT_THROW(directory.write(path, "new"), RefusedPath) << path;
+    EXPECT_THROW(directory.write(path, says), RefusedPath) << path;
+    EXPECT_THROW(directory.copy(theirs, path), RefusedPath) << path;
+  }
+  EXPECT_THROW(directory.copy_own(theirs, "own/../../page.html"), RefusedPath);
+  // A line of the site's list each, which could be the name of a user's file.
+  EXPECT_THROW(directory.write("a\nCNAME", "new"), std::runtime_error);
+  directory.commit();
+  EXPECT_EQ(files(), Texts{});
+  EXPECT_EQ(read_file(theirs).value(), "as it was");
+}
+
+TEST_F(SiteDirectoryTest, LiesInACourseBehindNoLink) {
+  const fs::path course = folder_.path() / "course", elsewhere = folder_.path() / "elsewhere";
+  for (const fs::path& folder : {course, elsewhere}) fs::create_directory(folder);
+  fs::create_symlink(elsewhere, course / "build");
+  EXPECT_THROW(SiteDirectory(course / "build" / "site", course), RefusedPath);
+  EXPECT_TRUE(fs::is_empty(elsewhere));
+}
+
 // What a user put into a site: a folder of git's, files at the top and beside ours, a link, and a
 // folder in which there is nothing yet.
 class ForeignFiles : public SiteDirectoryTest {
@@ -315,7 +346,7 @@ TEST_F(ForeignFiles, AreRefusedWhereAKilledBuildLeftOthersOfTheSameName) {
 
 TEST_F(ForeignFiles, AreWhereTheyWereIfOneCannotBeMoved) {
   fs::create_directories(site_ / "other");  // no folder moves into itself
-  EXPECT_THROW(move_foreign_files(site_, site_ / "other"), std::system_error);
+  EXPECT_THROW(move_foreign_files(OutFolder(site_), OutFolder(site_ / "other")), std::system_error);
   fs::remove_all(site_ / "other");  // empty folders
   build("new");
   expect_all("new");

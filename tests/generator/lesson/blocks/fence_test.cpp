@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 #include "reading_of.h"
 
 namespace mjcourse {
@@ -157,12 +160,30 @@ TEST(Fence, RefusesAProgramThatNobodyRan) {
 }
 
 TEST(Fence, KeepsExamplesInTheirFolder) {
-  for (const std::string file : {"other/a.cpp", "examples/../a.cpp", "examples/a.py"}) {
-    EXPECT_EQ(mistakes_in("```cpp file=" + file + "\n```\n"),
-              "content/1-a/1.1-x.md:4:13: error: an example is a file `examples/NAME.cpp` "
-              "[E-example-file]\n"
-              "  4 | ```cpp file=" +
-                  file + "\n    |             ^" + std::string(file.size() - 1, '~') + "\n");
+  const std::pair<std::string, std::string> wrong[] = {
+      {"other/a.cpp", ""},
+      {"examples/a.py", ""},
+      {"examples/../a.cpp", ", and `..` is the folder above"},
+      {"examples//a.cpp", ", and `` is no name"},
+      {"examples/.a.cpp", ", and `.a.cpp` begins with a dot, so it is hidden"},
+      {"examples/a:b.cpp", ", and `a:b.cpp` has a `:` in it, which no name on Windows has"},
+      {"examples/con.cpp", ", and `con.cpp` is a device on Windows"}};
+  for (const auto& [file, why] : wrong) {
+    const std::string cure =
+        why.empty() ? "" : "  cure: give the file a name of letters, digits, `-`, `_` and dots\n";
+    const std::string marked = "^" + std::string(file.size() - 1, '~') + "\n" + cure;
+    const auto said = [&marked, &why = why](const std::string& what, std::size_t column,
+                                            const std::string& opened) {
+      return "content/1-a/1.1-x.md:4:" + std::to_string(column) + ": error: " + what +
+             " is a file `examples/NAME.cpp`" + why + " [E-example-file]\n  4 | " + opened +
+             "\n    | " + std::string(column - 1, ' ') + marked;
+    };
+    const std::string plain = "```cpp file=" + file;
+    EXPECT_EQ(mistakes_in(plain + "\n```\n"), said("an example", 13, plain));
+    const std::string exercise = "```cpp exercise file=" + file + "#x";
+    EXPECT_EQ(mistakes_in(exercise + "\n```\n"), said("an exercise", 22, exercise));
+    const std::string hidden = "```cpp exercise file=examples/a.cpp#x hidden=" + file;
+    EXPECT_EQ(mistakes_in(hidden + "\n```\n"), said("a program of hidden checks", 46, hidden));
   }
 }
 

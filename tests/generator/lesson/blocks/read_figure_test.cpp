@@ -88,11 +88,13 @@ TEST(Figure, RefusesFilmsThatAreTooLong) {
 }
 
 TEST(Figure, HasAPinThatIsAFilesName) {
-  for (const std::string pin : {"../a", "A", "a b", "a.png"}) {
+  EXPECT_EQ(figure_mistakes("\"pin\": \"" + std::string(100, 'a') + "\""), "");
+  for (const std::string& pin : {std::string("../a"), std::string("A"), std::string("a b"),
+                                 std::string("a.png"), std::string(101, 'a')}) {
     EXPECT_EQ(figure_mistakes("\"pin\": \"" + pin + "\""),
               "E-pin-name <" + pin +
-                  "> \"pin\" names a picture's file: small letters, digits and hyphens | as in "
-                  "\"arm-at-rest\"\n");
+                  "> \"pin\" names a picture's file: small letters, digits and hyphens, "
+                  "100 at most | as in \"arm-at-rest\"\n");
   }
 }
 

@@ -1,0 +1,80 @@
+// Writing into a folder, and nowhere else, whatever names a course gives to what is written.
+//
+// A course is often somebody else's, so its names and what lies in its folders are not trusted: a
+// name that climbs, or a link that was put in the way, would lead a write to any file of the
+// user's. Here each step of a name's way is taken from the folder above it, is no link, and leads
+// no higher; files are made anew, so what lay there under the name is replaced, and nothing is
+// written into what it was. Folders that are missing are made.
+//
+// Enter at open_out_place(), which finds the folder for what a user has named. Reading beneath a
+// folder, where links inside of it are followed, is `beneath.h`; replacing a file of the course
+// with its mode kept is `replace_file.h`.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "base/descriptor.h"
+
+namespace mjcourse {
+
+class OutFolder {
+ public:
+  // `folder` is there; links on the way to it are followed. Throws std::system_error.
+  explicit OutFolder(std::filesystem::path folder);
+
+  // Where it was when it was opened: for messages, and to read what was written.
+  const std::filesystem::path& path() const { return path_; }
+  int descriptor() const { return folder_.get(); }
+
+  // All of these throw std::system_error with the path where the disk fails, and RefusedPath
+  // (beneath.h) where `name` could lead elsewhere: it climbs, or a link lies on its way. They may
+  // be called on several threads at once.
+
+  void write(const std::string& name, std::string_view bytes) const;
+  // The same of what is not in memory as a whole.
+  void write(const std::string& name, const std::function<void(std::ostream&)>& writer) const;
+  // A folder in this one; "" and "." are itself.
+  OutFolder inner(const std::string& name) const;
+  // Renames what lies here under `name`, a file, a folder or a link, to the same name in `other`,
+  // where there is nothing of the name.
+  void move(const std::string& name, const OutFolder& other) const;
+
+ private:
+  OutFolder(std::filesystem::path path, Descriptor folder)
+      : path_(std::move(path)), folder_(std::move(folder)) {}
+
+  struct Spot;  // the folder on the way to something, and the name in it
+  Spot spot(const std::string& name) const;
+  Descriptor created(const std::string& name) const;
+
+  std::filesystem::path path_;
+  Descriptor folder_;
+};
+
+// Where something comes to lie: a folder, and the name in it.
+struct OutPlace {
+  OutFolder folder;
+  std::string name;
+
+  std::filesystem::path path() const { return folder.path() / name; }
+};
+
+// The way from `course` to `place`, where that lies in it: "build/site". Nothing where it lies
+// elsewhere. Neither need be resolved, and `place` need not be there.
+std::optional<std::string> name_in_course(const std::filesystem::path& course,
+                                          const std::filesystem::path& place);
+
+// The first link on the way `name` below `course`, itself included; "" where there is none.
+std::string link_on_way(const std::filesystem::path& course, const std::string& name);
+
+// Of the place that a user has named, whose folders are made. In `course` no link leads to it;
+// elsewhere a link is the user's, and is followed. Throws as OutFolder does.
+OutPlace open_out_place(const std::filesystem::path& place, const std::filesystem::path& course);
+
+}  // namespace mjcourse

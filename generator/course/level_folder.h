@@ -1,0 +1,18 @@
+// A level's folder: its name in `content/`, and in the site the folder of its lessons' pages.
+// Tested by tests/generator/course/read_course_test.cpp.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/plain_name.h"
+
+namespace mjcourse {
+
+// In the site, where the pages of models lie.
+inline constexpr const char* kModelsFolder = "models";
+
+// Why no level has the folder `name`; nothing where one may.
+std::optional<NameFault> fault_of_level_folder(const std::string& name);
+
+}  // namespace mjcourse

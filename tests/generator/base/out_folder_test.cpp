@@ -1,0 +1,182 @@
+#include "base/out_folder.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <ostream>
+#include <system_error>
+
+#include "base/beneath.h"
+#include "base/files.h"
+#include "base/temporary_folder.h"
+
+namespace mjcourse {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder to write into, beside a file and a folder that are somebody's.
+class OutFolderTest : public testing::Test {
+ protected:
+  OutFolderTest() {
+    fs::create_directory(out());
+    fs::create_directory(elsewhere());
+    write_file(theirs(), "as it was");
+  }
+  fs::path out() const { return folder_.path() / "out"; }
+  fs::path elsewhere() const { return folder_.path() / "elsewhere"; }
+  fs::path theirs() const { return folder_.path() / "theirs"; }
+  static std::string text(const fs::path& file) { return read_file(file).value_or("not there"); }
+
+  // What is thrown where something is written under `name`; "" where it was written.
+  std::string refusal(const std::string& name) const {
+    std::string said;
+    try {
+      OutFolder(out()).write(name, "new");
+    } catch (const RefusedPath& refused) {
+      said = refused.what();
+    } catch (const std::system_error& error) {
+      said = error.what();
+    }
+    EXPECT_EQ(text(theirs()), "as it was") << name;
+    EXPECT_TRUE(fs::is_empty(elsewhere())) << name;
+    return said;
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(OutFolderTest, MakesFilesAndTheirFolders) {
+  const OutFolder folder(out());
+  folder.write("a.txt", "a");
+  folder.write("deep/er/b.txt", "b");
+  folder.write("deep/c.txt", [](std::ostream& file) { file << "one" << 'c'; });
+  folder.inner("deep/./er").write("d.txt", "d");
+  folder.inner(".").write("e.txt", "");
+  EXPECT_EQ(text(out() / "a.txt"), "a");
+  EXPECT_EQ(text(out() / "deep/er/b.txt"), "b");
+  EXPECT_EQ(text(out() / "deep/c.txt"), "onec");
+  EXPECT_EQ(text(out() / "deep/er/d.txt"), "d");
+  EXPECT_EQ(text(out() / "e.txt"), "");
+  EXPECT_EQ(folder.inner("deep/er").path(), out() / "deep/er");
+}
+
+TEST_F(OutFolderTest, IsLeftByNoName) {
+  const std::string why = " leads out of " + out().string() + ", so nothing is written there";
+  for (const char* name : {"..", "../theirs", "a/../../theirs", "a/..", "./../theirs"}) {
+    EXPECT_EQ(refusal(name), (out() / name).string() + why);
+  }
+  EXPECT_EQ(refusal(theirs()), theirs().string() + why);
+  const OutFolder folder(out());
+  EXPECT_THROW(folder.inner("../elsewhere"), RefusedPath);
+  EXPECT_THROW(folder.move("../theirs", folder), RefusedPath);
+  for (const char* name : {"", ".", "./"}) {
+    EXPECT_EQ(refusal(name), out().string() + ": Is a directory");
+  }
+}
+
+TEST_F(OutFolderTest, FollowsNoLinkOnTheWay) {
+  fs::create_directory(out() / "inside");
+  fs::create_symlink(elsewhere(), out() / "absolute");
+  fs::create_symlink("../elsewhere", out() / "relative");
+  fs::create_symlink("inside", out() / "stays");
+  fs::create_symlink("../nowhere", out() / "dangling");
+  fs::create_symlink("..", out() / "inside" / "above");
+  for (const char* link : {"absolute", "relative", "stays", "dangling", "inside/above"}) {
+    EXPECT_EQ(refusal(std::string(link) + "/a"),
+              (out() / link).string() + " is a link, so nothing is written there");
+    EXPECT_THROW(OutFolder(out()).inner(link), RefusedPath);
+  }
+  EXPECT_FALSE(fs::exists(folder_.path() / "nowhere"));
+}
+
+// What lies under the name is gone, and what it led to, or shares its bytes with, is as it was.
+TEST_F(OutFolderTest, ReplacesWhatLiesThere) {
+  fs::create_symlink(theirs(), out() / "link");
+  fs::create_symlink("nowhere", out() / "dangling");
+  fs::create_hard_link(theirs(), out() / "shared");
+  ASSERT_EQ(mkfifo((out() / "pipe").c_str(), 0600), 0);
+  for (const char* name : {"link", "dangling", "shared", "pipe"}) {
+    EXPECT_EQ(refusal(name), "");
+    EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(out() / name))) << name;
+    EXPECT_EQ(text(out() / name), "new") << name;
+  }
+  EXPECT_FALSE(fs::exists(out() / "nowhere"));
+  fs::create_directory(out() / "folder");
+  EXPECT_EQ(refusal("folder"), (out() / "folder").string() + ": Is a directory");
+  EXPECT_EQ(refusal("shared/a"), (out() / "shared").string() + ": Not a directory");
+}
+
+TEST_F(OutFolderTest, StaysTheFolderThatWasOpened) {
+  const OutFolder folder(out());
+  fs::rename(out(), folder_.path() / "renamed");
+  fs::create_symlink(elsewhere(), out());
+  folder.write("a", "a");
+  EXPECT_TRUE(fs::is_empty(elsewhere()));
+  EXPECT_EQ(text(folder_.path() / "renamed" / "a"), "a");
+}
+
+TEST_F(OutFolderTest, MovesToAFreePlaceInAnother) {
+  fs::create_directories(out() / "deep");
+  fs::create_symlink("/nowhere", out() / "deep" / "link");
+  write_file(out() / "taken", "mine");
+  write_file(elsewhere() / "taken", "theirs");
+  const OutFolder from(out()), to(elsewhere());
+  from.move("deep/link", to);
+  EXPECT_EQ(fs::read_symlink(elsewhere() / "deep" / "link"), "/nowhere");
+  EXPECT_THROW(from.move("taken", to), std::system_error);
+  EXPECT_EQ(text(elsewhere() / "taken"), "theirs");
+  fs::create_symlink(folder_.path(), elsewhere() / "way");
+  write_file(out() / "way" / "x", "x");
+  EXPECT_THROW(from.move("way/x", to), RefusedPath);
+}
+
+class OutPlaceTest : public OutFolderTest {
+ protected:
+  // The place is opened in a course, which is out(); why not, or where it is.
+  std::string opened(const fs::path& place) const {
+    try {
+      return open_out_place(place, out()).path();
+    } catch (const RefusedPath& refused) {
+      return refused.what();
+    }
+  }
+};
+
+TEST_F(OutPlaceTest, IsNamedAsTheCourseHasIt) {
+  const auto name = [&](const fs::path& place) {
+    return name_in_course(out(), place).value_or("elsewhere");
+  };
+  fs::create_symlink(out(), folder_.path() / "course");
+  fs::create_symlink(elsewhere(), out() / "build");
+  EXPECT_EQ(name(out() / "build/site"), "build/site");
+  EXPECT_EQ(name(out() / "build/site/"), "build/site");
+  EXPECT_EQ(name(out() / "a/./../build"), "build");
+  EXPECT_EQ(name(folder_.path() / "course/build"), "build");
+  EXPECT_EQ(name(out()), "");
+  EXPECT_EQ(name(out() / ""), "");
+  EXPECT_EQ(name(elsewhere()), "elsewhere");
+  EXPECT_EQ(name(folder_.path()), "elsewhere");
+  EXPECT_EQ(name(out().string() + "-2/a"), "elsewhere");
+  EXPECT_EQ(link_on_way(out(), "build/site"), "build");
+  EXPECT_EQ(link_on_way(out(), "a/build"), "");
+}
+
+TEST_F(OutPlaceTest, IsReachedThroughNoLinkOfTheCourse) {
+  fs::create_symlink(elsewhere(), out() / "link");
+  EXPECT_EQ(opened(out() / "link/site"),
+            (out() / "link").string() + " is a link, so nothing is written there");
+  EXPECT_EQ(opened(out() / "build/site"), out() / "build/site");
+  EXPECT_TRUE(fs::is_directory(out() / "build"));
+  EXPECT_TRUE(fs::is_empty(elsewhere()));
+}
+
+TEST_F(OutPlaceTest, IsWhereALinkOfTheUsersLeads) {
+  fs::create_symlink(elsewhere(), folder_.path() / "mine");
+  EXPECT_EQ(opened(folder_.path() / "mine"), elsewhere());
+  EXPECT_EQ(opened(folder_.path() / "mine/deep/site/"), elsewhere() / "deep/site");
+  EXPECT_TRUE(fs::is_directory(elsewhere() / "deep"));
+}
+
+}  // namespace
+}  // namespace mjcourse
