@@ -79,7 +79,8 @@ DiskStore::DiskStore(fs::path folder) : folder_(std::move(folder)) {
     }
     writable_ = false;
     note("the store is read and not written: " + std::string(error.what()));
-    lock_ = Descriptor(open((folder_ / "lock").c_str(), O_RDONLY | O_CLOEXEC));
+    lock_ = Descriptor(
+        open((folder_ / "lock").c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   }
   while (lock_.is_open() && flock(lock_.get(), LOCK_SH) != 0) {
     if (errno != EINTR) throw_errno(folder_ / "lock");

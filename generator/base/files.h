@@ -97,7 +97,8 @@ tl::expected<std::string, std::string> read_file(const std::filesystem::path& pa
 tl::expected<std::string, std::string> read_beneath(const std::filesystem::path& root,
                                                     const std::filesystem::path& path);
 
-// Write `bytes` to `path` on the disk, making its folders. Throws std::system_error with the path.
+// Write `bytes` to `path` on the disk, making its folders and following links: for folders of our
+// own. Elsewhere it is for OutFolder (out_folder.h). Throws std::system_error with the path.
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace mjcourse

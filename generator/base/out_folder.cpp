@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <deque>
 #include <ostream>
 #include <system_error>
 
@@ -17,6 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kIsLink = "is a link";
+constexpr int kMostLinks = 40;  // as the kernel follows
 constexpr int kFolder = O_PATH | O_DIRECTORY | O_CLOEXEC;
 constexpr int kNewFile = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
 
@@ -39,7 +42,7 @@ Descriptor opened_or_made(int above, const std::string& name, const fs::path& pa
   }
   if (folder.is_open()) return folder;
   const int reason = errno;
-  if (is_link(above, name)) refuse(path, "is a link");
+  if (is_link(above, name)) refuse(path, kIsLink);
   throw std::system_error(reason, std::generic_category(), path.string());
 }
 
@@ -75,10 +78,16 @@ OutFolder::Spot OutFolder::spot(const std::string& name) const {
 Descriptor OutFolder::created(const std::string& name) const {
   const Spot spot = this->spot(name);
   if (spot.name.empty()) throw std::system_error(EISDIR, std::generic_category(), path_.string());
+  mode_t mode = 0666;
   while (true) {
-    Descriptor file(openat(spot.folder.get(), spot.name.c_str(), kNewFile, 0666));
+    Descriptor file(openat(spot.folder.get(), spot.name.c_str(), kNewFile, mode));
     if (file.is_open()) return file;
     if (errno != EEXIST) throw_errno(spot.path);
+    struct stat former {};
+    if (fstatat(spot.folder.get(), spot.name.c_str(), &former, AT_SYMLINK_NOFOLLOW) == 0 &&
+        S_ISREG(former.st_mode)) {
+      mode &= former.st_mode;
+    }
     if (unlinkat(spot.folder.get(), spot.name.c_str(), 0) != 0 && errno != ENOENT) {
       throw_errno(spot.path);
     }
@@ -116,44 +125,46 @@ void OutFolder::move(const std::string& name, const OutFolder& other) const {
   }
 }
 
-std::optional<std::string> name_in_course(const fs::path& course, const fs::path& place) {
-  fs::path above;
-  std::optional<fs::path> name;
-  for (const fs::path& part : fs::absolute(place).lexically_normal()) {
-    above /= part;
+OutPath find_out_path(const fs::path& named, const fs::path& course) {
+  const fs::path root = course.empty() ? fs::path() : fs::weakly_canonical(course);
+  // The way from the course to what lies in it.
+  const auto inside = [&](const fs::path& path) {
+    return root.empty() ? "" : name_beneath(root, path).value_or("");
+  };
+  const fs::path whole = fs::absolute(named);
+  std::deque<fs::path> rest(whole.begin(), whole.end());
+  OutPath found;
+  for (int links = 0; !rest.empty();) {
+    const fs::path part = std::move(rest.front());
+    rest.pop_front();
+    if (part.empty() || part == ".") continue;
+    const fs::path next = part == ".." ? found.path.parent_path() : found.path / part;
     std::error_code none;
-    if (name) {
-      *name /= part;
-    } else if (fs::equivalent(above, course, none)) {
-      name.emplace();
+    if (part == ".." || !fs::is_symlink(next, none)) {
+      found.path = next;
+      continue;
     }
+    if (const std::string link = inside(next); !link.empty()) {
+      return {next, link, link};
+    }
+    if (++links > kMostLinks) throw std::system_error(ELOOP, std::generic_category(), whole);
+    const fs::path target = fs::read_symlink(next);
+    if (target.is_absolute()) found.path.clear();
+    rest.insert(rest.begin(), target.begin(), target.end());
   }
-  if (!name) return std::nullopt;
-  return (name->has_filename() ? *name : name->parent_path()).string();
+  found.inside = inside(found.path);
+  return found;
 }
 
-std::string link_on_way(const fs::path& course, const std::string& name) {
-  fs::path way;
-  for (const fs::path& part : fs::path(name)) {
-    way /= part;
-    std::error_code none;
-    if (fs::is_symlink(course / way, none)) return way.string();
+OutPlace open_out_place(const fs::path& named, const fs::path& course) {
+  const OutPath found = find_out_path(named, course);
+  if (!found.link.empty()) refuse(found.link, kIsLink);
+  if (found.inside.empty()) {
+    fs::create_directories(found.path.parent_path());
+    return {OutFolder(found.path.parent_path()), found.path.filename()};
   }
-  return "";
-}
-
-OutPlace open_out_place(const fs::path& place, const fs::path& course) {
-  const auto inside = course.empty() ? std::nullopt : name_in_course(course, place);
-  if (inside && !inside->empty()) {
-    const fs::path name = *inside;
-    OutFolder root(course);
-    return {name.has_parent_path() ? root.inner(name.parent_path()) : std::move(root),
-            name.filename()};
-  }
-  fs::path whole = fs::weakly_canonical(fs::absolute(place));
-  if (!whole.has_filename()) whole = whole.parent_path();
-  fs::create_directories(whole.parent_path());
-  return {OutFolder(whole.parent_path()), whole.filename()};
+  const fs::path inside = found.inside;
+  return {OutFolder(course).inner(inside.parent_path()), inside.filename()};
 }
 
 }  // namespace mjcourse

@@ -14,7 +14,6 @@
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,7 +56,18 @@ class OutFolder {
   Descriptor folder_;
 };
 
-// Where something comes to lie: a folder, and the name in it.
+// Where a path that a user has named leads, in a course that is a stranger's.
+struct OutPath {
+  std::filesystem::path path;  // whole, and up to `link` without links; it need not be there
+  std::string inside;          // the way there from the course; "" where it is elsewhere
+  std::string link;            // the same of the first link of the course's; "" where there is none
+};
+
+// Links that lie elsewhere are the user's, and are followed; those in `course` lead nowhere. The
+// course itself is there, and elsewhere. Throws std::system_error where links lead in a circle.
+OutPath find_out_path(const std::filesystem::path& named, const std::filesystem::path& course);
+
+// A place to write at: a folder, and the name in it.
 struct OutPlace {
   OutFolder folder;
   std::string name;
@@ -65,16 +75,8 @@ struct OutPlace {
   std::filesystem::path path() const { return folder.path() / name; }
 };
 
-// The way from `course` to `place`, where that lies in it: "build/site". Nothing where it lies
-// elsewhere. Neither need be resolved, and `place` need not be there.
-std::optional<std::string> name_in_course(const std::filesystem::path& course,
-                                          const std::filesystem::path& place);
-
-// The first link on the way `name` below `course`, itself included; "" where there is none.
-std::string link_on_way(const std::filesystem::path& course, const std::string& name);
-
-// Of the place that a user has named, whose folders are made. In `course` no link leads to it;
-// elsewhere a link is the user's, and is followed. Throws as OutFolder does.
-OutPlace open_out_place(const std::filesystem::path& place, const std::filesystem::path& course);
+// The place that a user has named; the folder is made where it is missing. Throws as OutFolder
+// does.
+OutPlace open_out_place(const std::filesystem::path& named, const std::filesystem::path& course);
 
 }  // namespace mjcourse

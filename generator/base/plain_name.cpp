@@ -8,7 +8,7 @@
 namespace mjcourse {
 namespace {
 
-// Whatever stands behind a dot, and in capitals too.
+// Extension and case do not matter.
 bool is_device(std::string_view name) {
   constexpr std::array kDevices{"con", "prn", "aux", "nul", "conin$", "conout$"};
   constexpr std::array kDigits{"0", "1", "2", "3", "4", "5", "6", "7", "8", "9", "¹", "²", "³"};

@@ -94,7 +94,7 @@ void bring_to_disk(const fs::path& path) {
   if (!synced) throw std::system_error(reason, std::generic_category(), path.string());
 }
 
-// None is ours, and what is written through one lands elsewhere.
+// None is ours, and one would lead what we write elsewhere.
 void remove_links(const fs::path& folder) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (entry.is_symlink()) fs::remove(entry.path());
@@ -125,6 +125,7 @@ void prune(const fs::path& all, const fs::path& kept, std::uintmax_t most_bytes)
   std::sort(requests.begin(), requests.end());
   for (const auto& [used, request] : requests) {
     if (bytes <= most_bytes) return;
+    remove_links(request);
     const FileLock lock(request / kLock, FileLock::Patience::try_once);
     if (!lock.held()) continue;
     bytes -= size_of(request);

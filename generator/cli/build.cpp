@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "base/out_folder.h"
 #include "base/utf8.h"
 #include "cli/commands.h"
 #include "cli/run.h"
@@ -27,11 +28,12 @@ int build(const BuildOptions& options) {
   }
   if (!options.base_url.empty()) verified.course->url = options.base_url;
   if (options.without_solutions) withhold_solutions(*verified.course, verified.evaluation);
+  const std::filesystem::path site = find_out_path(options.out, options.course).path;
   try {
     write_site(
         *verified.course, verified.evaluation,
-        {options.course, assets_folder(), std::filesystem::absolute(options.out), options.jobs,
-         options.compress, !options.without_solutions},
+        {options.course, assets_folder(), site, options.jobs, options.compress,
+         !options.without_solutions},
         [&](const Lesson& lesson) { return claims_of_prose(lesson, verified.evaluation); },
         std::move(history.changes));
   } catch (const BrokenTemplate& broken) {
@@ -42,7 +44,7 @@ int build(const BuildOptions& options) {
     return kCourseErrors;
   }
   std::string kept;
-  for (const std::string& file : foreign_files(options.out)) {
+  for (const std::string& file : foreign_files(site)) {
     kept += (kept.empty() ? "" : ", ") + readable(file);
   }
   if (!kept.empty()) std::cout << "kept in the site, though no build wrote it: " << kept << '\n';

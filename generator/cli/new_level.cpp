@@ -6,6 +6,7 @@
 #include "cli/course_file.h"
 #include "cli/new_part.h"
 #include "course/lesson_name.h"
+#include "course/level_folder.h"
 #include "process/our_command.h"
 
 namespace mjcourse {
@@ -63,6 +64,9 @@ NewPartOrRefusal new_level(const Files& course, const std::vector<std::string>& 
   if (!file) return tl::unexpected(file.error());
   const auto named = name_of(*file, words);
   if (!named) return tl::unexpected(named.error());
+  if (const auto fault = fault_of_level_folder(named->folder)) {
+    return wrong_words(fault->text(), "choose another name, as in " + level_form());
+  }
   if (file->find_level(named->folder) != nullptr) {
     return wrong_course("the course has a level " + named->folder + " already",
                         "choose another name");

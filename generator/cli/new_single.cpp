@@ -6,6 +6,7 @@
 #include <cctype>
 
 #include "base/nearest.h"
+#include "base/plain_name.h"
 #include "cli/new_part.h"
 #include "cli/skeleton.h"
 #include "course/course.h"
@@ -16,7 +17,7 @@ namespace mjcourse {
 namespace {
 
 // `word` without the folder and the ending that it has as a file.
-std::string plain_name(std::string word, const std::string& folder, const std::string& ending) {
+std::string bare_name(std::string word, const std::string& folder, const std::string& ending) {
   if (word.starts_with(folder)) word.erase(0, folder.size());
   if (word.ends_with(ending)) word.erase(word.size() - ending.size());
   return word;
@@ -32,8 +33,12 @@ tl::expected<std::string, Refusal> name_of(const std::string& kind, const std::s
   static const RE2 plain("[a-z][a-z0-9_]*"),
       in_folders("(?:[a-z0-9][a-z0-9_-]*/)*[a-z0-9][a-z0-9_]*");
   const RE2& good = kind == "model" ? in_folders : plain;
-  std::string name = plain_name(words[0], folder, ending);
-  if (RE2::FullMatch(name, good)) return name;
+  std::string name = bare_name(words[0], folder, ending);
+  if (RE2::FullMatch(name, good)) {
+    const auto fault = fault_of_path(name);
+    if (!fault) return name;
+    return wrong_words(fault->text(), "choose another name, as in " + form);
+  }
   std::string likely = slug_of(name);
   std::replace(likely.begin(), likely.end(), '-', '_');
   return wrong_words(
@@ -51,7 +56,7 @@ tl::expected<std::string, Refusal> model_for(const Files& course, const std::str
     return std::find(models.begin(), models.end(), name) != models.end();
   };
   if (words.size() > 1) {
-    const std::string model = plain_name(words[1], "models/", ".xml");
+    const std::string model = bare_name(words[1], "models/", ".xml");
     if (has(model)) return model;
     return wrong_course("there is no model " + model + " in models/", suggest(model, models));
   }

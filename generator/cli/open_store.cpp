@@ -27,6 +27,8 @@ bool is_due(const fs::path& stamp) {
   std::error_code none;
   const auto last = fs::last_write_time(stamp, none);
   if (!none && fs::file_time_type::clock::now() - last < std::chrono::hours(24)) return false;
+  if (!fs::is_directory(stamp.parent_path())) return false;
+  fs::remove_all(stamp, none);
   OutFolder(stamp.parent_path()).write(stamp.filename(), "");
   return true;
 }

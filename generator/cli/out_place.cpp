@@ -16,21 +16,19 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Where the course has it: a change of a stranger's can bring each link and folder of that.
+// In the course, each link and folder may be of a stranger's change.
 std::optional<Refusal> refused_place(const fs::path& course, const fs::path& place,
                                      const std::string& option) {
-  const auto name = name_in_course(course, place);
-  if (!name) return std::nullopt;  // elsewhere, as the user wants it
+  const OutPath found = find_out_path(place, course);
+  if (found.inside.empty()) return std::nullopt;  // elsewhere, as the user wants it
   const auto refuse = [&](const std::string& what) {
     return Refusal{kCourseErrors, what + ", so nothing is written there",
                    "name another place: `" + option + "`"};
   };
-  const auto status = Beneath(course).status(*name);
-  if (!status && status.error().is_refused()) return refuse(*name + " " + status.error().why);
-  if (const std::string link = link_on_way(course, *name); !link.empty()) {
-    return refuse(link + " is a link");
-  }
-  return std::nullopt;
+  if (!found.link.empty()) return refuse(found.link + " is a link");
+  const auto status = Beneath(course).status(found.inside);
+  if (status || !status.error().is_refused()) return std::nullopt;
+  return refuse(found.inside + " " + status.error().why);
 }
 
 // Before a course is worked on for minutes: may this user write what comes to lie at `place`? What
@@ -53,12 +51,13 @@ std::optional<Refusal> refused_by_system(const fs::path& place, const std::strin
 std::optional<Refusal> refused_folder(const fs::path& course, const fs::path& place,
                                       const std::string& option) {
   auto refused = refused_place(course, place, option);
-  if (!refused && name_in_course(place, course)) {
+  const fs::path path = find_out_path(place, course).path;
+  if (!refused && name_beneath(path, fs::weakly_canonical(course))) {
     return Refusal{kWrongUsage,
                    "the course lies in " + place.string() + ", which would be replaced",
                    "name another place: `" + option + "`"};
   }
-  if (!refused) SiteDirectory::refuse_others(place);
+  if (!refused) SiteDirectory::refuse_others(path);
   if (!refused) refused = refused_by_system(place, option);
   return refused;
 }

@@ -17,9 +17,9 @@ struct OutPlaces {
 };
 
 // What is wrong with the places that a command is to write to: those in the course to which a link
-// leads, those that the course lies in and would go with, and those where nothing can be written. A
-// place elsewhere may be a link, as the user wants it. Throws FolderRefused where a folder that is
-// to be replaced holds something that no build made.
+// leads, those that contain the course, which would be deleted, and those where nothing can be
+// written. A place elsewhere may be a link, as the user wants it. Throws FolderRefused where a
+// folder that is to be replaced holds something that no build made.
 std::optional<Refusal> refused_out(const OutPlaces& places);
 
 // What the system refused in the middle of the work, as on a full disk.

@@ -149,6 +149,13 @@ int try_exercise(const TryOptions& options) {
   const Course& course = *verified.course;
   const auto listed = find_exercise(course, options.course, options.words);
   if (!listed) return tell(listed.error());
+  const fs::path folder =
+      fs::absolute(options.folder.empty() ? fs::path(listed->name) : options.folder)
+          .lexically_normal();
+  // One that the reader has named may be a link; this one may be a stranger's.
+  if (options.folder.empty() && fs::is_symlink(folder)) {
+    return tell(link_in_the_way(folder.string() + " is a link, so nothing is written there"));
+  }
   const DiskFiles assets(assets_folder()), files(options.course);
   const ExerciseJudge judge(course, evaluation_settings(options, assets, verified.store.get()));
   Diagnostics diagnostics;
@@ -159,13 +166,6 @@ int try_exercise(const TryOptions& options) {
   if (!judged) {
     print_diagnostics(diagnostics);
     return kCourseErrors;
-  }
-  const fs::path folder =
-      fs::absolute(options.folder.empty() ? fs::path(listed->name) : options.folder)
-          .lexically_normal();
-  // One that the reader has named may be a link; this one may be a stranger's.
-  if (options.folder.empty() && fs::is_symlink(folder)) {
-    return tell(link_in_the_way(folder.string() + " is a link, so nothing is written there"));
   }
   const Trying trying(*listed, *judged, judge, folder);
   Evaluation evaluation;

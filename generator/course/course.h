@@ -37,8 +37,8 @@ struct Course {
   std::map<std::string, std::string> macros;  // TeX, shared by all lessons: "\\R" → "\\mathbb{R}"
   std::vector<Level> levels;
   std::vector<Lesson> lessons;  // in the course's order; most of many are unloaded
-  // Names: "joint_zoo" for models/joint_zoo.xml, "arm/scene" for models/arm/scene.xml, all of which
-  // are plain (base/plain_name.h). A file that only others include is among them, and nobody
+  // Names: "joint_zoo" for models/joint_zoo.xml, "arm/scene" for models/arm/scene.xml, made of
+  // plain names (base/plain_name.h). A file that only others include is among them, and nobody
   // compiles it by itself.
   std::vector<std::string> models;
   std::optional<Glossary> glossary;

@@ -18,9 +18,8 @@ bool is_name(std::string_view text) {
   return std::ranges::all_of(text, plain) && !fault_of_name(text);
 }
 
-// A level's; the pages of models had addresses too.
-bool is_folder(const std::string& text) {
-  return is_name(text) && (text == kModelsFolder || !fault_of_level_folder(text));
+bool is_folder(std::string_view text) {
+  return is_name(text) && !ends_as_a_file(std::string(text));
 }
 
 std::string page_of(const Lesson& lesson) {
@@ -35,7 +34,7 @@ std::optional<std::string> former_page(const Lesson& lesson, const std::string& 
   const std::size_t slash = path.find('/');
   const bool bare = slash == path.npos;
   if (!is_name(bare ? path : path.substr(slash + 1))) return std::nullopt;
-  if (!bare && !is_folder(std::string(path.substr(0, slash)))) return std::nullopt;
+  if (!bare && !is_folder(path.substr(0, slash))) return std::nullopt;
   return (bare ? lesson.folder + "/" : "") + std::string(path) + std::string(kEnd);
 }
 

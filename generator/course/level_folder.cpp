@@ -9,19 +9,23 @@
 namespace mjcourse {
 namespace {
 
-// Of the files at a site's root.
-constexpr std::array kEndings{".html", ".js", ".json", ".txt", ".xml"};
+constexpr std::array<std::string_view, 11> kEndings{
+    ".br", ".csv", ".gz", ".html", ".js", ".json", ".png", ".txt", ".webp", ".xml", ".zip"};
 
 }  // namespace
 
+bool ends_as_a_file(const std::string& folder) {
+  const std::string small = lower_case_utf8(folder);
+  return std::ranges::any_of(kEndings, [&](std::string_view one) { return small.ends_with(one); });
+}
+
 std::optional<NameFault> fault_of_level_folder(const std::string& name) {
   if (auto fault = fault_of_name(name)) return fault;
-  const std::string small = lower_case_utf8(name);
-  if (small == kModelsFolder) return NameFault{name, "is where the site has the pages of models"};
-  const auto* const ending =
-      std::ranges::find_if(kEndings, [&](std::string_view one) { return small.ends_with(one); });
-  if (ending == kEndings.end()) return std::nullopt;
-  return NameFault{name, std::string("ends with `") + *ending + "`, as files of the site do"};
+  if (lower_case_utf8(name) == kModelsFolder) {
+    return NameFault{name, "is where the site has the pages of models"};
+  }
+  if (ends_as_a_file(name)) return NameFault{name, "ends as a file of the site does"};
+  return std::nullopt;
 }
 
 }  // namespace mjcourse

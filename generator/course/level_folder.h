@@ -15,4 +15,8 @@ inline constexpr const char* kModelsFolder = "models";
 // Why no level has the folder `name`; nothing where one may.
 std::optional<NameFault> fault_of_level_folder(const std::string& name);
 
+// Does a file of the site, of those at its root or of those that are made beside others, end like
+// this folder? It could have its very name.
+bool ends_as_a_file(const std::string& folder);
+
 }  // namespace mjcourse

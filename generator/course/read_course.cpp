@@ -26,6 +26,7 @@ namespace {
 
 constexpr const char* kId = "E-course-yaml";
 constexpr std::size_t kMostLessons = 20'000;
+constexpr std::size_t kMostFileNames = 100;  // that are wrong in a folder, and are told
 
 // Tells of the file or folder `path` where it is refused.
 void report_refused(const std::string& path, const Files& files, Diagnostics& diagnostics) {
@@ -46,15 +47,28 @@ void report_refused_folders(const Files& files, Diagnostics& diagnostics) {
   }
 }
 
+// Of a file in `models` or `examples`, beside which others come to lie in the site.
+std::optional<NameFault> fault_of_file(const std::string& path) {
+  if (auto fault = fault_of_path(path, Hidden::is_allowed)) return fault;
+  for (std::size_t begin = 0, end = 0; (end = path.find('/', begin)) != path.npos;
+       begin = end + 1) {
+    const std::string folder = path.substr(begin, end - begin);
+    if (ends_as_a_file(folder)) return NameFault{folder, "ends as a file of the site does"};
+  }
+  return std::nullopt;
+}
+
 // Readers get what is used of these files, in the site and in archives.
 void report_names(const std::string& folder, const Files& files, Diagnostics& diagnostics) {
+  std::size_t left = kMostFileNames;
   for (const std::string& name : files.list_below(folder)) {
-    const auto fault = fault_of_path(name, Hidden::is_allowed);
+    const auto fault = fault_of_file(name);
     if (!fault) continue;
     diagnostics.push_back(
         error_at({folder + "/" + name, 0, 0, 1, ""}, "E-file-name",
                  "readers get the files of `" + folder + "/`, and " + fault->text(),
-                 "give it a name of letters, digits, `-`, `_` and dots"));
+                 "rename it; letters, digits, `-`, `_` and dots are good everywhere"));
+    if (--left == 0) return;
   }
 }
 
@@ -347,7 +361,7 @@ std::optional<Course> read_course(const Files& files, Diagnostics& diagnostics, 
 std::vector<std::string> model_names(const Files& files) {
   std::vector<std::string> names;
   for (const std::string& name : files.list_below("models")) {
-    if (!name.ends_with(".xml") || fault_of_path(name)) continue;
+    if (!name.ends_with(".xml") || fault_of_path(name, Hidden::is_allowed)) continue;
     names.push_back(name.substr(0, name.size() - 4));
   }
   std::sort(names.begin(), names.end());

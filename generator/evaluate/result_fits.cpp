@@ -5,6 +5,7 @@
 
 #include "base/any_of.h"
 #include "base/beneath.h"
+#include "base/plain_name.h"
 #include "base/utf8.h"
 #include "findings/model_page.h"
 #include "physics/model_files.h"
@@ -44,6 +45,13 @@ bool are_names(const std::vector<std::string>& names) {
   });
 }
 
+// Which become names in a reader's archive.
+bool are_paths(const std::vector<std::string>& files) {
+  return std::ranges::none_of(files, [](const std::string& file) {
+    return fault_of_path(file, Hidden::is_allowed).has_value();
+  });
+}
+
 // Which becomes a part of a file's name.
 bool is_hash(const std::string& hash) {
   return !hash.empty() && std::ranges::all_of(hash, is_word_character);
@@ -76,7 +84,10 @@ struct Fits {
   bool operator()(const InlineValue&) const { return is<ValueResult>(); }
   bool operator()(const Example&) const { return is_program(); }
   // Its solution is a program, where no fence shows it.
-  bool operator()(const Exercise&) const { return is<ExerciseResult>() || is_program(); }
+  bool operator()(const Exercise&) const {
+    const auto* known = std::get_if<ExerciseResult>(&result);
+    return known != nullptr ? are_paths(known->files) : is_program();
+  }
   bool operator()(const ModelExcerpt&) const { return is<ModelResult>(); }
   bool operator()(const InlineModel&) const { return is<ModelResult>(); }
   bool operator()(const Output&) const { return is<OutputResult>(); }
@@ -109,9 +120,9 @@ struct Fits {
 
   bool is_program() const {
     const auto* known = std::get_if<ExampleResult>(&result);
-    return known != nullptr && std::ranges::all_of(known->records.tables, [](const auto& named) {
-             return is_table(named.second);
-           });
+    return known != nullptr && are_paths(known->files) &&
+           std::ranges::all_of(known->records.tables,
+                               [](const auto& named) { return is_table(named.second); });
   }
 };
 

@@ -18,7 +18,7 @@ namespace mjcourse {
 namespace fs = std::filesystem;
 namespace {
 
-// The site's list has a line for each file, and what is obeyed instead of shown is in no address.
+// The site's list has a line for each file, and no address contains control characters.
 const std::string& checked(const std::string& path) {
   if (readable(path) == path) return path;
   throw std::runtime_error("no file of a site is called " + readable(path));
@@ -123,7 +123,7 @@ void SiteDirectory::put_into_place(unsigned flags) {
 void SiteDirectory::commit() {
   write_site_list(*staging_);
   if (!fs::exists(site_)) {
-    put_into_place(RENAME_NOREPLACE);
+    put_into_place(0);
     return;
   }
   foreign_files(site_, staging_->path());  // is none of them in the way?

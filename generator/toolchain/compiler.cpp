@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Hidden, as no program is: one may be called as anything else.
+// Hidden, because a program may have any other name.
 constexpr const char* kDependencies = ".dependencies";
 constexpr const char* kOverlay = ".overlay.json";
 constexpr const char* kObject = ".program.o";

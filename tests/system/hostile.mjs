@@ -8,15 +8,18 @@
 
 import { spawnSync } from "node:child_process";
 import {
-  chownSync,
+  chmodSync,
   cpSync,
   existsSync,
   globSync,
+  mkdirSync,
   mkdtempSync,
   readFileSync,
   readdirSync,
   readlinkSync,
   rmSync,
+  statSync,
+  writeFileSync,
 } from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
@@ -25,6 +28,7 @@ const mjcourse = resolve(process.argv[2]);
 const courses = join(import.meta.dirname, "../courses", "hostile");
 const ordinary = 54321; // a user who has nothing
 const outside = "/var/tmp/mjcourse-was-here"; // what a program tries to write
+const victim = "/var/tmp/mjcourse-victim"; // the folder that one has shaders lent into
 
 const without = process.env.MJCOURSE_WITHOUT;
 
@@ -54,7 +58,12 @@ function run(name, user, home, landlock) {
   const cache = mkdtempSync(join(home, "cache-")); // empty, so that everything is run
   const course = join(temporary, "..", `${name}-${user ?? "own"}-${landlock ?? "own"}`);
   cpSync(join(courses, name), course, { recursive: true });
-  if (user !== undefined) for (const own of [temporary, cache]) chownSync(own, user, user);
+  const kept = join(cache, "mjcourse/mesa_shader_cache/9f");
+  for (const folder of [kept, victim]) mkdirSync(folder, { recursive: true });
+  chmodSync(victim, 0o700);
+  writeFileSync(join(kept, "shader"), "");
+  const owned = user ?? process.getuid();
+  spawnSync("chown", ["-R", `${owned}:${owned}`, temporary, cache, victim]);
   // One program at a time: the kernel counts an ordinary user's processes together, so that beside
   // a fork bomb its neighbours cannot fork either.
   const check = ["check", "--jobs", "1", "--course", course];
@@ -86,6 +95,10 @@ function run(name, user, home, landlock) {
   expect(processesIn(temporary).length === 0, `${name}, ${who}: processes were left`);
   expect(readdirSync(temporary).length === 0, `${name}, ${who}: files were left`);
   expect(!existsSync(outside), `${name}, ${who}: ${outside} was written`);
+  const mode = statSync(victim).mode & 0o777;
+  expect(mode === 0o700, `${name}, ${who}: ${victim} has the mode ${mode.toString(8)}`);
+  expect(readdirSync(victim).length === 0, `${name}, ${who}: something was written into ${victim}`);
+  rmSync(victim, { recursive: true });
 }
 
 // Can somebody else run the generator? Not where the repository lies in a closed folder.
@@ -96,7 +109,7 @@ function isOpen(user) {
 const home = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
 try {
   spawnSync("chmod", ["755", home]);
-  rmSync(outside, { force: true });
+  for (const former of [outside, victim]) rmSync(former, { force: true, recursive: true });
   const names = readdirSync(courses).filter((name) => `hostile/${name}` !== without);
   for (const name of names) run(name, undefined, home);
   const run_by_it = ["programs", "commands"];

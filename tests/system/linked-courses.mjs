@@ -29,21 +29,12 @@ const marked = (where, number, line, word, path, why) =>
   `${where}:${number}:${line.indexOf(word) + 1}: error: ${path} ${why} [E-file-refused]\n` +
   `  ${number} | ${line}\n    | ${" ".repeat(line.indexOf(word))}^${"~".repeat(word.length - 1)}\n  cure: ${cures[why]}\n`;
 const ofListed = (why) =>
-  marked(
-    "content/course.yaml",
-    3,
-    listed,
-    "1.1-one",
-    "content/1-basics/1.1-one.md",
-    why,
-  );
+  marked("content/course.yaml", 3, listed, "1.1-one", "content/1-basics/1.1-one.md", why);
 const ofNamed = (line, word, path, why) =>
   marked("content/1-basics/1.1-one.md", 5, line, word, path, why);
 const ofModel = (path, line, what, code, advice) =>
   `${path}${line > 0 ? `:${line}:1` : ""}: error: ${what} [E-model-mjcf]\n` +
-  (line > 0
-    ? `  ${line} | ${code}\n    | ^${"~".repeat(code.length - 1)}\n`
-    : "") +
+  (line > 0 ? `  ${line} | ${code}\n    | ^${"~".repeat(code.length - 1)}\n` : "") +
   "  note: content/1-basics/1.1-one.md:5:3: lesson content/1-basics/1.1-one.md uses this model\n" +
   "  5 | `{m} model.nq`\n    |   ^\n" +
   `  cure: ${advice}\n`;
@@ -58,7 +49,7 @@ const levels = {
   "/etc": "has a `/` in it, where the name of a folder ends",
   ".git": "begins with a dot, so it is hidden",
   "..\\..": "has a `\\` in it, which is a `/` on Windows",
-  "index.html": "ends with `.html`, as files of the site do",
+  "index.html.gz": "ends as a file of the site does",
 };
 
 // Each with what it makes of a course, and what is said then.
@@ -67,8 +58,7 @@ export const coursesOfLevels = Object.entries(levels).map(([folder, why]) => {
   const make = (course) => {
     course.write("content/course.yaml", `title: Levels\nlevels:\n${line}\n`);
     const text = "---\ntitle: One\n---\n\nThe lesson.\n";
-    if (!folder.startsWith("/"))
-      course.write(`content/${folder}/1.1-one.md`, text);
+    if (!folder.startsWith("/")) course.write(`content/${folder}/1.1-one.md`, text);
   };
   const said =
     `content/course.yaml:3:15: error: a level lies in a folder of \`content/\`, and \`${folder}\` ${why} ` +
@@ -93,10 +83,7 @@ export class Course {
     writeFileSync(this.path(name), text);
   }
   lesson(body) {
-    this.write(
-      "content/1-basics/1.1-one.md",
-      `---\ntitle: One\n---\n\n${body}\n`,
-    );
+    this.write("content/1-basics/1.1-one.md", `---\ntitle: One\n---\n\n${body}\n`);
   }
   link(target, name) {
     mkdirSync(dirname(this.path(name)), { recursive: true });
@@ -125,27 +112,15 @@ const named = (file) => `\`\`\`sh run files="${file}"`;
 
 // Each with what it makes of a course, and what is said then.
 export const courses = {
-  "a lesson that is /etc/passwd": [
-    (c) => c.link("/etc/passwd", lesson),
-    ofListed(outside),
-  ],
+  "a lesson that is /etc/passwd": [(c) => c.link("/etc/passwd", lesson), ofListed(outside)],
   "a lesson that is the environment": [
     (c) => c.link("/proc/self/environ", lesson),
     ofListed(outside),
   ],
-  "a lesson that is the kernel's log": [
-    (c) => c.link("/proc/kmsg", lesson),
-    ofListed(outside),
-  ],
+  "a lesson that is the kernel's log": [(c) => c.link("/proc/kmsg", lesson), ofListed(outside)],
   "a lesson that is a pipe": [(c) => c.pipe(lesson), ofListed(noFile)],
-  "a lesson that is a device": [
-    (c) => c.link("/dev/zero", lesson),
-    ofListed(outside),
-  ],
-  "a lesson that is git's": [
-    (c) => c.link("../../.git/config", lesson),
-    ofListed(gits),
-  ],
+  "a lesson that is a device": [(c) => c.link("/dev/zero", lesson), ofListed(outside)],
+  "a lesson that is git's": [(c) => c.link("../../.git/config", lesson), ofListed(gits)],
   "a lesson by a chain of links": [
     (c) => {
       c.link("../two", lesson);
@@ -161,10 +136,7 @@ export const courses = {
     },
     ofListed(circle),
   ],
-  "a level's folder elsewhere": [
-    (c) => c.link("/etc", "content/1-basics"),
-    ofListed(outside),
-  ],
+  "a level's folder elsewhere": [(c) => c.link("/etc", "content/1-basics"), ofListed(outside)],
   "a course.yaml that is /etc/passwd": [
     (c) => c.link("/etc/passwd", "content/course.yaml"),
     ofFile("content/course.yaml", outside),
@@ -183,19 +155,10 @@ export const courses = {
       "[E-image-place]\n  5 | ![A picture](../../../../etc/passwd.svg)\n" +
       "    |              ^~~~~~~~~~~~~~~~~~~~~~~~~~\n  cure: put the file there\n",
   ],
-  "models that are the whole disk": [
-    (c) => c.link("/", "models"),
-    ofFile("models", outside),
-  ],
+  "models that are the whole disk": [(c) => c.link("/", "models"), ofFile("models", outside)],
   "a model that is /etc/passwd": [
     (c) => c.model(() => c.link("/etc/passwd", "models/m.xml")),
-    ofModel(
-      "models/m.xml",
-      0,
-      `the model's file ${outside}`,
-      "",
-      cures[outside],
-    ),
+    ofModel("models/m.xml", 0, `the model's file ${outside}`, "", cures[outside]),
   ],
   "a model that is a pipe": [
     (c) => c.model(() => c.pipe("models/m.xml")),
@@ -205,10 +168,7 @@ export const courses = {
     (c) =>
       c.model(() => {
         c.link("/proc/kmsg", "models/part.xml");
-        c.write(
-          "models/m.xml",
-          '<mujoco>\n<include file="part.xml"/>\n</mujoco>\n',
-        );
+        c.write("models/m.xml", '<mujoco>\n<include file="part.xml"/>\n</mujoco>\n');
       }),
     ofModel(
       "models/m.xml",
@@ -237,10 +197,7 @@ export const courses = {
     },
     ofNamed(named("examples"), "examples", "examples/deep/data", outside),
   ],
-  "examples that are the whole disk": [
-    (c) => c.link("/", "examples"),
-    ofFile("examples", outside),
-  ],
+  "examples that are the whole disk": [(c) => c.link("/", "examples"), ofFile("examples", outside)],
   "a header that is /etc/passwd": [
     (c) => c.link("/etc/passwd", "examples/include/a.hpp"),
     ofFile("examples/include/a.hpp", outside),
@@ -254,12 +211,7 @@ export const courses = {
       c.lesson("```cpp file=examples/a.cpp\nint main() {}\n```");
       c.link("/etc/passwd", "examples/a.cpp");
     },
-    ofNamed(
-      "```cpp file=examples/a.cpp",
-      "examples/a.cpp",
-      "examples/a.cpp",
-      outside,
-    ),
+    ofNamed("```cpp file=examples/a.cpp", "examples/a.cpp", "examples/a.cpp", outside),
   ],
   "a pipe among the headers beside a program": [
     (c) => {
@@ -284,8 +236,5 @@ export const courses = {
     (c) => c.link("../../.git/config", "theme/templates/page.hbs"),
     ofFile("theme/templates/page.hbs", gits),
   ],
-  "a theme elsewhere": [
-    (c) => c.link("/etc", "theme"),
-    ofFile("theme", outside),
-  ],
+  "a theme elsewhere": [(c) => c.link("/etc", "theme"), ofFile("theme", outside)],
 };

@@ -19,9 +19,7 @@ import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { after, test } from "node:test";
 
-const mjcourse = resolve(
-  process.env.MJCOURSE ?? "build/release/generator/mjcourse",
-);
+const mjcourse = resolve(process.env.MJCOURSE ?? "build/release/generator/mjcourse");
 const course = join(import.meta.dirname, "../courses/exercise/right");
 const folder = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
 after(() => rmSync(folder, { recursive: true }));
@@ -123,23 +121,17 @@ test("it judges after each save, and ends once all checks hold", async () => {
   child.stdout.setEncoding("utf8").on("data", (text) => (said += text));
   const ended = new Promise((tell) => child.on("exit", tell));
   const says = async (text) => {
-    while (!said.includes(text))
-      await new Promise((tell) => setTimeout(tell, 50));
+    while (!said.includes(text)) await new Promise((tell) => setTimeout(tell, 50));
     said = "";
   };
   const other = join(folder, "other/place/fall.cpp");
   const save = (code) =>
-    writeFileSync(
-      other,
-      readFileSync(other, "utf8").replace(/ {2}return .*/, code),
-    );
+    writeFileSync(other, readFileSync(other, "utf8").replace(/ {2}return .*/, code));
   await says("the next save is judged again (Ctrl-C ends it)");
   save("  return 9.81 * t / 2;");
   await says("1 of 2 checks holds");
   writeFileSync(other, "int main() {}\n");
-  await says(
-    "fall.cpp has no region `answer` any more: put its marks around what you write",
-  );
+  await says("fall.cpp has no region `answer` any more: put its marks around what you write");
   writeFileSync(other, readFileSync(program));
   await says("2 of 2 checks hold: solved");
   assert.equal(await ended, 0);
@@ -163,10 +155,7 @@ test("it writes nothing where a link leads", () => {
   assert.equal(refused(here), said(join(here, "fall")));
   mkdirSync(join(here, "mine/real"), { recursive: true });
   symlinkSync("real", join(here, "mine/include"));
-  assert.equal(
-    refused(here, "--out", "mine"),
-    said(join(here, "mine/include")),
-  );
+  assert.equal(refused(here, "--out", "mine"), said(join(here, "mine/include")));
   assert.deepEqual(readdirSync(elsewhere), []);
   assert.deepEqual(readdirSync(join(here, "mine/real")), []);
   // One that the reader has named.

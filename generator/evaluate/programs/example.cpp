@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/out_folder.h"
 #include "base/stopwatch.h"
 #include "base/temporary_folder.h"
 #include "evaluate/programs/compile_errors.h"
@@ -72,16 +73,16 @@ Command run_command(const Example& example, const CompiledExample& program, cons
   command.arguments.insert(command.arguments.end(), example.arguments.begin(),
                            example.arguments.end());
   command.folder = own;
-  fs::create_directory(command.folder);
   command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string(),
                          "MJCOURSE_RECORDS=" + fs::absolute(records).string()};
   command.seconds = example.seconds;
-  write_file(records, "");
   command.sandbox = program_sandbox(program.binary, command.folder, records, root);
   if (example.handed_in) command.sandbox->add = fs::absolute(records);
   command.record_opened = true;
   if (draws(program.code.text)) {
-    const LentShaders shaders = lend_shaders_to(fs::absolute(program.folder->path() / ".shaders"));
+    const OutFolder folder =
+        OutFolder(program.folder->path()).inner(own.filename().string() + ".shaders");
+    const LentShaders shaders = lend_shaders_to(folder.path());
     command.environment.insert(command.environment.end(), shaders.variables.begin(),
                                shaders.variables.end());
     command.sandbox->write.push_back(shaders.own);
@@ -167,9 +168,13 @@ std::optional<ExampleResult> run_example(const Example& example, CompiledExample
                                          const Lesson& lesson, WorkerContext& worker_context,
                                          Diagnostics& diagnostics) {
   const fs::path& folder = program.folder->path();
-  // Hidden, as no program is: one may be called as anything else.
+  // Hidden, because a program may have any other name; and none has been there before, so what a
+  // former run left behind lies elsewhere.
   const std::string run_name = ".run-" + std::to_string(++program.runs);
   const fs::path records = folder / (run_name + ".records");
+  const OutFolder out(folder);
+  out.inner(run_name);
+  out.write(records.filename(), "");
   const Stopwatch stopwatch;
   Outcome outcome =
       run(run_command(example, program, folder / run_name, worker_context.root(), records));

@@ -8,6 +8,11 @@
 #include "course/web_address.h"
 
 namespace mjcourse {
+namespace {
+
+constexpr std::size_t kMostOfAName = 100;  // bytes of a picture's, which a hash follows
+
+}  // namespace
 
 // What is no ASCII stays as it is, since browsers take it so, and since readers' progress is kept
 // under these names.
@@ -31,7 +36,7 @@ std::string page_path(const Lesson& lesson) {
 
 std::string image_path(const Lesson& lesson, const Image& image, const ImageResult& result) {
   const std::filesystem::path file(image.file.text);
-  std::string name = file.stem().string();
+  std::string name = file.stem().string().substr(0, kMostOfAName);
   for (char& c : name) {
     const bool plain = is_word_character(c) || c == '-';
     if (!plain) c = '-';  // what an address would have to escape

@@ -102,9 +102,20 @@ TEST_F(OutFolderTest, ReplacesWhatLiesThere) {
     EXPECT_EQ(text(out() / name), "new") << name;
   }
   EXPECT_FALSE(fs::exists(out() / "nowhere"));
+  // The modes of files stay as they were.
+  fs::permissions(out() / "shared", fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(refusal("shared"), "");
+  EXPECT_EQ(fs::status(out() / "shared").permissions(),
+            fs::perms::owner_read | fs::perms::owner_write);
   fs::create_directory(out() / "folder");
   EXPECT_EQ(refusal("folder"), (out() / "folder").string() + ": Is a directory");
   EXPECT_EQ(refusal("shared/a"), (out() / "shared").string() + ": Not a directory");
+}
+
+TEST_F(OutFolderTest, SaysWhatAWriterCouldNotWrite) {
+  const auto fails = [](std::ostream& file) { file.setstate(std::ios::badbit); };
+  EXPECT_THROW(OutFolder(out()).write("a", fails), std::system_error);
+  EXPECT_THROW(OutFolder(out() / "missing"), std::system_error);
 }
 
 TEST_F(OutFolderTest, StaysTheFolderThatWasOpened) {
@@ -131,9 +142,16 @@ TEST_F(OutFolderTest, MovesToAFreePlaceInAnother) {
   EXPECT_THROW(from.move("way/x", to), RefusedPath);
 }
 
+// A course that is a stranger's, which is out().
 class OutPlaceTest : public OutFolderTest {
  protected:
-  // The place is opened in a course, which is out(); why not, or where it is.
+  // Where the path leads, and how the course calls that: "/…/out/build/site build/site".
+  std::string found(const fs::path& path) const {
+    const OutPath place = find_out_path(path, out());
+    return place.path.string() + " " + place.inside +
+           (place.link.empty() ? "" : ", the link " + place.link);
+  }
+  // Where the place was opened, or why not.
   std::string opened(const fs::path& place) const {
     try {
       return open_out_place(place, out()).path();
@@ -143,39 +161,50 @@ class OutPlaceTest : public OutFolderTest {
   }
 };
 
-TEST_F(OutPlaceTest, IsNamedAsTheCourseHasIt) {
-  const auto name = [&](const fs::path& place) {
-    return name_in_course(out(), place).value_or("elsewhere");
-  };
-  fs::create_symlink(out(), folder_.path() / "course");
-  fs::create_symlink(elsewhere(), out() / "build");
-  EXPECT_EQ(name(out() / "build/site"), "build/site");
-  EXPECT_EQ(name(out() / "build/site/"), "build/site");
-  EXPECT_EQ(name(out() / "a/./../build"), "build");
-  EXPECT_EQ(name(folder_.path() / "course/build"), "build");
-  EXPECT_EQ(name(out()), "");
-  EXPECT_EQ(name(out() / ""), "");
-  EXPECT_EQ(name(elsewhere()), "elsewhere");
-  EXPECT_EQ(name(folder_.path()), "elsewhere");
-  EXPECT_EQ(name(out().string() + "-2/a"), "elsewhere");
-  EXPECT_EQ(link_on_way(out(), "build/site"), "build");
-  EXPECT_EQ(link_on_way(out(), "a/build"), "");
+TEST_F(OutPlaceTest, IsFoundAsTheKernelFindsIt) {
+  fs::create_directories(out() / "deep" / "er");
+  fs::create_symlink(out() / "deep" / "er", folder_.path() / "er");
+  const std::string base = folder_.path();
+  EXPECT_EQ(found(out() / "build/site"), base + "/out/build/site build/site");
+  EXPECT_EQ(found(out() / "build//./site/"), base + "/out/build/site build/site");
+  EXPECT_EQ(found(out() / "missing/../build"), base + "/out/build build");
+  EXPECT_EQ(found(folder_.path() / "er" / "../a"), base + "/out/deep/a deep/a");
+  EXPECT_EQ(found(out()), base + "/out ");
+  EXPECT_EQ(found(out() / ""), base + "/out ");
+  EXPECT_EQ(found(out() / "../elsewhere/a"), base + "/elsewhere/a ");
+  EXPECT_EQ(found(base + "/out-2/a"), base + "/out-2/a ");
 }
 
 TEST_F(OutPlaceTest, IsReachedThroughNoLinkOfTheCourse) {
   fs::create_symlink(elsewhere(), out() / "link");
-  EXPECT_EQ(opened(out() / "link/site"),
-            (out() / "link").string() + " is a link, so nothing is written there");
-  EXPECT_EQ(opened(out() / "build/site"), out() / "build/site");
+  fs::create_directory(out() / "inside");
+  fs::create_symlink("inside", out() / "stays");
+  fs::create_symlink("..", out() / "inside" / "above");
+  for (const char* link : {"link", "stays", "inside/above"}) {
+    const std::string said = std::string(link) + " is a link, so nothing is written there";
+    EXPECT_EQ(opened(out() / link), said);
+    EXPECT_EQ(opened(out() / link / "deep/site"), said);
+  }
+  // By way of the user's.
+  fs::create_symlink(out(), folder_.path() / "mine");
+  fs::create_symlink("mine/link", folder_.path() / "chain");
+  EXPECT_EQ(opened(folder_.path() / "mine/link/site"),
+            "link is a link, so nothing is written there");
+  EXPECT_EQ(opened(folder_.path() / "chain/site"), "link is a link, so nothing is written there");
+  EXPECT_EQ(opened(folder_.path() / "mine/build/site"), out() / "build/site");
   EXPECT_TRUE(fs::is_directory(out() / "build"));
   EXPECT_TRUE(fs::is_empty(elsewhere()));
 }
 
 TEST_F(OutPlaceTest, IsWhereALinkOfTheUsersLeads) {
-  fs::create_symlink(elsewhere(), folder_.path() / "mine");
+  fs::create_symlink("elsewhere", folder_.path() / "mine");
+  fs::create_symlink(elsewhere() / "later", folder_.path() / "dangling");
+  fs::create_symlink("circle", folder_.path() / "circle");
   EXPECT_EQ(opened(folder_.path() / "mine"), elsewhere());
   EXPECT_EQ(opened(folder_.path() / "mine/deep/site/"), elsewhere() / "deep/site");
+  EXPECT_EQ(opened(folder_.path() / "dangling"), elsewhere() / "later");
   EXPECT_TRUE(fs::is_directory(elsewhere() / "deep"));
+  EXPECT_THROW(opened(folder_.path() / "circle"), std::system_error);
 }
 
 }  // namespace

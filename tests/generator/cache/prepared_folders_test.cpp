@@ -177,6 +177,16 @@ TEST_F(PreparedFoldersTest, LoseWhatWasNotUsedForLongest) {
   EXPECT_EQ(made_, 1);  // c; b is gone
 }
 
+TEST_F(PreparedFoldersTest, AreLostWhereALinkIsInTheWay) {
+  EXPECT_EQ(get("x"), "1");
+  const fs::path old = fs::directory_iterator(cache_)->path();
+  fs::remove(old / "lock");
+  fs::create_symlink(folder_.path() / "elsewhere", old / "lock");
+  EXPECT_EQ(get("y", "", 0), "1");
+  EXPECT_FALSE(fs::exists(old));
+  EXPECT_FALSE(fs::exists(folder_.path() / "elsewhere"));
+}
+
 TEST_F(PreparedFoldersTest, AreNotThereWithoutAFolder) {
   PreparedFolders folders(std::nullopt);
   EXPECT_FALSE(folders.get(

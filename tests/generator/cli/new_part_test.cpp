@@ -65,6 +65,14 @@ TEST(NewLevel, NeedsANameThatIsFree) {
       one({"level", "../x"}),
       "2 `../x` is not a name for a level | a number, then small letters, digits and hyphens, "
       "as in `mjcourse new level 2-dynamics \"Dynamics\"`; did you mean `x`?");
+  const std::string another =
+      " | choose another name, as in `mjcourse new level 2-dynamics \"Dynamics\"`";
+  EXPECT_EQ(one({"level", "models"}),
+            "2 `models` is where the site has the pages of models" + another);
+  EXPECT_EQ(one({"level", "con"}), "2 `con` is a device on Windows" + another);
+  EXPECT_EQ(one({"model", "arm/nul"}),
+            "2 `nul` is a device on Windows | choose another name, as in `mjcourse new model "
+            "pendulum`");
   EXPECT_EQ(one({"level", "2-rigid", "Rigid", "bodies"}),
             "2 new level takes a name and a title, not `bodies` | put a title of several words "
             "into quotes: `mjcourse new level 2-dynamics \"Dynamics\"`");

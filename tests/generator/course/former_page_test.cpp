@@ -27,9 +27,10 @@ TEST(FormerPage, StandsInTheLessonsFolderOrInAnother) {
 }
 
 TEST(FormerPage, IsNothingElse) {
-  for (const char* written : {"", "/", "..", "../x", "x/..", "/x", "x/", "a/b/c", ".hidden", "a b",
-                              "x?y", "x#y", "\xC3\xBC", "https://a.org", ".html", "con",
-                              "nul/x", "x./y", "index.html/x", "search.js/x"}) {
+  for (const char* written :
+       {"",      "/",       "..",    "../x", "x/..",         "/x",          "x/",
+        "a/b/c", ".hidden", "a b",   "x?y",  "x#y",          "\xC3\xBC",    "https://a.org",
+        ".html", "con",     "nul/x", "x./y", "index.html/x", "search.js/x", "index.html.gz/x"}) {
     EXPECT_EQ(former(written), "none") << written;
   }
 }

@@ -263,7 +263,7 @@ content/course.yaml:5:14: error: a level lies in a folder of `content/`, and `Mo
   5 |   - {folder: Models, title: Models}
     |              ^~~~~~
   cure: give the folder one plain name, as `1-first-steps`, and write that here
-content/course.yaml:6:14: error: a level lies in a folder of `content/`, and `Sw.JS` ends with `.js`, as files of the site do [E-level-folder]
+content/course.yaml:6:14: error: a level lies in a folder of `content/`, and `Sw.JS` ends as a file of the site does [E-level-folder]
   6 |   - {folder: Sw.JS, title: Worker}
     |              ^~~~~
   cure: give the folder one plain name, as `1-first-steps`, and write that here
@@ -282,10 +282,12 @@ TEST(ReadCourse, HasPlainNamesForWhatReadersGet) {
                        {"models/arm/nul.stl", ""},
                        {"models/.arm.xml.swp", ""},
                        {"models/.old/arm.xml", ""},
+                       {"models/m.html/part.xml", ""},
                        {"examples/include/..\\..\\a.hpp", ""},
                        {"examples/.deep/a:b.hpp", ""},
                        {"examples/b.cpp", ""}});
-  const std::string cure = "  cure: give it a name of letters, digits, `-`, `_` and dots\n";
+  const std::string cure =
+      "  cure: rename it; letters, digits, `-`, `_` and dots are good everywhere\n";
   EXPECT_EQ(read.mistakes(),
             "models/a\\nCNAME\\nb.xml: error: readers get the files of `models/`, and "
             "`a\\nCNAME\\nb.xml` has a control character in it [E-file-name]\n" +
@@ -293,13 +295,16 @@ TEST(ReadCourse, HasPlainNamesForWhatReadersGet) {
                 "models/arm/nul.stl: error: readers get the files of `models/`, and `nul.stl` is a "
                 "device on Windows [E-file-name]\n" +
                 cure +
+                "models/m.html/part.xml: error: readers get the files of `models/`, and `m.html` "
+                "ends as a file of the site does [E-file-name]\n" +
+                cure +
                 "examples/.deep/a:b.hpp: error: readers get the files of `examples/`, and "
                 "`a:b.hpp` has a `:` in it, which no name on Windows has [E-file-name]\n" +
                 cure +
                 "examples/include/..\\..\\a.hpp: error: readers get the files of `examples/`, and "
                 "`..\\..\\a.hpp` has a `\\` in it, which is a `/` on Windows [E-file-name]\n" +
                 cure);
-  EXPECT_EQ(read.course->models, std::vector<std::string>{"a b"});
+  EXPECT_EQ(read.course->models, (std::vector<std::string>{".old/arm", "a b", "m.html/part"}));
 }
 
 TEST(ReadCourse, UnloadsLessons) {
