@@ -20,6 +20,12 @@ bool is_device(std::string_view name) {
   return std::ranges::count(kDevices, stem) > 0;
 }
 
+// On a disk on which case does not matter, and under the short name that Windows gives it.
+bool is_gits(std::string_view name) {
+  const std::string small = lower_case_utf8(name);
+  return small == ".git" || small == "git~1";
+}
+
 std::string why_not(std::string_view name, Hidden hidden) {
   if (name.empty()) return "is no name";
   if (name == ".") return "is the folder itself";
@@ -31,6 +37,7 @@ std::string why_not(std::string_view name, Hidden hidden) {
   if (const std::size_t at = name.find_first_of("<>:\"|?*"); at != name.npos) {
     return std::string("has a `") + name[at] + "` in it, which no name on Windows has";
   }
+  if (is_gits(name)) return "is where git keeps what is its own";
   if (name.starts_with('.') && hidden == Hidden::is_fault)
     return "begins with a dot, so it is hidden";
   if (name.ends_with('.')) return "ends with a dot, which Windows leaves out";

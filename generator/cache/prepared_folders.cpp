@@ -30,6 +30,7 @@ constexpr const char* kManifest = "current";
 constexpr const char* kLock = "lock";
 constexpr const char* kStaging = "making";
 constexpr const char* kRefused = "refused";  // in the place of an entry's name
+constexpr off_t kMostOfAHeader = 256 << 20;  // bytes, of a file that somebody's list may name
 
 // As content_hash() makes them: a name, and no way to elsewhere.
 bool is_entry_name(const std::string& name) {
@@ -52,7 +53,7 @@ struct Manifest {
 std::string hash_of_file(const fs::path& path) {
   static FingerprintCache hashed;
   struct stat status {};
-  if (stat(path.c_str(), &status) != 0) return "";
+  if (stat(path.c_str(), &status) != 0 || status.st_size > kMostOfAHeader) return "";
   if (auto known = hashed.find(path.string(), status)) return *std::move(known);
   const auto bytes = read_file(path);
   if (!bytes) return "";
@@ -92,6 +93,14 @@ void bring_to_disk(const fs::path& path) {
   const int reason = errno;
   if (descriptor >= 0) close(descriptor);
   if (!synced) throw std::system_error(reason, std::generic_category(), path.string());
+}
+
+bool holds_links(const fs::path& folder) {
+  if (fs::is_symlink(folder)) return true;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.is_symlink()) return true;
+  }
+  return false;
 }
 
 // None is ours, and one would lead what we write elsewhere.
@@ -136,6 +145,8 @@ void prune(const fs::path& all, const fs::path& kept, std::uintmax_t most_bytes)
 }  // namespace
 
 PreparedFolders::Found PreparedFolders::look(const fs::path& folder) const {
+  // What it leads to would be open to each program that is compiled with it.
+  if (fs::is_symlink(folder)) return {};
   const std::optional<Manifest> manifest = read_manifest(folder);
   if (!manifest) return {};
   Entry entry{folder / manifest->name, {}};
@@ -147,7 +158,7 @@ PreparedFolders::Found PreparedFolders::look(const fs::path& folder) const {
   std::error_code ignored;  // somebody else's cache may be read, but not be written to
   fs::last_write_time(folder / kManifest, fs::file_time_type::clock::now(), ignored);
   if (manifest->name == kRefused) return {true, nullptr};
-  if (!fs::is_directory(entry.folder)) return {};
+  if (!fs::is_directory(entry.folder) || holds_links(entry.folder)) return {};
   return {true, std::make_shared<const Entry>(std::move(entry))};
 }
 

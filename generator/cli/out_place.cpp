@@ -105,6 +105,12 @@ Refusal failed_call(const std::system_error& error) {
     case EPERM:
     case EROFS:
       return {kOurFault, message, "allow this user to read and write it"};
+    case EISDIR:
+    case ENOTDIR:
+      return {kCourseErrors, message,
+              "one name is that of a file and of a folder: rename one of the two"};
+    case ENAMETOOLONG:
+      return {kCourseErrors, message, "choose a shorter name"};
     default:
       return {kOurFault, message, ""};
   }

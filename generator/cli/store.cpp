@@ -14,6 +14,7 @@
 #include "base/descriptor.h"
 #include "base/disk_store.h"
 #include "base/nearest.h"
+#include "base/out_folder.h"
 #include "cli/commands.h"
 #include "cli/new_files.h"
 #include "cli/open_store.h"
@@ -88,7 +89,11 @@ int transfer(StoreOptions options, bool pushes) {
 }
 
 // The public key is for others.
-int make_key(const std::filesystem::path& path) {
+int make_key(const std::filesystem::path& path, const std::filesystem::path& course) {
+  if (const OutPath found = find_out_path(path, course); !found.link.empty()) {
+    return tell(Refusal{kCourseErrors, found.link + " is a link, so nothing is written there",
+                        "name a new file elsewhere"});
+  }
   const SigningKey key = SigningKey::random();
   const std::string file = key.file();
   const Descriptor to(
@@ -118,7 +123,7 @@ int store(const StoreOptions& options) {
     return kWrongUsage;
   }
   const std::string& what = options.words[0];
-  if (is_key) return make_key(options.words[1]);
+  if (is_key) return make_key(options.words[1], options.course);
   if (what == "prune") return prune(options);
   if (what == "push" || what == "pull") return transfer(options, what == "push");
   return tell(Refusal{kWrongUsage, "store cannot " + what, suggest(what, known)});

@@ -82,11 +82,11 @@ struct Fits {
   }
   bool operator()(const Math&) const { return is<FormulaResult>(); }
   bool operator()(const InlineValue&) const { return is<ValueResult>(); }
-  bool operator()(const Example&) const { return is_program(); }
+  bool operator()(const Example&) const { return is_taken_program(); }
   // Its solution is a program, where no fence shows it.
   bool operator()(const Exercise&) const {
     const auto* known = std::get_if<ExerciseResult>(&result);
-    return known != nullptr ? are_paths(known->files) : is_program();
+    return known != nullptr ? are_paths(known->files) : is_taken_program();
   }
   bool operator()(const ModelExcerpt&) const { return is<ModelResult>(); }
   bool operator()(const InlineModel&) const { return is<ModelResult>(); }
@@ -111,18 +111,23 @@ struct Fits {
     const auto* known = std::get_if<QuizResult>(&result);
     return known != nullptr && known->questions.size() == quiz.questions.size();
   }
-  bool operator()(const Snippet&) const { return is_program(); }
+  bool operator()(const Snippet&) const { return is_taken_program(); }
   bool operator()(const Commands&) const { return is_program(); }
   template <AnyOf<TermUse, Unchecked, Io, Callout, Demo, Shown> Other>
   bool operator()(const Other&) const {
     return false;
   }
 
+  // One that a reader can take along.
+  bool is_taken_program() const {
+    const auto* known = std::get_if<ExampleResult>(&result);
+    return known != nullptr && are_paths(known->files) && is_program();
+  }
   bool is_program() const {
     const auto* known = std::get_if<ExampleResult>(&result);
-    return known != nullptr && are_paths(known->files) &&
-           std::ranges::all_of(known->records.tables,
-                               [](const auto& named) { return is_table(named.second); });
+    return known != nullptr && std::ranges::all_of(known->records.tables, [](const auto& named) {
+             return is_table(named.second);
+           });
   }
 };
 

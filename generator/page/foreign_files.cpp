@@ -20,10 +20,20 @@ bool is_own_folder(const fs::path& path) {
   return fs::is_directory(fs::symlink_status(path));  // and no link to one
 }
 
+// A list may be a stranger's, and what it has is removed: no build has written a `.git` or a
+// `CNAME`.
+bool can_be_a_builds(const fs::path& path) {
+  return path.has_extension() && std::ranges::none_of(path, [](const fs::path& part) {
+           return part.native().starts_with('.');
+         });
+}
+
 Names listed_files(const fs::path& site) {
   std::istringstream lines(read_file(site / kSiteList).value_or(""));
   Names names{kSiteList};
-  for (std::string line; std::getline(lines, line);) names.insert(line);
+  for (std::string line; std::getline(lines, line);) {
+    if (can_be_a_builds(line)) names.insert(line);
+  }
   return names;
 }
 

@@ -47,7 +47,7 @@ const levels = {
   "a/..": "has a `/` in it, where the name of a folder ends",
   "..//": "has a `/` in it, where the name of a folder ends",
   "/etc": "has a `/` in it, where the name of a folder ends",
-  ".git": "begins with a dot, so it is hidden",
+  ".git": "is where git keeps what is its own",
   "..\\..": "has a `\\` in it, which is a `/` on Windows",
   "index.html.gz": "ends as a file of the site does",
 };

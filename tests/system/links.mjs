@@ -358,6 +358,24 @@ function isNotAccepted(user) {
   expect(readFileSync(file, "utf8") === "as it was\n", "accept wrote through a link");
 }
 
+// A picture is accepted into its own file alone: not over another of the course's.
+function isNotDrawnOver(user) {
+  const { course } = fresh(user);
+  const lab = '{"title": "L", "model": "ball", "alt": "A ball.", "pin": "q"}';
+  course.lesson(`\`\`\`lab simlab\n${lab}\n\`\`\``);
+  course.write("models/ball.xml", '<mujoco><worldbody><geom size="1"/></worldbody></mujoco>');
+  course.write("notes.txt", "as it was\n");
+  const picture = "content/1-basics/pictures/1.1-q.png";
+  course.link("../../../notes.txt", picture);
+  const came = run(["accept"], course, user);
+  const column = lab.indexOf('q"}') + 1;
+  const said =
+    `content/1-basics/1.1-one.md:6:${column}: error: ${picture} is a link [E-file-refused]\n` +
+    `  6 | ${lab}\n    | ${" ".repeat(column - 1)}^\n  cure: put the picture itself there\n`;
+  expect(came.stderr.trim() === said.trim(), `a picture: it said\n${came.stderr}and not\n${said}`);
+  expect(readFileSync(course.path("notes.txt"), "utf8") === "as it was\n", "it drew over a link");
+}
+
 // To the program that a lesson runs, its models are open; not so what a link there leads to.
 function isNotOpenToPrograms(user) {
   const { course } = fresh(user);
@@ -424,6 +442,7 @@ async function all(user) {
   isNotWrittenThrough(user);
   isNamed(user);
   isNotAccepted(user);
+  isNotDrawnOver(user);
   isNotOpenToPrograms(user);
 }
 

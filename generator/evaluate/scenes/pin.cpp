@@ -56,6 +56,13 @@ class Pin {
           refused_file(place_of(*context_.lesson().source, pin_.span()), path_, *refusal));
       return result_;
     }
+    // What it leads to is no reference, and would be written over.
+    if (std::filesystem::is_symlink(context_.worker_context().root() / path_)) {
+      context_.diagnostics().push_back(
+          refused_file(place_of(*context_.lesson().source, pin_.span()), path_,
+                       {"is a link", "put the picture itself there"}));
+      return result_;
+    }
     if (!files.exists(path_)) {
       report("E-picture-unpinned", "there is no reference picture " + path_ + " yet",
              accept_cure());

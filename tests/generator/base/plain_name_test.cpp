@@ -48,7 +48,11 @@ TEST(PlainName, IsShownAsItIs) {
   EXPECT_EQ(fault(std::string_view("a\0b", 3)), "`a\\x00b` has a control character in it");
   EXPECT_EQ(fault("a\u202Eb"), "`a\\u202eb` has a control character in it");
   EXPECT_EQ(fault("a\xff"), "`a\uFFFD` is not UTF-8");
-  EXPECT_EQ(fault(".git"), "`.git` begins with a dot, so it is hidden");
+  EXPECT_EQ(fault(".a"), "`.a` begins with a dot, so it is hidden");
+  for (const char* name : {".git", ".GIT", "GIT~1"}) {
+    EXPECT_EQ(fault_of_path(name, Hidden::is_allowed)->text(),
+              std::string("`") + name + "` is where git keeps what is its own");
+  }
   EXPECT_FALSE(fault_of_path(".deep/.a", Hidden::is_allowed));
   EXPECT_EQ(fault_of_path(".deep/..\\a", Hidden::is_allowed)->text(),
             "`..\\a` has a `\\` in it, which is a `/` on Windows");

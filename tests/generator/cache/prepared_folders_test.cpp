@@ -68,6 +68,34 @@ TEST_F(PreparedFoldersTest, GoThroughNoLink) {
   EXPECT_EQ(std::distance(fs::directory_iterator(elsewhere), {}), 1);
 }
 
+// What a link leads to would be open to the programs that are compiled with the entry.
+TEST_F(PreparedFoldersTest, AreNotFoundBehindALink) {
+  EXPECT_EQ(get("x"), "1");
+  const fs::path request = fs::directory_iterator(cache_)->path();
+  const fs::path elsewhere = folder_.path() / "elsewhere";
+  fs::rename(request, elsewhere);
+  const auto before = fs::last_write_time(elsewhere / "current");
+  fs::create_symlink(elsewhere, request);
+  PreparedFolders folders(
+      cache_, [](const std::string& name) { return name; }, 1000);
+  EXPECT_EQ(folders.find("x"), nullptr);
+  EXPECT_EQ(get("x"), "1");
+  EXPECT_EQ(made_, 2);
+  EXPECT_EQ(fs::last_write_time(elsewhere / "current"), before);
+  // The entry itself, and a file in it.
+  for (const bool whole : {true, false}) {
+    fs::path entry;
+    for (const auto& one : fs::directory_iterator(request)) {
+      if (one.is_directory()) entry = one.path();
+    }
+    const fs::path linked = whole ? entry : entry / "a";
+    fs::rename(linked, elsewhere / (whole ? "folder" : "file"));
+    fs::create_symlink(elsewhere / (whole ? "folder" : "file"), linked);
+    EXPECT_EQ(get("x"), "1");
+    EXPECT_EQ(made_, whole ? 3 : 4);
+  }
+}
+
 // In a store that somebody else has filled.
 TEST_F(PreparedFoldersTest, AreMadeAnewWhereLinksLieInThem) {
   EXPECT_EQ(get("x"), "1");

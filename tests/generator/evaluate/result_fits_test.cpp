@@ -147,6 +147,27 @@ TEST(ResultFits, WhereColumnsAreEquallyLong) {
   EXPECT_FALSE(fits(program.lesson->blocks.at(0), Result(result)));
 }
 
+TEST(ResultFits, WhereAProgramsFilesStayInItsArchive) {
+  const ReadingOf reading = reading_of(
+      "```cpp file=examples/a.cpp\n```\n```cpp snippet model=m\nx;\n```\n"
+      "```cpp exercise file=examples/a.cpp#b\n```\n```sh run files=.x\nls\n```\n");
+  const auto fits_as = [&](std::size_t block, const std::string& file) {
+    ExampleResult result;
+    result.files = {"examples/include/a.hpp", file};
+    return fits(reading.lesson->blocks.at(block), Result(result));
+  };
+  for (std::size_t block = 0; block < 3; ++block) {
+    EXPECT_TRUE(fits_as(block, "models/.hidden/b.xml")) << block;
+    for (const char* file : {"../a", "examples/../../.ssh/x", "/etc/passwd", "a\\b", "x/.GIT/y"}) {
+      EXPECT_FALSE(fits_as(block, file)) << block << file;
+    }
+  }
+  EXPECT_TRUE(fits_as(3, "a\\b"));  // of which there is no archive
+  ExerciseResult exercise;
+  exercise.files = {"../a"};
+  EXPECT_FALSE(fits(reading.lesson->blocks.at(2), Result(exercise)));
+}
+
 // Of its copy's name in the site.
 TEST(ResultFits, WhereAPicturesHashIsNoPath) {
   const ReadingOf reading = reading_of("![A picture](p.png)\n");

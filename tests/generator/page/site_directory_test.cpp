@@ -352,6 +352,18 @@ TEST_F(ForeignFiles, AreWhereTheyWereIfOneCannotBeMoved) {
   expect_all("new");
 }
 
+// Whatever a list says, which may be a stranger's.
+TEST_F(ForeignFiles, AreWhatNoBuildWrites) {
+  std::string list = read_file(site_ / kSiteList).value();
+  for (const auto& [path, text] : own_) list += path + "\n";
+  write_file(site_ / kSiteList, list);
+  build("new");
+  const Texts now = files();
+  for (const char* path : {".git/HEAD", ".nojekyll", "CNAME", "media/a/b"}) {
+    EXPECT_TRUE(now.contains(path)) << path;
+  }
+}
+
 TEST_F(ForeignFiles, AreNamed) {
   EXPECT_EQ(foreign_files(site_),
             (std::vector<std::string>{".git", ".nojekyll", "1-a/notes.txt", "2-b/empty", "CNAME",
