@@ -3,8 +3,8 @@
 // A course is often somebody else's, so its names and what lies in its folders are not trusted: a
 // name that climbs, or a link that was put in the way, would lead a write to any file of the
 // user's. Here each step of a name's way is taken from the folder above it, is no link, and leads
-// no higher; files are made anew, so what lay there under the name is replaced, and nothing is
-// written into what it was. Folders that are missing are made.
+// no higher. A file is made anew, readable by no more than the one that lay there, into which
+// nothing is written. Folders that are missing are made.
 //
 // Enter at open_out_place(), which finds the folder for what a user has named. Reading beneath a
 // folder, where links inside of it are followed, is `beneath.h`; replacing a file of the course

@@ -21,7 +21,7 @@ bool ends_as_a_file(const std::string& folder) {
 
 std::optional<NameFault> fault_of_level_folder(const std::string& name) {
   if (auto fault = fault_of_name(name)) return fault;
-  if (lower_case_utf8(name) == kModelsFolder) {
+  if (lower_case_utf8(name) == "models") {
     return NameFault{name, "is where the site has the pages of models"};
   }
   if (ends_as_a_file(name)) return NameFault{name, "ends as a file of the site does"};

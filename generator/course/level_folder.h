@@ -9,9 +9,6 @@
 
 namespace mjcourse {
 
-// In the site, where the pages of models lie.
-inline constexpr const char* kModelsFolder = "models";
-
 // Why no level has the folder `name`; nothing where one may.
 std::optional<NameFault> fault_of_level_folder(const std::string& name);
 

@@ -80,7 +80,7 @@ try {
   expect(!dateOf(join(home, "edited"), "1-basics/1.1-a-swing.html"), "a date of what is edited");
   expect(dateOf(join(home, "edited"), "1-basics/1.2-new-name.html") === name, "no date beside it");
   const feed = page(join(home, "edited"), "feed.xml");
-  expect(feed.split("<entry>").length === 2, `not one entry: ${feed}`);
+  expect(feed.split("<entry>").length === 3, `not two entries: ${feed}`);
   expect(feed.includes("<id>http://localhost:8000/</id>"), "--base-url has no effect");
   expect(!feed.includes("example.org"), "course.yaml's address, whatever --base-url says");
 } catch (error) {
