@@ -27,7 +27,7 @@ class OutFolder {
   // `folder` is there; links on the way to it are followed. Throws std::system_error.
   explicit OutFolder(std::filesystem::path folder);
 
-  // Where it was when it was opened: for messages, and to read what was written.
+  // The path under which it was opened: for messages, and to read what was written.
   const std::filesystem::path& path() const { return path_; }
   int descriptor() const { return folder_.get(); }
 
@@ -56,11 +56,11 @@ class OutFolder {
   Descriptor folder_;
 };
 
-// Where a path that a user has named leads, in a course that is a stranger's.
+// The end of a path that a user has named, where the course may be a stranger's.
 struct OutPath {
-  std::filesystem::path path;  // whole, and up to `link` without links; it need not be there
-  std::string inside;          // the way there from the course; "" where it is elsewhere
-  std::string link;            // the same of the first link of the course's; "" where there is none
+  std::filesystem::path path;  // absolute, and without links up to `link`; it need not exist
+  std::string inside;          // `path` as seen from the course; "" where it lies elsewhere
+  std::string link;            // the first link of the course on the way, likewise; "" for none
 };
 
 // Links that lie elsewhere are the user's, and are followed; those in `course` lead nowhere. The

@@ -145,7 +145,7 @@ void prune(const fs::path& all, const fs::path& kept, std::uintmax_t most_bytes)
 }  // namespace
 
 PreparedFolders::Found PreparedFolders::look(const fs::path& folder) const {
-  // What it leads to would be open to each program that is compiled with it.
+  // The target of a link would be open to each program that is compiled with it.
   if (fs::is_symlink(folder)) return {};
   const std::optional<Manifest> manifest = read_manifest(folder);
   if (!manifest) return {};

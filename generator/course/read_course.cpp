@@ -47,7 +47,7 @@ void report_refused_folders(const Files& files, Diagnostics& diagnostics) {
   }
 }
 
-// Of a file in `models` or `examples`, beside which others come to lie in the site.
+// The fault of a file in `models` or `examples`. In the site, others come to lie beside it.
 std::optional<NameFault> fault_of_file(const std::string& path) {
   if (auto fault = fault_of_path(path, Hidden::is_allowed)) return fault;
   for (std::size_t begin = 0, end = 0; (end = path.find('/', begin)) != path.npos;

@@ -4,132 +4,30 @@
 //
 //   node tests/system/links.mjs MJCOURSE
 
-import { spawn, spawnSync } from "node:child_process";
+import { spawnSync } from "node:child_process";
 import {
   chownSync,
   existsSync,
   lchownSync,
-  lstatSync,
   mkdirSync,
-  mkdtempSync,
   readFileSync,
   readdirSync,
-  readlinkSync,
   renameSync,
   rmSync,
   symlinkSync,
   writeFileSync,
 } from "node:fs";
-import { request } from "node:http";
-import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 
-import { Course, courses, coursesOfLevels, ofFile, outside, secret } from "./linked-courses.mjs";
+import { courses, coursesOfLevels, ofFile, outside, secret } from "./linked-courses.mjs";
+import { differences, everythingIn, fresh, home, own, preview, run } from "./linked-runs.mjs";
 
 const mjcourse = resolve(process.argv[2]);
 const ordinary = 54321; // a user who has nothing
 const passwd = readFileSync("/etc/passwd", "utf8").split("\n")[0];
-const mostSeconds = 20;
-const mostSilence = 120; // seconds, of a preview in which nothing is wrong
 
 const failures = [];
 const expect = (good, what) => good || failures.push(what);
-
-let home = "";
-let count = 0;
-
-function fresh(user) {
-  const folder = join(home, `course-${++count}`);
-  mkdirSync(folder);
-  return { course: new Course(folder), user };
-}
-
-function own(path, user) {
-  if (user !== undefined) spawnSync("chown", ["-hR", `${user}:${user}`, path]);
-}
-
-// How the generator is started: as which user, with folders of its own.
-function start(course, user) {
-  const place = mkdtempSync(join(home, "own-"));
-  own(place, user);
-  own(course.folder, user);
-  return {
-    encoding: "utf8",
-    cwd: "/",
-    env: {
-      PATH: process.env.PATH,
-      TMPDIR: place,
-      XDG_CACHE_HOME: place,
-      TOKEN: secret,
-    },
-    ...(user === undefined ? {} : { uid: user, gid: user }),
-  };
-}
-
-function run(words, course, user) {
-  const begin = Date.now();
-  const came = spawnSync(mjcourse, [...words, "--course", course.folder], {
-    ...start(course, user),
-    timeout: 1000 * mostSeconds,
-    killSignal: "SIGKILL",
-  });
-  return { ...came, seconds: (Date.now() - begin) / 1000 };
-}
-
-// Of the answer to a request with this very path, which fetch() would make shorter.
-const statusOf = (path, port) =>
-  new Promise((tell) => {
-    const asked = request({ host: "127.0.0.1", port, path }, (answer) => {
-      answer.resume();
-      tell(answer.statusCode);
-    });
-    asked.on("error", (error) => tell(error.message));
-    asked.end();
-  });
-
-// The same of a preview, which is asked for `pages` once it has counted the errors; gives what it
-// said and the statuses of its answers.
-async function preview(course, pages, user) {
-  const words = ["preview", "--course", course.folder, "--store", join(home, `store-${count}`)];
-  const shown = spawn(mjcourse, words, start(course, user));
-  const said = { stdout: "", stderr: "" };
-  await new Promise((counted) => {
-    for (const name of ["stdout", "stderr"]) {
-      shown[name].on("data", (text) => {
-        said[name] += text;
-        if (/^\d+ errors?$/mu.test(said.stderr) && said.stdout.includes("\n")) counted();
-      });
-    }
-    shown.on("exit", counted);
-    setTimeout(counted, 1000 * mostSilence).unref(); // where it has nothing to say
-  });
-  const port = /http:\/\/127\.0\.0\.1:(\d+)\//u.exec(said.stdout)?.[1];
-  const statuses = [];
-  for (const path of pages) statuses.push(await statusOf(path, port));
-  shown.kill("SIGTERM");
-  if (shown.exitCode === null) await new Promise((ended) => shown.on("exit", ended));
-  return { ...said, statuses };
-}
-
-// What lies in folders, and below them: paths with texts, and with what links lead to.
-function everythingIn(...folders) {
-  const all = new Map();
-  for (const folder of folders) {
-    for (const name of readdirSync(folder, { recursive: true })) {
-      const path = join(folder, name);
-      const status = lstatSync(path);
-      if (status.isSymbolicLink()) all.set(path, readlinkSync(path));
-      else all.set(path, status.isFile() ? readFileSync(path, "latin1") : "a folder");
-    }
-  }
-  return all;
-}
-
-// The paths of what `after` has otherwise than `before`.
-const differences = (before, after) =>
-  [...new Set([...before.keys(), ...after.keys()])].filter(
-    (path) => before.get(path) !== after.get(path),
-  );
 
 // Is anything of a target in what was said, or in a file that was written?
 function leaks({ stdout, stderr }, folder) {
@@ -451,7 +349,6 @@ function isOpen(user) {
   return spawnSync(mjcourse, ["--version"], { uid: user, gid: user, cwd: "/" }).error === undefined;
 }
 
-home = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
 try {
   spawnSync("chmod", ["755", home]);
   await all(undefined);

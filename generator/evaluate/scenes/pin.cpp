@@ -56,7 +56,7 @@ class Pin {
           refused_file(place_of(*context_.lesson().source, pin_.span()), path_, *refusal));
       return result_;
     }
-    // What it leads to is no reference, and would be written over.
+    // The target of a link is no reference, and `accept` would write over it.
     if (std::filesystem::is_symlink(context_.worker_context().root() / path_)) {
       context_.diagnostics().push_back(
           refused_file(place_of(*context_.lesson().source, pin_.span()), path_,
