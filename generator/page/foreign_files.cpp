@@ -21,11 +21,9 @@ bool is_own_folder(const fs::path& path) {
 }
 
 // A list may be a stranger's, and what it has is removed: no build has written a `.git` or a
-// `CNAME`.
+// `CNAME`. Deeper, a build may have hidden files: those of a hidden model.
 bool can_be_a_builds(const fs::path& path) {
-  return path.has_extension() && std::ranges::none_of(path, [](const fs::path& part) {
-           return part.native().starts_with('.');
-         });
+  return path.has_extension() && !path.native().starts_with('.');
 }
 
 Names listed_files(const fs::path& site) {

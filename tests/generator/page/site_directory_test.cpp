@@ -352,6 +352,18 @@ TEST_F(ForeignFiles, AreWhereTheyWereIfOneCannotBeMoved) {
   expect_all("new");
 }
 
+// Of a hidden model, for one.
+TEST_F(SiteDirectoryTest, ReplacesWhatABuildHasHiddenInAFolder) {
+  for (const char* text : {"old", "new"}) {
+    SiteDirectory directory(site_);
+    directory.write("models/.old/arm.html", text);
+    directory.commit();
+    EXPECT_EQ(files(), (Texts{{"models/.old/arm.html", text}}));
+  }
+  build("newer");
+  EXPECT_EQ(files(), (Texts{{"page.html", "newer"}}));
+}
+
 // Whatever a list says, which may be a stranger's.
 TEST_F(ForeignFiles, AreWhatNoBuildWrites) {
   std::string list = read_file(site_ / kSiteList).value();
