@@ -1,16 +1,22 @@
-// How this processor computes: what may differ in its last bits from one to another.
+// How what a course does computes: the same on all processors, but for drawings.
 //
-// The C library has variants of sine, cosine and their kin for some processors, which round
-// otherwise, and so have the libraries that draw. A result is kept for processors of the same kind.
-// Tested by tests/generator/process/loaded_libraries_test.cpp.
+// The C library has variants of sine, cosine and their kin for some processors, which round one
+// value in a hundred otherwise, and otherwise than WebAssembly does. So whatever runs in a sandbox
+// runs without them (process/launch.cpp). The libraries that draw choose for themselves. Tested by
+// tests/generator/process/loaded_libraries_test.cpp.
 #pragma once
 
 #include <string>
 
 namespace mjcourse {
 
-// "avx2 fma 1f3a…": what the processor has that libraries look for, and a hash of a few hundred
-// values of the functions. The same on all processors that agree in these.
+// A setting of glibc's: a part of the value of GLIBC_TUNABLES.
+inline constexpr const char* kOneRounding = "glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2";
+
+// "x86_64 glibc.cpu.hwcaps=…": with the versions of the libraries, all that rounding depends on.
 const std::string& arithmetic();
+
+// "avx avx2 fma": what the processor has that libraries which draw look for.
+const std::string& processor_features();
 
 }  // namespace mjcourse

@@ -188,7 +188,8 @@ double BlockTask::effort() const {
 Dependencies BlockTask::recipe(const RunContext& run_context) const {
   const Known known = known_of(lesson(), block());
   if (known.text.empty()) return {};
-  return recipe_of(run_context, known.kind, known.text, known.scripts);
+  Dependencies recipe = recipe_of(run_context, known.kind, known.text, known.scripts);
+  return known.draws ? with_drawing(std::move(recipe)) : recipe;
 }
 
 // A picture's size is found out without MuJoCo and the script engine.

@@ -15,7 +15,8 @@ std::string CommandsTask::name() const {
 Dependencies CommandsTask::recipe(const RunContext& run_context) const {
   std::vector<std::string> text{commands().code.text, std::to_string(commands().seconds)};
   for (const LocatedText& file : commands().files) text.push_back(file.text);
-  return recipe_of(run_context, "commands", text);
+  // They may draw, or ask which processor this is.
+  return with_drawing(recipe_of(run_context, "commands", text));
 }
 
 bool CommandsTask::work(WorkerContext& worker_context, Finding& finding) {

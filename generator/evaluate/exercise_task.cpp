@@ -1,11 +1,14 @@
 #include "evaluate/exercise_task.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/files.h"
 #include "base/stopwatch.h"
+#include "evaluate/context/recipe.h"
 #include "evaluate/programs/compiled_recipe.h"
+#include "lesson/syntax/linked_libraries.h"
 #include "toolchain/warm_header.h"
 
 namespace mjcourse {
@@ -25,7 +28,9 @@ Dependencies ExerciseTask::recipe(const RunContext& run_context) const {
                                 program.native,
                                 std::to_string(program.seconds)};
   text.insert(text.end(), program.arguments.begin(), program.arguments.end());
-  return with_page(compiled_recipe(run_context, "exercise", text, program.optimize), run_context);
+  Dependencies recipe = compiled_recipe(run_context, "exercise", text, program.optimize);
+  if (mjcourse::draws(files_->text.file().text())) recipe = with_drawing(std::move(recipe));
+  return with_page(std::move(recipe), run_context);
 }
 
 bool ExerciseTask::prepare(WorkerContext& worker_context, Finding& finding) {

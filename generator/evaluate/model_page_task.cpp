@@ -12,7 +12,7 @@
 namespace mjcourse {
 
 Dependencies ModelPageTask::recipe(const RunContext& run_context) const {
-  return recipe_of(run_context, "model page", {name_.text}, {"world", "guard"});
+  return with_drawing(recipe_of(run_context, "model page", {name_.text}, {"world", "guard"}));
 }
 
 bool ModelPageTask::work_apart(WorkerContext& worker_context, Finding& finding) {

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/stopwatch.h"
+#include "evaluate/context/recipe.h"
 #include "evaluate/programs/compiled_recipe.h"
 #include "evaluate/programs/example.h"
 #include "evaluate/programs/exercise.h"
+#include "lesson/syntax/linked_libraries.h"
 #include "report/refused_file.h"
 #include "toolchain/warm_header.h"
 
@@ -22,7 +25,9 @@ Dependencies ProgramTask::recipe(const RunContext& run_context) const {
                                 std::to_string(program_.seconds),
                                 std::to_string(program_.exit_code)};
   text.insert(text.end(), program_.arguments.begin(), program_.arguments.end());
-  return with_page(compiled_recipe(run_context, "program", text, program_.optimize), run_context);
+  Dependencies recipe = compiled_recipe(run_context, "program", text, program_.optimize);
+  if (mjcourse::draws(code_->text.text)) recipe = with_drawing(std::move(recipe));
+  return with_page(std::move(recipe), run_context);
 }
 
 std::vector<std::string> ProgramTask::warm_roots(const RunContext& run_context) const {

@@ -1,7 +1,6 @@
 #include "evaluate/worker.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <stdexcept>
 #include <string>
@@ -22,7 +21,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostAnswer = 256 << 20;
 // As long as the longest check, for a limit of the kernel's when nobody is left to look.
 constexpr double kLifetime = 24 * 3600;
-constexpr const char* kTunables = "GLIBC_TUNABLES";
 
 // Of what lies in the course's folder: its models, and the pictures that others are held against.
 std::vector<std::string> readable_of(const fs::path& root) {
@@ -57,10 +55,6 @@ Command command_of(const WorkerProgram& program, const fs::path& root, const fs:
   sandbox.open_files = 256;
   const LentShaders shaders = lend_shaders_to(folder / "shaders");
   command.environment = shaders.variables;
-  // How the C library computes is ours to choose, and what it computes must be the same here.
-  if (const char* tunables = std::getenv(kTunables)) {
-    command.environment.push_back(std::string(kTunables) + "=" + tunables);
-  }
   sandbox.write.push_back(shaders.own.string());
   if (!shaders.ours.empty()) sandbox.read.push_back(shaders.ours.string());
   command.sandbox = std::move(sandbox);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/arithmetic.h"
 #include "process/launch_news.h"
 
 namespace mjcourse {
@@ -34,7 +35,7 @@ Launch::Launch(const Command& command, Ends ends)
       ends_(std::move(ends)) {
   if (command.sandbox) {
     fixed_ = {"HOME=" + command.folder, "TMPDIR=" + command.folder, "LC_ALL=C.UTF-8",
-              "PATH=/usr/local/bin:/usr/bin:/bin"};
+              "PATH=/usr/local/bin:/usr/bin:/bin", std::string("GLIBC_TUNABLES=") + kOneRounding};
   }
   for (const std::string& a : command.arguments) arguments_.push_back(const_cast<char*>(a.c_str()));
   for (const std::string& e : command.environment) {

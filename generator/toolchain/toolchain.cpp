@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "base/arithmetic.h"
 #include "base/cache_folder.h"
 #include "process/known_package.h"
 #include "toolchain/containment.h"
@@ -23,8 +24,7 @@ const char* level(bool optimize) {
 
 // A compiler's memory, in large pages and asked for seldom: one of glibc's settings, without which
 // clang spends a seventh of its time on 20,000 page faults.
-constexpr const char* kLargePages =
-    "GLIBC_TUNABLES=glibc.malloc.hugetlb=1:glibc.malloc.top_pad=67108864";
+constexpr const char* kLargePages = "glibc.malloc.hugetlb=1:glibc.malloc.top_pad=67108864";
 
 // "clang 16.0.6" of what `NAME --version` prints: "Debian clang version 16.0.6 (15~deb12u1)".
 std::string short_version(const std::string& name, const std::string& line) {
@@ -77,7 +77,7 @@ Outcome run_tool(std::vector<std::string> arguments, const std::filesystem::path
   command.arguments = std::move(arguments);
   command.folder = folder.string();
   command.environment = {"TMPDIR=" + folder.string(),  // a compiler that is killed leaves files
-                         kLargePages};
+                         std::string("GLIBC_TUNABLES=") + kOneRounding + ":" + kLargePages};
   command.seconds = kToolSeconds;
   command.sandbox = compiler_sandbox(folder, reads);
   return run(command);

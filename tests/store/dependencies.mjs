@@ -203,8 +203,7 @@ try {
   expect("the libraries' versions", names, ["^  libraries changed"], library);
   const rounding = { GLIBC_TUNABLES: "glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2" };
   const { anew } = worked(mjcourse, rounding);
-  const rounds = readFileSync("/proc/cpuinfo", "utf8").includes(" fma ");
-  if (rounds && anew.length !== names.length) failures.push("the processor's rounding is not seen");
+  if (anew.length !== 0) failures.push(`another rounding of the user's has ${anew} made anew`);
 } finally {
   cleanUp();
 }

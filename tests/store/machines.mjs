@@ -158,7 +158,7 @@ try {
     expect(second.anew.length === 0, `the second works out ${second.anew}`);
     expect(second.said === "", `the second says ${second.said}`);
 
-    // Of another processor, in which the C library's sines may be rounded otherwise.
+    // Of another architecture, on which the C library's sines may be rounded otherwise.
     const changed = told.stdout.replaceAll(/("arithmetic",\s+)"[^"]*"/g, '$1"another"');
     writeFileSync(file, changed);
     const differs = other.run(server.port, "explain", "--against", file);
@@ -166,7 +166,7 @@ try {
       /^arithmetic: .* here, another there\n {2}content\/.*, and \d+ other tasks\n0 tasks with the same dependencies\n$/.test(
         differs.stdout,
       ),
-      `against another processor: ${differs.stdout}${differs.stderr}`,
+      `against another architecture: ${differs.stdout}${differs.stderr}`,
     );
   }
 } finally {

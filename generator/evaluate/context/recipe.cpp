@@ -26,4 +26,9 @@ Dependencies recipe_of(const RunContext& run_context, const std::string& kind,
   return recipe;
 }
 
+Dependencies with_drawing(Dependencies recipe) {
+  recipe.push_back({"processor", processor_features()});
+  return recipe;
+}
+
 }  // namespace mjcourse
