@@ -1,5 +1,5 @@
 // CBOR that somebody else may have written: what a store has, and what a worker says.
-// Tested by tests/generator/cache/result_codec_test.cpp.
+// Tested by tests/generator/evaluate/codec/result_codec_test.cpp.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

@@ -105,6 +105,11 @@ std::optional<ResultStore::Kept> ResultStore::keep(const Dependencies& recipe, c
     sets_.now(names.back());
     if (!fingerprints_.tree_unchanged_since(folder, begin)) return std::nullopt;
   }
+  for (const auto& [name, value] : trace.found_sets()) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    names.push_back(name);
+    if (sets_.now(name) != value) return std::nullopt;
+  }
   const Dependencies traced = known(names);
   for (const std::string& name : looked_at_all) {
     if (!fingerprints_.unchanged_since(name, begin)) return std::nullopt;

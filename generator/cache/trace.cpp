@@ -1,6 +1,6 @@
 #include "cache/trace.h"
 
-#include "cache/dependency.h"
+#include "cache/dependency_sets.h"
 
 namespace mjcourse {
 
@@ -12,6 +12,7 @@ void Trace::clear() {
   names_.clear();
   sets_.clear();
   headers_.clear();
+  found_sets_.clear();
   complete_ = true;
 }
 
@@ -39,6 +40,26 @@ void Trace::headers_in(const fs::path& folder, const std::vector<std::string>& p
 
 void Trace::program(const std::string& name) {
   names_.insert(program_dependency(name));
+}
+
+void Trace::add(const Trace& other) {
+  add(other.names_);
+  sets_.insert(other.sets_.begin(), other.sets_.end());
+  for (const auto& [folder, headers] : other.headers_) {
+    headers_[folder].insert(headers.begin(), headers.end());
+  }
+  found_sets_.insert(other.found_sets_.begin(), other.found_sets_.end());
+  complete_ = complete_ && other.complete_;
+}
+
+void Trace::found(const Dependencies& traced) {
+  for (const auto& [name, value] : traced) {
+    if (DependencySets::is_name(name)) {
+      found_sets_.emplace(name, value);
+    } else {
+      names_.insert(name);
+    }
+  }
 }
 
 tl::expected<std::string, std::string> TracedFiles::read(const std::string& path) const {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "cache/dependency.h"
 
 namespace mjcourse {
 
@@ -19,6 +20,8 @@ class Trace {
  public:
   // `root` is the course's folder.
   explicit Trace(const std::filesystem::path& root);
+
+  const std::filesystem::path& root() const { return root_; }
 
   void clear();
 
@@ -35,6 +38,9 @@ class Trace {
   void program(const std::string& name);
   // What somebody else has looked at for the same piece of work, as its trace names it.
   void add(const std::set<std::string>& names) { names_.insert(names.begin(), names.end()); }
+  void add(const Trace& other);
+  // What a result depends on that was found in place of work.
+  void found(const Dependencies& traced);
   // Something that cannot be named: the result must not be used again.
   void unknown() { complete_ = false; }
 
@@ -45,12 +51,15 @@ class Trace {
   // What files are called, by the folders in which they were looked for.
   using Headers = std::map<std::string, std::set<std::string>>;
   const Headers& headers() const { return headers_; }
+  // What was found of DependencySets (dependency_sets.h): their names, and what was behind them.
+  const std::map<std::string, std::string>& found_sets() const { return found_sets_; }
 
  private:
   std::filesystem::path root_;
   std::set<std::string> names_;
   std::set<std::vector<std::string>> sets_;
   Headers headers_;
+  std::map<std::string, std::string> found_sets_;
   bool complete_ = true;
 };
 

@@ -1,6 +1,6 @@
 #include <iostream>
+#include <optional>
 #include <string>
-#include <utility>
 
 #include "base/out_folder.h"
 #include "base/utf8.h"
@@ -16,40 +16,92 @@
 
 namespace mjcourse {
 
-int build(const BuildOptions& options) {
-  Verified verified = verify_course(options);
-  if (verified.failed) {
-    std::cout << "no site was written: fix the errors first\n";
-    return kCourseErrors;
+namespace {
+
+class SiteBuild {
+ public:
+  explicit SiteBuild(const BuildOptions& options) : options_(options) {}
+
+  int run() {
+    // Solutions are taken out of what was found, which is wanted whole until all is known.
+    ShowNative show;
+    if (!options_.without_solutions) {
+      show = [this](Course& course, const Evaluation& evaluation) { preview(course, evaluation); };
+    }
+    Verified verified = verify_course(options_, show);
+    if (verified.failed) return refuse("fix the errors first");
+    if (options_.without_solutions) withhold_solutions(*verified.course, verified.evaluation);
+    try {
+      write(*verified.course, verified.evaluation, options_.compress);
+    } catch (const BrokenTemplate& broken) {
+      const DiskFiles course(options_.course);
+      if (!is_themed(broken.error().name, course)) throw;
+      print_diagnostics({template_mistake(broken.error(), course)});
+      return refuse("fix the error first");
+    }
+    tell_of_foreign_files();
+    std::cout << "site: " << index() << '\n';
+    return kClean;
   }
-  History history = last_changed(options.course, "content");
-  if (!history.unknown.empty()) {
-    std::cout << "note: no page says when it was last changed: " << history.unknown << '\n';
+
+ private:
+  // What somebody can read while the rest is proved. Its templates are told of when all is known.
+  void preview(Course& course, const Evaluation& evaluation) {
+    try {
+      write(course, evaluation, false);
+    } catch (const BrokenTemplate&) {
+      return;
+    }
+    is_previewed_ = true;
+    std::cerr
+        << "mjcourse: " << index()
+        << " can be read; it is written again once its programs have run as its pages run them\n";
   }
-  if (!options.base_url.empty()) verified.course->url = options.base_url;
-  if (options.without_solutions) withhold_solutions(*verified.course, verified.evaluation);
-  const std::filesystem::path site = find_out_path(options.out, options.course).path;
-  try {
+
+  void write(Course& course, const Evaluation& evaluation, bool compress) {
+    if (!history_) {
+      history_ = last_changed(options_.course, "content");
+      if (!history_->unknown.empty()) {
+        std::cout << "note: no page says when it was last changed: " << history_->unknown << '\n';
+      }
+    }
+    if (!options_.base_url.empty()) course.url = options_.base_url;
     write_site(
-        *verified.course, verified.evaluation,
-        {options.course, assets_folder(), site, options.jobs, options.compress,
-         !options.without_solutions},
-        [&](const Lesson& lesson) { return claims_of_prose(lesson, verified.evaluation); },
-        std::move(history.changes));
-  } catch (const BrokenTemplate& broken) {
-    const DiskFiles course(options.course);
-    if (!is_themed(broken.error().name, course)) throw;
-    print_diagnostics({template_mistake(broken.error(), course)});
-    std::cout << "no site was written: fix the error first\n";
+        course, evaluation,
+        {options_.course, assets_folder(), site(), options_.jobs, compress,
+         !options_.without_solutions},
+        [&](const Lesson& lesson) { return claims_of_prose(lesson, evaluation); },
+        history_->changes);
+  }
+
+  int refuse(const char* cure) const {
+    std::cout << (is_previewed_ ? "the site lacks what programs are in its pages: "
+                                : "no site was written: ")
+              << cure << '\n';
     return kCourseErrors;
   }
-  std::string kept;
-  for (const std::string& file : foreign_files(site)) {
-    kept += (kept.empty() ? "" : ", ") + readable(file);
+
+  void tell_of_foreign_files() const {
+    std::string kept;
+    for (const std::string& file : foreign_files(site())) {
+      kept += (kept.empty() ? "" : ", ") + readable(file);
+    }
+    if (kept.empty()) return;
+    std::cout << "kept in the site, though no build wrote it: " << kept << '\n';
   }
-  if (!kept.empty()) std::cout << "kept in the site, though no build wrote it: " << kept << '\n';
-  std::cout << "site: " << options.out.lexically_normal().string() << "/index.html\n";
-  return kClean;
+
+  std::filesystem::path site() const { return find_out_path(options_.out, options_.course).path; }
+  std::string index() const { return options_.out.lexically_normal().string() + "/index.html"; }
+
+  const BuildOptions& options_;
+  std::optional<History> history_;
+  bool is_previewed_ = false;
+};
+
+}  // namespace
+
+int build(const BuildOptions& options) {
+  return SiteBuild(options).run();
 }
 
 }  // namespace mjcourse

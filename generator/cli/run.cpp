@@ -18,7 +18,7 @@
 #include "evaluate/worker.h"
 #include "page/course_data.h"
 #include "page/foreign_files.h"
-#include "physics/mesa.h"
+#include "process/mesa.h"
 #include "process/our_command.h"
 
 namespace mjcourse {

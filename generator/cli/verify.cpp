@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -114,18 +115,57 @@ Verified read_course_of(const CourseOptions& options) {
   return verified;
 }
 
+namespace {
+
+Evaluation examined(const Course& course, const EvaluationSettings& settings,
+                    const Diagnostics& reading) {
+  ProgressBar progress;
+  return examine(course, settings, progress, reading);
+}
+
+// The tasks of `times`, of which some were worked on `earlier`: before `seconds` had passed.
+void add_earlier(const std::vector<TaskTime>& earlier, double seconds,
+                 std::vector<TaskTime>& times) {
+  std::multimap<std::string, const TaskTime*> worked;
+  for (const TaskTime& time : earlier) {
+    if (!time.reused) worked.emplace(time.what, &time);
+  }
+  for (TaskTime& time : times) {
+    time.begin += seconds;
+    const auto known = worked.find(time.what);
+    if (!time.reused || known == worked.end()) continue;
+    time = *known->second;
+    worked.erase(known);
+  }
+  for (const auto& [what, time] : worked) times.push_back(*time);  // headers, which are made once
+}
+
+}  // namespace
+
 void evaluate_course(const CourseOptions& options, Verified& verified, bool all_claims,
-                     const Shard& shard) {
+                     const Shard& shard, const ShowNative& show) {
   Diagnostics reading = std::move(verified.evaluation.diagnostics);
   if (verified.course) {
-    ProgressBar progress;
     const DiskFiles assets(assets_folder());
     Store* store = verified.store.get();
     EvaluationSettings settings = evaluation_settings(options, assets, store);
     settings.shard = shard;
     settings.notes_times = shard.is_whole();
     if (store != nullptr) settings.fingerprint_cache->read(*store, options.course);
-    verified.evaluation = examine(*verified.course, settings, progress, std::move(reading));
+    const bool is_shown = show && store != nullptr;  // which has it a moment later
+    settings.natively = is_shown;
+    const Stopwatch stopwatch;
+    verified.evaluation = examined(*verified.course, settings, reading);
+    if (is_shown && verified.evaluation.open) {
+      if (count_errors(verified.evaluation.diagnostics) == 0) {
+        show(*verified.course, verified.evaluation);
+      }
+      settings.natively = false;
+      const double seconds = stopwatch.seconds();
+      Evaluation whole = examined(*verified.course, settings, reading);
+      add_earlier(verified.evaluation.times, seconds, whole.times);
+      verified.evaluation = std::move(whole);
+    }
     if (store != nullptr) settings.fingerprint_cache->write(*store, options.course);
   } else {
     verified.evaluation.diagnostics = std::move(reading);
@@ -137,13 +177,13 @@ void evaluate_course(const CourseOptions& options, Verified& verified, bool all_
   sort_by_place(verified.evaluation.diagnostics);
 }
 
-Verified verify_course(const VerifyOptions& options) {
+Verified verify_course(const VerifyOptions& options, const ShowNative& show) {
   const Stopwatch stopwatch;
   Verified verified = read_course_of(options);
   // These need every claim of every lesson.
   const bool all_claims = options.strict || !options.report.empty() ||
                           options.format == Format::json || options.format == Format::junit;
-  evaluate_course(options, verified, all_claims, options.shard);
+  evaluate_course(options, verified, all_claims, options.shard, show);
   if (options.strict) apply_strictly(verified);
   const Diagnostics& all = verified.evaluation.diagnostics;
   print_diagnostics(all);

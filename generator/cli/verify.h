@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 #include "cli/commands.h"
@@ -21,16 +22,18 @@ struct Verified {
 // The steps one by one, none of which prints diagnostics: read the course, then evaluate it, if
 // there is one.
 Verified read_course_of(const CourseOptions& options);
-// `all_claims`: also those of lessons that state nothing but what nobody runs.
+// `all_claims`: also those of lessons that state nothing but what nobody runs. Where what programs
+// are in the page takes work, `show` gets the evaluation without that, before the work.
+using ShowNative = std::function<void(Course& course, const Evaluation& evaluation)>;
 void evaluate_course(const CourseOptions& options, Verified& verified, bool all_claims,
-                     const Shard& shard = {});
+                     const Shard& shard = {}, const ShowNative& show = {});
 std::ptrdiff_t count_errors(const Diagnostics& diagnostics);
 // To stderr.
 void print_diagnostics(const Diagnostics& diagnostics);
 
 // All of it. Prints every diagnostic to stderr; a line for each lesson and a summary to stdout, or
 // to stderr too where stdout is for another format.
-Verified verify_course(const VerifyOptions& options);
+Verified verify_course(const VerifyOptions& options, const ShowNative& show = {});
 
 // What the generator needs beside itself, made by the build: scripts and templates of the site,
 // skeletons, the helper header. The environment's MJCOURSE_ASSETS, else as seen from this program's

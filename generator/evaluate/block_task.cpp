@@ -10,7 +10,7 @@
 #include "base/stopwatch.h"
 #include "evaluate/answers/inline_value.h"
 #include "evaluate/answers/question.h"
-#include "evaluate/claims/fence_extent.h"
+#include "evaluate/context/fence_extent.h"
 #include "evaluate/context/recipe.h"
 #include "evaluate/scenes/figure.h"
 #include "evaluate/scenes/image.h"

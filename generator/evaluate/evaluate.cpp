@@ -10,12 +10,13 @@
 #include "evaluate/api_reference.h"
 #include "evaluate/claims/claims.h"
 #include "evaluate/commands_task.h"
+#include "evaluate/exercise_task.h"
 #include "evaluate/gather_diagnostics.h"
+#include "evaluate/page_task.h"
 #include "evaluate/plan.h"
 #include "evaluate/program_task.h"
 #include "evaluate/programs/exercise.h"
 #include "evaluate/programs/output.h"
-#include "evaluate/programs/page_output.h"
 #include "evaluate/programs/region.h"
 #include "evaluate/publish.h"
 #include "evaluate/scheduler.h"
@@ -23,7 +24,6 @@
 #include "evaluate/task_store.h"
 #include "evaluate/task_times.h"
 #include "evaluate/versions.h"
-#include "findings/snippet_program.h"
 #include "physics/mujoco_api.h"
 #include "process/sandbox.h"
 
@@ -45,6 +45,11 @@ void compare_outputs(const Lesson& lesson, LessonResults& results, Diagnostics& 
       results.of_block[i] = *result;
     }
   }
+}
+
+// Null where it is another.
+const PageTask* page_task(const Task& task) {
+  return dynamic_cast<const PageTask*>(&task);
 }
 
 template <typename... Kinds>
@@ -106,8 +111,9 @@ class Evaluator {
         run_context_(course, settings.root, settings.assets, settings.helper, settings.prepared,
                      settings.script_bundles, settings.without_landlock, settings.page),
         fingerprints_(settings.root, settings.fingerprint_cache) {
-    if (settings.store != nullptr)
-      task_store_.emplace(*settings.store, settings.root, fingerprints_);
+    if (settings.store == nullptr) return;
+    task_store_.emplace(*settings.store, settings.root, fingerprints_);
+    run_context_.actions().keep_in(task_store_->results());
   }
 
   Evaluation run(Diagnostics found) {
@@ -115,6 +121,9 @@ class Evaluator {
     if (settings_.shard.is_first()) evaluation_.diagnostics = std::move(found);
     evaluation_.versions = known_versions(settings_.assets);
     Tasks tasks = plan_tasks(course_);
+    if (run_context_.page() == nullptr) {
+      std::erase_if(tasks, [](const auto& task) { return page_task(*task) != nullptr; });
+    }
     evaluation_.all_tasks = tasks.size();
     const bool whole = settings_.shard.is_whole();
     TaskTimes times(whole && !settings_.notes_times ? nullptr : settings_.store, course_.title);
@@ -127,8 +136,7 @@ class Evaluator {
       evaluation_.sandbox = sandbox_level().text();
     }
     Scheduler scheduler(run_context_, task_store_ ? &*task_store_ : nullptr, progress_,
-                        settings_.threads, settings_.stand_in ? Effort::looks : Effort::all,
-                        settings_.worker);
+                        settings_.threads, effort(), settings_.worker);
     TaskRecords records = scheduler.run(tasks, settings_.first, [&](const TaskRecords& done) {
       publish(tasks, done, run_context_.reports(), fingerprints_);
     });
@@ -153,6 +161,11 @@ class Evaluator {
   }
 
  private:
+  Effort effort() const {
+    if (settings_.stand_in) return Effort::looks;
+    return settings_.natively ? Effort::natively : Effort::all;
+  }
+
   void take_share(Tasks& tasks, const TaskTimes& times) {
     const Share share(tasks, settings_.shard, times, run_context_);
     evaluation_.open = true;
@@ -188,19 +201,24 @@ class Evaluator {
       const Task& task = *tasks[i];
       Finding& finding = records[i].finding;
       if (records[i].open) stand_in(task, finding);
-      evaluation_.times.push_back({task.what(), records[i].thread, records[i].begin,
-                                   records[i].seconds, records[i].reused, records[i].in_page});
+      if (!records[i].open) {
+        evaluation_.times.push_back({task.what(), records[i].thread, records[i].begin,
+                                     records[i].seconds, records[i].reused, records[i].in_page});
+      }
       gather_diagnostics(std::move(finding.diagnostics), evaluation_.diagnostics);
       if (finding.model_page) evaluation_.models.push_back(*std::move(finding.model_page));
       LessonResults& results = task.page() < evaluation_.lessons.size()
                                    ? evaluation_.lessons[task.page()]
                                    : evaluation_.glossary;
+      results.seconds.merge(finding.seconds);
+      if (const PageTask* page = page_task(task)) {
+        take_pages(*page, records[i].open, finding, results);
+        continue;
+      }
       if (records[i].open) {
         for (const std::size_t block : task.blocks()) results.open.insert(block);
       }
-      results.seconds.merge(finding.seconds);
       if (const auto* program = dynamic_cast<const ProgramTask*>(&task)) take(*program, finding);
-      if (!records[i].open) compare_in_page(task, finding);
       results.of_block.merge(finding.results);
     }
     std::sort(evaluation_.models.begin(), evaluation_.models.end(),
@@ -219,24 +237,41 @@ class Evaluator {
     }
   }
 
-  // What programs printed in the page is held against what they printed natively.
-  void compare_in_page(const Task& task, const Finding& finding) {
-    const Lesson& lesson = task.lesson();
-    for (const auto& [block, result] : finding.results) {
-      const auto* printed = std::get_if<ExampleResult>(&result);
-      if (const auto* example = std::get_if<Example>(&lesson.blocks[block])) {
-        compare_page_run(*example, *printed, lesson, evaluation_.diagnostics);
-      } else if (std::holds_alternative<Snippet>(lesson.blocks[block])) {
-        compare_page_run(snippet_program(lesson, block), *printed, lesson, evaluation_.diagnostics);
+  // What the programs of a task are in the page belongs to the results that they have natively.
+  void take_pages(const PageTask& task, bool open, const Finding& finding, LessonResults& results) {
+    const auto* program = dynamic_cast<const ProgramTask*>(&task.native());
+    const bool is_exercise = dynamic_cast<const ExerciseTask*>(&task.native()) != nullptr;
+    for (const std::size_t block : task.blocks()) {
+      const auto page = finding.pages.find(block);
+      const bool is_known = page != finding.pages.end();
+      const auto result = results.of_block.find(block);
+      const bool has_result = result != results.of_block.end();
+      if (is_known && program != nullptr) {
+        const auto ran = programs_.find(program->program().file.text);
+        if (ran != programs_.end()) ran->second.page = page->second;
+      }
+      if (!has_result) continue;
+      if (is_exercise && is_known) {
+        std::get<ExerciseResult>(result->second).why_not = page->second.why_not;
+      } else if (is_exercise && !open) {
+        results.of_block.erase(result);  // its starter or a mistake is another there
+      } else if (auto* ran = std::get_if<ExampleResult>(&result->second); ran && is_known) {
+        ran->page = page->second;
       }
     }
   }
 
   void stand_in(const Task& task, Finding& finding) {
     evaluation_.open = true;
+    if (!settings_.stand_in) return;
+    const PageTask* page = page_task(task);
     for (const std::size_t block : task.blocks()) {
-      if (auto result = settings_.stand_in(task.lesson(), block)) {
+      auto result = settings_.stand_in(task.lesson(), block);
+      if (!result) continue;
+      if (page == nullptr) {
         finding.results[block] = *std::move(result);
+      } else if (auto known = page->known_of(*result)) {
+        finding.pages[block] = *std::move(known);
       }
     }
   }

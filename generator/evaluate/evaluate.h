@@ -47,6 +47,8 @@ struct EvaluationSettings {
   bool notes_times = false;
   // Given, nothing is worked out: what the store does not have stays open, with a stand-in.
   StandIn stand_in = {};
+  // What programs are in the page is not worked out: what the store does not have of it stays open.
+  bool natively = false;
   Blocks first = {};              // what somebody waits for: begun before all else
   bool without_landlock = false;  // run programs even where the kernel has none
   // For what is worked on in processes of their own; without it, nothing is.

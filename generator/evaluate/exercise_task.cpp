@@ -4,11 +4,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/cpp_includes.h"
 #include "base/files.h"
 #include "base/stopwatch.h"
 #include "evaluate/context/recipe.h"
 #include "evaluate/programs/compiled_recipe.h"
-#include "lesson/syntax/linked_libraries.h"
 #include "toolchain/warm_header.h"
 
 namespace mjcourse {
@@ -29,8 +29,7 @@ Dependencies ExerciseTask::recipe(const RunContext& run_context) const {
                                 std::to_string(program.seconds)};
   text.insert(text.end(), program.arguments.begin(), program.arguments.end());
   Dependencies recipe = compiled_recipe(run_context, "exercise", text, program.optimize);
-  if (mjcourse::draws(files_->text.file().text())) recipe = with_drawing(std::move(recipe));
-  return with_page(std::move(recipe), run_context);
+  return mjcourse::draws(files_->text.file().text()) ? with_drawing(std::move(recipe)) : recipe;
 }
 
 bool ExerciseTask::prepare(WorkerContext& worker_context, Finding& finding) {
@@ -47,6 +46,18 @@ bool ExerciseTask::work(WorkerContext& worker_context, Finding& finding) {
   if (!result) return false;
   finding.results[block()] = *std::move(result);
   finding.seconds[block()] = stopwatch.seconds();
+  return true;
+}
+
+bool ExerciseTask::is_compiled(WorkerContext& worker_context) const {
+  return files_ && is_known(exercise(), *files_, lesson(), worker_context);
+}
+
+bool ExerciseTask::work_in_page(WorkerContext& worker_context, Finding& finding) {
+  auto page =
+      evaluate_exercise_in_page(exercise(), *files_, lesson(), worker_context, finding.diagnostics);
+  if (!page) return false;
+  finding.pages[block()] = *std::move(page);
   return true;
 }
 

@@ -129,8 +129,7 @@ std::optional<JudgedExercise> ExerciseJudge::prepare(const Lesson& lesson, const
     if (!result) return false;
     checks = std::move(result->records.checks);
     judged.sources.insert(judged.sources.end(), result->files.begin(), result->files.end());
-    report_failing_checks(program, SourceText(program.file.text, placed), checks, lesson,
-                          diagnostics);
+    report_failing_checks(program, {placed, {}}, checks, lesson, diagnostics);
     return std::ranges::all_of(checks, &Check::holds);
   };
   const ExerciseText& text = judged.files.text;

@@ -11,6 +11,7 @@
 #include "evaluate/exercise_task.h"
 #include "evaluate/formulas_task.h"
 #include "evaluate/model_page_task.h"
+#include "evaluate/page_task.h"
 #include "evaluate/program_task.h"
 #include "evaluate/snippets_task.h"
 
@@ -55,17 +56,24 @@ class Planner {
     tasks_.push_back(std::make_unique<Kind>(lesson, page, std::forward<Rest>(rest)...));
   }
 
+  // What runs natively, and in the page.
+  template <typename Kind, typename... Rest>
+  void add_programs(const Lesson& lesson, std::size_t page, const Rest&... rest) {
+    add<Kind>(lesson, page, rest...);
+    tasks_.push_back(std::make_unique<PageTask>(std::make_unique<Kind>(lesson, page, rest...)));
+  }
+
   void add_block(const Lesson& lesson, std::size_t page, std::size_t index) {
     const Block& block = lesson.blocks[index];
     if (const auto* example = std::get_if<Example>(&block)) {
       add_program(lesson, page, index, *example);
     } else if (const auto* exercise = std::get_if<Exercise>(&block)) {
-      add<ExerciseTask>(lesson, page, index);
+      add_programs<ExerciseTask>(lesson, page, index);
       add_program(lesson, page, index, exercise->program);
     } else if (std::holds_alternative<Math>(block)) {
       if (!std::exchange(has_formulas_, true)) add<FormulasTask>(lesson, page, index);
     } else if (std::holds_alternative<Snippet>(block)) {
-      if (!std::exchange(has_snippets_, true)) add<SnippetsTask>(lesson, page, index);
+      if (!std::exchange(has_snippets_, true)) add_programs<SnippetsTask>(lesson, page, index);
     } else if (std::holds_alternative<Commands>(block)) {
       add<CommandsTask>(lesson, page, index);
     } else if (BlockTask::takes(lesson, index)) {
@@ -78,7 +86,7 @@ class Planner {
       if (!programs_.insert(program.file.text).second) return;
       program.code = {};  // the file's
     }
-    add<ProgramTask>(lesson, page, index, std::move(program));
+    add_programs<ProgramTask>(lesson, page, index, program);
   }
 
   void add_linked_model(const Lesson& lesson, std::size_t page, const Link& link) {

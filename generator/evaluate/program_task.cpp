@@ -5,12 +5,13 @@
 #include <utility>
 #include <vector>
 
+#include "base/cpp_includes.h"
 #include "base/stopwatch.h"
 #include "evaluate/context/recipe.h"
 #include "evaluate/programs/compiled_recipe.h"
 #include "evaluate/programs/example.h"
 #include "evaluate/programs/exercise.h"
-#include "lesson/syntax/linked_libraries.h"
+#include "evaluate/programs/page_run.h"
 #include "report/refused_file.h"
 #include "toolchain/warm_header.h"
 
@@ -26,8 +27,7 @@ Dependencies ProgramTask::recipe(const RunContext& run_context) const {
                                 std::to_string(program_.exit_code)};
   text.insert(text.end(), program_.arguments.begin(), program_.arguments.end());
   Dependencies recipe = compiled_recipe(run_context, "program", text, program_.optimize);
-  if (mjcourse::draws(code_->text.text)) recipe = with_drawing(std::move(recipe));
-  return with_page(std::move(recipe), run_context);
+  return mjcourse::draws(code_->text.text) ? with_drawing(std::move(recipe)) : recipe;
 }
 
 std::vector<std::string> ProgramTask::warm_roots(const RunContext& run_context) const {
@@ -55,10 +55,7 @@ bool ProgramTask::work(WorkerContext& worker_context, Finding& finding) {
       evaluate_example(program_, code_->text, lesson(), worker_context, finding.diagnostics);
   if (!result) return false;
   const std::vector<Check> checks = result->records.checks;
-  const SourceText in_file(program_.file.text, code_->text.text);
-  const bool is_in_file = code_->text.offsets.empty();
-  report_failing_checks(program_, is_in_file ? in_file : *lesson().source, checks, lesson(),
-                        finding.diagnostics);
+  report_failing_checks(program_, code_->text, checks, lesson(), finding.diagnostics);
   if (std::ranges::any_of(checks, [](const Check& check) { return !check.holds; })) return false;
   finding.results[block()] = *std::move(result);
   finding.seconds[block()] = stopwatch.seconds();
@@ -70,6 +67,21 @@ void ProgramTask::conclude(WorkerContext& worker_context, Finding& finding) {
   if (!code_ || !code_->differs || !finding.results.contains(block())) return;
   offer_file(program_, worker_context.run_context().shown().at(program_.file.text), lesson(), file_,
              finding.diagnostics[*code_->differs]);
+}
+
+bool ProgramTask::is_compiled(WorkerContext& worker_context) const {
+  return code_ && is_known(program_, code_->text, lesson(), worker_context);
+}
+
+bool ProgramTask::work_in_page(WorkerContext& worker_context, Finding& finding) {
+  if (!program_.compiles) return true;
+  Diagnostics known;  // of the native run
+  const auto native = evaluate_example(program_, code_->text, lesson(), worker_context, known);
+  if (!native) return false;
+  if (auto page = run_in_page(program_, code_->text.text, *native, worker_context)) {
+    finding.pages[block()] = *std::move(page);
+  }
+  return true;
 }
 
 }  // namespace mjcourse

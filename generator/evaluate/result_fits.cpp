@@ -169,6 +169,11 @@ bool fits(const Task& task, const Finding& finding, const fs::path& root) {
                                return std::ranges::count(blocks, block) > 0 && block < all.size() &&
                                       fits(all[block], result) && lies_in(root, result);
                              }) &&
+         std::ranges::all_of(finding.pages,
+                             [&](const auto& found) {
+                               return std::ranges::count(blocks, found.first) > 0 &&
+                                      found.first < all.size();
+                             }) &&
          (!finding.model_page || is_page_of(task, *finding.model_page, root));
 }
 

@@ -36,8 +36,7 @@ void Scheduler::look(Task& task, WorkerContext& worker_context, TaskRecord& reco
   if (!task.prepare(worker_context, record.finding)) return;
   record.said = record.finding.diagnostics.size();
   record.recipe = task.recipe(run_context_);
-  record.waiting =
-      task_store_ == nullptr || !task_store_->find(task, record, effort_ == Effort::all);
+  record.waiting = task_store_ == nullptr || !task_store_->find(task, record, is_worked_on(task));
 }
 
 void Scheduler::try_to_look(Task& task, WorkerContext& worker_context, TaskRecord& record) const {
@@ -48,6 +47,10 @@ void Scheduler::try_to_look(Task& task, WorkerContext& worker_context, TaskRecor
   } catch (const std::exception&) {
     record = {};  // it will be looked up again, and say why
   }
+}
+
+bool Scheduler::is_worked_on(const Task& task) const {
+  return effort_ == Effort::all || (effort_ == Effort::natively && !task.is_in_page());
 }
 
 bool Scheduler::work(Task& task, Tools& tools, TaskRecord& record) const {
@@ -63,7 +66,7 @@ void Scheduler::do_task(Task& task, Tools& tools, TaskRecord& record) const {
   if (!record.looked) look(task, worker_context, record);
   if (record.waiting) {
     const bool quick = record.recipe.empty();  // as is all that is never kept
-    if (effort_ == Effort::looks && !quick) {
+    if (!quick && !is_worked_on(task)) {
       record.open = true;
       return;
     }
@@ -102,7 +105,7 @@ void Scheduler::look_at_once(const Tasks& tasks, bool quoting, TaskRecords& reco
   std::vector<std::optional<WorkerContext>> contexts(askers);
   const std::stop_token stop = cancellation();
   for_each_index(tasks.size(), askers, [&](std::size_t i, std::size_t asker) {
-    if (tasks[i]->quotes() != quoting) return;
+    if (tasks[i]->waits_for_programs() != quoting) return;
     const Cancellable cancellable(stop);
     end_if_cancelled();
     if (!contexts[asker]) contexts[asker].emplace(run_context_);
@@ -119,7 +122,9 @@ void Scheduler::prepare_programs(const Tasks& tasks, WorkerContext& worker_conte
     if (!tasks[i]->compiles()) continue;
     end_if_cancelled();
     if (!records[i].looked) try_to_look(*tasks[i], worker_context, records[i]);
-    if (records[i].waiting) waiting.push_back(tasks[i].get());
+    if (!records[i].waiting) continue;
+    worker_context.trace().clear();
+    if (!tasks[i]->is_compiled(worker_context)) waiting.push_back(tasks[i].get());
   }
   queue.programs_known();
   if (effort_ == Effort::looks) waiting.clear();

@@ -25,7 +25,8 @@
 
 namespace mjcourse {
 
-enum class Effort { all, looks };
+// What is worked on: all, all but what programs are in the page, or nothing.
+enum class Effort { all, natively, looks };
 
 using TaskRecords = std::vector<TaskRecord>;  // one for each task, in their order
 
@@ -64,6 +65,7 @@ class Scheduler {
   // Where it throws, the record is as before.
   void try_to_look(Task& task, WorkerContext& worker_context, TaskRecord& record) const;
   void look_at_once(const Tasks& tasks, bool quoting, TaskRecords& records) const;
+  bool is_worked_on(const Task& task) const;
   bool work(Task& task, Tools& tools, TaskRecord& record) const;
   void do_task(Task& task, Tools& tools, TaskRecord& record) const;
   void attempt(Task& task, Tools& tools, TaskRecord& record) const;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/sha256.h"
+#include "evaluate/page_task.h"
 #include "evaluate/program_task.h"
 
 namespace mjcourse {
@@ -35,6 +36,12 @@ class Joined {
   std::vector<std::size_t> joined_;
 };
 
+// Can another shard do it than the one that has the block's result? The model's page is none, and
+// what a program is in the page is told beside it.
+bool is_apart_from_block(const Task& task) {
+  return !task.model().empty() || dynamic_cast<const PageTask*>(&task) != nullptr;
+}
+
 // For each task, the first of those that it is done with.
 std::vector<std::size_t> together(const Tasks& tasks) {
   Joined joined(tasks.size());
@@ -44,7 +51,7 @@ std::vector<std::size_t> together(const Tasks& tasks) {
     if (const auto* program = dynamic_cast<const ProgramTask*>(tasks[i].get())) {
       joined.join(programs.try_emplace(program->program().name(), i).first->second, i);
     }
-    if (!tasks[i]->model().empty()) continue;  // it finds nothing of the block that names it
+    if (is_apart_from_block(*tasks[i])) continue;
     joined.join(blocks.try_emplace({tasks[i]->page(), tasks[i]->block()}, i).first->second, i);
   }
   for (std::size_t i = 0; i < tasks.size(); ++i) {
@@ -131,7 +138,7 @@ void Share::note(const Task& task, bool is_ours) {
     is_ours_[program->program().file.text] = is_ours;
     if (!is_ours) programs_of_others_.push_back(program->program().name());
   }
-  if (!task.model().empty()) return;  // it finds nothing of the block that names it
+  if (is_apart_from_block(task)) return;
   Blocks& blocks = worked_on_[&task.lesson()];
   for (const std::size_t block : task.blocks())
     (is_ours ? blocks.ours : blocks.others).insert(block);

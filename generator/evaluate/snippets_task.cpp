@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "evaluate/programs/compiled_recipe.h"
+#include "evaluate/programs/page_run.h"
 #include "evaluate/programs/snippets.h"
+#include "findings/snippet_program.h"
 #include "toolchain/warm_header.h"
 
 namespace mjcourse {
@@ -25,7 +27,7 @@ Dependencies SnippetsTask::recipe(const RunContext& run_context) const {
     text.insert(text.end(), {std::to_string(i - block()), snippet->model.text, snippet->code.text,
                              snippet->shown, std::to_string(snippet->seconds), snippet->native});
   }
-  return with_page(compiled_recipe(run_context, "snippets", text, false), run_context);
+  return compiled_recipe(run_context, "snippets", text, false);
 }
 
 std::vector<std::string> SnippetsTask::warm_roots(const RunContext& run_context) const {
@@ -47,6 +49,19 @@ bool SnippetsTask::work(WorkerContext& worker_context, Finding& finding) {
     finding.results[index] = std::move(result);
   }
   return finding.results.size() == blocks().size();
+}
+
+bool SnippetsTask::is_compiled(WorkerContext& worker_context) const {
+  return are_known(lesson(), worker_context);
+}
+
+bool SnippetsTask::work_in_page(WorkerContext& worker_context, Finding& finding) {
+  Diagnostics known;  // of the native runs
+  for (const auto& [index, native] : evaluate_snippets(lesson(), worker_context, known)) {
+    auto page = run_in_page(snippet_program(lesson(), index), native.code, native, worker_context);
+    if (page) finding.pages[index] = *std::move(page);
+  }
+  return finding.pages.size() == blocks().size();
 }
 
 }  // namespace mjcourse

@@ -21,6 +21,8 @@ class SnippetsTask : public Task {
   bool is_apart() const override { return true; }
   bool work_apart(WorkerContext& worker_context, Finding& finding) override;
   bool work(WorkerContext& worker_context, Finding& finding) override;
+  bool is_compiled(WorkerContext& worker_context) const override;
+  bool work_in_page(WorkerContext& worker_context, Finding& finding) override;
 };
 
 }  // namespace mjcourse

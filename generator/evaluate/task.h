@@ -44,8 +44,14 @@ class Task {
   // The names of examples that it may quote: all programs must have been run.
   virtual std::vector<std::string> quoted() const { return {}; }
   bool quotes() const { return !quoted().empty(); }
+  // Must all programs have been run?
+  virtual bool waits_for_programs() const { return quotes(); }
+  // Is it what programs are in the page?
+  virtual bool is_in_page() const { return false; }
   // Is anything compiled?
   virtual bool compiles() const { return false; }
+  // Of what compiles, once it was prepared: is it likely that all of that was done before?
+  virtual bool is_compiled(WorkerContext&) const { return false; }
   // What it will compile includes these (warm_header.h); known once it was prepared.
   virtual std::vector<std::string> warm_roots(const RunContext&) const { return {}; }
   // Are models drawn?
@@ -67,6 +73,9 @@ class Task {
   virtual bool work_apart(WorkerContext&, Finding&) { return true; }
   virtual bool work(WorkerContext&, Finding&) { return true; }
   virtual void conclude(WorkerContext&, Finding&) {}
+
+  // After prepare(): what the programs of the same blocks are in the page (page_task.h).
+  virtual bool work_in_page(WorkerContext&, Finding&) { return true; }
 
  private:
   const Lesson& lesson_;

@@ -18,7 +18,7 @@ bool is_program(const Task& task) {
 TaskQueue::TaskQueue(const Tasks& tasks, const Blocks& first, std::function<void()> publish)
     : tasks_(tasks), publish_(std::move(publish)) {
   for (std::size_t i = 0; i < tasks.size(); ++i) {
-    list_of(tasks[i]->quotes() ? held_ : ready_, i).push_back(i);
+    list_of(tasks[i]->waits_for_programs() ? held_ : ready_, i).push_back(i);
     programs_ += is_program(*tasks[i]) ? 1 : 0;
     const bool is_first = first.contains({tasks[i]->lesson().source->path(), tasks[i]->block()});
     weights_.push_back({is_first, tasks[i]->effort()});

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <optional>
 
-#include "cache/result_codec.h"
 #include "cache/result_store.h"
+#include "evaluate/codec/result_codec.h"
 #include "evaluate/last_run.h"
 #include "evaluate/task.h"
 
@@ -47,6 +47,9 @@ class TaskStore {
 
   // How many may look at once.
   std::size_t at_once() const { return at_once_; }
+
+  // For what else is kept there.
+  ResultStore& results() { return results_; }
 
   // All that the task depended on when it was last kept or found, one by one; empty where it never
   // was.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "cache/blobs_of.h"
 #include "cache/cbor.h"
-#include "cache/result_json.h"
+#include "evaluate/codec/blobs_of.h"
+#include "evaluate/codec/result_json.h"
 #include "evaluate/result_fits.h"
 
 namespace mjcourse {

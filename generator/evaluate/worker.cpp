@@ -8,7 +8,7 @@
 
 #include "base/temporary_folder.h"
 #include "evaluate/work_message.h"
-#include "physics/mesa.h"
+#include "process/mesa.h"
 #include "process/open_to_all.h"
 #include "process/process_supervisor.h"
 

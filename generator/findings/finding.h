@@ -14,6 +14,7 @@ namespace mjcourse {
 struct Finding {
   std::map<std::size_t, Result> results;  // by the lesson's blocks; only what came out well
   std::map<std::size_t, double> seconds;  // measured, of these
+  std::map<std::size_t, PageRun> pages;   // what the programs of these blocks are in the page
   double work = 0;                        // measured: of all that was done for it
   std::optional<ModelPage> model_page;
   Diagnostics diagnostics;

@@ -54,9 +54,13 @@ struct Records {
 // What came of a program in a page, where the reader's compiler made it and the page's engine ran
 // it.
 struct PageRun {
+  // Where the two are not the same text.
+  struct Outputs {
+    std::string native, page;
+  };
   std::string why_not;  // in a clause for readers: why no page runs it. Then the rest is empty
-  std::optional<std::string> output;  // where it printed another text than natively
-  std::string otherwise;              // how else it came out than natively; "" where it did not
+  std::optional<Outputs> outputs = {};
+  std::string otherwise = {};  // how else it came out than natively; "" where it did not
 };
 
 struct ExampleResult {

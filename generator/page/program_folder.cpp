@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
+#include "base/cpp_includes.h"
 #include "findings/path_in_folder.h"
 #include "lesson/syntax/exercise_text.h"
-#include "lesson/syntax/linked_libraries.h"
 #include "page/site_data.h"
 
 namespace mjcourse {

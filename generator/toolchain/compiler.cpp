@@ -4,8 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "base/cpp_includes.h"
 #include "base/files.h"
-#include "lesson/syntax/linked_libraries.h"
 #include "toolchain/driver_steps.h"
 #include "toolchain/warm_header.h"
 
@@ -101,11 +101,6 @@ struct Compiler::Program {
   std::vector<std::string> libraries;
   bool optimize = false;
 };
-
-Diagnostic no_compiler() {
-  return error_at({}, "E-example-compiler", "no C++ compiler was found",
-                  "install " + compiler_package());
-}
 
 bool Compiled::refused() const {
   return !succeeded && std::any_of(messages.begin(), messages.end(), [](const auto& message) {

@@ -14,7 +14,6 @@
 #include <utility>
 #include <vector>
 
-#include "report/diagnostic.h"
 #include "toolchain/compiler_output.h"
 #include "toolchain/include_folders.h"
 #include "toolchain/toolchain.h"
@@ -58,6 +57,8 @@ class Compiler {
   // the flags (compile_flags).
   const Toolchain& toolchain() const { return toolchain_; }
 
+  const IncludeFolders& include_folders() const { return include_; }
+
   // The headers that programs with these roots (warm_header.h) share: can this compiler make and
   // keep one, is one at hand, and make one, which takes a second and up to half a minute.
   bool makes_headers() const;
@@ -80,8 +81,5 @@ class Compiler {
   IncludeFolders include_;
   std::shared_ptr<WarmObjects> warm_;
 };
-
-// There is none; without a place.
-Diagnostic no_compiler();
 
 }  // namespace mjcourse

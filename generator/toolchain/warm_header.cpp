@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "base/cpp_includes.h"
 #include "base/files.h"
-#include "lesson/syntax/leading_includes.h"
 
 namespace mjcourse {
 namespace {

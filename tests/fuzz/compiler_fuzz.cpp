@@ -51,7 +51,7 @@ void check_messages(const std::string& program, const std::string& said) {
   const LocatedText alone{program, {}};
   for (const LocatedText* code : {&example->code, &alone}) {
     Diagnostics found;
-    report_compile_messages(compiled, {*code, 1, name, example->span}, *lesson, "/nowhere", found);
+    report_compile_messages(compiled, {*code, name, example->span}, *lesson, "/nowhere", found);
     check_diagnostics(found, {{path, SourceText(path, bytes)}, {name, SourceText(name, program)}});
     require(!found.empty(), "a program that was not compiled is a mistake");
   }

@@ -8,6 +8,7 @@ import { chmodSync, cpSync, mkdirSync, readFileSync, writeFileSync } from "node:
 import { join } from "node:path";
 
 import { change, cleanUp, course, home, run, store, worked, write } from "./harness.mjs";
+import { withPageHalves } from "./page_halves.mjs";
 
 const [mjcourse, assets] = process.argv.slice(2);
 
@@ -92,6 +93,12 @@ const all = {
   formula: "set the formulas of 1.1",
 };
 
+const tasksOf = (names) =>
+  withPageHalves(
+    names.map((name) => all[name]),
+    mjcourse,
+  );
+
 const failures = [];
 // After what was changed: these tasks are worked out, and these lines `explain` says of them.
 function expect(what, names, lines = [], environment = {}) {
@@ -106,8 +113,8 @@ function expect(what, names, lines = [], environment = {}) {
     }
   }
   const kept = (explained.match(/: kept$/gm) ?? []).length;
-  const expected = names.map((name) => all[name]).sort();
-  if (kept !== Object.keys(all).length - expected.length) {
+  const expected = tasksOf(names).sort();
+  if (kept !== tasksOf(Object.keys(all)).length - expected.length) {
     failures.push(`${what}: explain calls ${kept} kept:\n${explained}`);
   }
   for (const name of expected) {

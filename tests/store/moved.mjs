@@ -8,6 +8,7 @@ import { mkdirSync, renameSync } from "node:fs";
 import { dirname, join } from "node:path";
 
 import { cleanUp, course, home, worked, write } from "./harness.mjs";
+import { withPageHalves } from "./page_halves.mjs";
 
 const mjcourse = process.argv[2];
 
@@ -58,8 +59,10 @@ const build = (folder, name) =>
 const failures = [];
 try {
   const first = build(course, "before");
-  const tasks =
-    'compile and run the snippets of 1.1; draw the model wedge; rehearse the lab "A wedge"';
+  const tasks = withPageHalves(
+    ["compile and run the snippets of 1.1", "draw the model wedge", 'rehearse the lab "A wedge"'],
+    mjcourse,
+  ).join("; ");
   if (first !== tasks) failures.push(`the first build works out [${first}], not [${tasks}]`);
 
   mkdirSync(dirname(elsewhere), { recursive: true });

@@ -16,6 +16,7 @@ import {
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 
+import { withPageHalves } from "./page_halves.mjs";
 import { token } from "./servers.mjs";
 
 export const [mjcourse, asked = ""] = process.argv.slice(2);
@@ -110,7 +111,9 @@ export async function check(there, server, ...more) {
 
 export const all = (await check(machine(), undefined)).anew;
 export const allOf = (more) =>
-  more === "" ? all : [...all, "compile and run the snippets of 1.1"].sort();
+  more === ""
+    ? all
+    : [...all, ...withPageHalves(["compile and run the snippets of 1.1"], mjcourse)].sort();
 expect(all.length > 3, `only ${all} is worked out`);
 
 export async function test(name, run) {

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "evaluate/claims/claim_sources.h"
-#include "evaluate/claims/fence_extent.h"
+#include "evaluate/context/fence_extent.h"
 #include "findings/evaluation.h"
 
 namespace mjcourse {

@@ -5,7 +5,7 @@
 #include "base/arithmetic.h"
 #include "base/sha256.h"
 #include "process/loaded_libraries.h"
-#include "sources_hash.h"
+#include "sources/kEvaluateSources.h"
 
 namespace mjcourse {
 
@@ -16,7 +16,7 @@ Dependencies recipe_of(const RunContext& run_context, const std::string& kind,
   for (const std::string& part : text) hash.add(part);
   Dependencies recipe{{"kind", kind},
                       {"text", hash.hex()},
-                      {"mjcourse", "sources " MJCOURSE_SOURCES},
+                      {"mjcourse", std::string("sources ") + kEvaluateSources},
                       {"MuJoCo", mj_versionString()},
                       {"libraries", loaded_libraries()},
                       {"arithmetic", arithmetic()}};

@@ -18,12 +18,18 @@ RunContext::RunContext(const Course& course, std::filesystem::path root, const F
       scripts_(std::move(scripts)),
       without_landlock_(without_landlock),
       page_(PageToolchain::find(page, prepared_)),
-      shown_(shown_programs(course)) {}
+      shown_(shown_programs(course)),
+      actions_(root_) {}
 
 const std::optional<Compiler>& RunContext::compiler() const {
   const std::lock_guard lock(mutex_);
   if (!compiler_) compiler_ = Compiler::find(include_folders(), prepared_);
   return *compiler_;
+}
+
+Diagnostic no_compiler() {
+  return error_at({}, "E-example-compiler", "no C++ compiler was found",
+                  "install " + compiler_package());
 }
 
 std::optional<Diagnostic> RunContext::why_nothing_runs() const {

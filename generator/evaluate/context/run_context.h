@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "actions/action_store.h"
 #include "base/files.h"
 #include "course/course.h"
 #include "evaluate/context/reports.h"
@@ -47,6 +48,7 @@ class RunContext {
 
   // Shared by all threads.
   ModelCache& models() const { return models_; }
+  ActionStore& actions() const { return actions_; }
 
   // The bundle script/NAME.js; throws std::runtime_error when the assets were not built.
   const std::string& script(const std::string& name) const;
@@ -68,8 +70,12 @@ class RunContext {
   ShownPrograms shown_;
   Reports reports_;
   mutable ModelCache models_;
+  mutable ActionStore actions_;
   mutable std::mutex mutex_;  // of what is made when first asked for
   mutable std::optional<std::optional<Compiler>> compiler_;
 };
+
+// There is no compiler; without a place.
+Diagnostic no_compiler();
 
 }  // namespace mjcourse

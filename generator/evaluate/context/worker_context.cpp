@@ -71,6 +71,10 @@ tl::expected<Renderer*, std::string> WorkerContext::renderer() {
   return &*renderer_;
 }
 
+ActionContext WorkerContext::action_context() {
+  return {run_context_.root(), *run_context_.compiler(), run_context_.actions(), trace_};
+}
+
 PageProcess* WorkerContext::page_process() {
   if (run_context_.page() == nullptr) return nullptr;
   if (!page_process_) page_process_.emplace(*run_context_.page());

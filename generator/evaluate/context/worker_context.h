@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "actions/native_program.h"
 #include "cache/trace.h"
 #include "evaluate/context/run_context.h"
 #include "physics/renderer.h"
@@ -41,6 +42,8 @@ class WorkerContext {
   // What scripts may use of the world.
   const std::vector<std::string>& script_names();
 
+  // For what is compiled and run. There is a compiler.
+  ActionContext action_context();
   // Runs programs as a page does; null where the build cannot (RunContext::page).
   PageProcess* page_process();
   // Seconds that it took so far.

@@ -10,13 +10,14 @@
 
 namespace mjcourse {
 
-// The text that was compiled: `code`, which stands from `first_line` on in the file that the
-// compiler knows as `name`. `fence` is blamed for what has no line of its own.
+// The text that was compiled: `code`, which the compiler knows as the file `name`. `fence` is
+// blamed for what has no line of its own.
 struct CompiledText {
   const LocatedText& code;
-  int first_line;
   std::string name;
   Span fence;
+  // As which line of `name` the compiler counts the first of `code`.
+  int first_line = 1;
 };
 
 // Report the errors and warnings of `compiled`. Those in a header of the course, which lies at

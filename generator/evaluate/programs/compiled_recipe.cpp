@@ -1,64 +1,8 @@
 #include "evaluate/programs/compiled_recipe.h"
 
-#include <algorithm>
-
-#include "base/files.h"
 #include "evaluate/context/recipe.h"
-#include "process/sandbox.h"
 
 namespace mjcourse {
-namespace {
-
-namespace fs = std::filesystem;
-
-void trace_files(const std::vector<std::string>& files, const fs::path& folder, Trace& trace) {
-  for (const std::string& file : files) {
-    if (!file.starts_with(folder.string() + "/")) trace.file(file);
-  }
-}
-
-// The folder with all in it: a new file there may be read before one that was.
-void trace_tree(const fs::path& folder, Trace& trace) {
-  trace.file(folder);
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, none)) {
-    trace.file(entry.path());
-  }
-}
-
-void trace_folders(const fs::path& folder, Trace& trace) {
-  trace.file(folder);
-  std::error_code none;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder, none)) {
-    if (entry.is_directory()) trace.file(entry.path());
-  }
-}
-
-bool asks_which_there_are(const fs::path& file) {
-  const auto text = read_file(file);
-  return !text || text->find("__has_include") != std::string::npos;
-}
-
-// A header that is added may be read before one that was, `files`. Where the compiler missed one,
-// or the course asks which there are, any may be read.
-void trace_include_folders(const std::vector<std::string>& files, const Compiled& compiled,
-                           const fs::path& source, WorkerContext& worker_context) {
-  const std::string root = fs::absolute(worker_context.root()).lexically_normal();
-  const bool any = compiled.refused() || asks_which_there_are(source) ||
-                   std::ranges::any_of(files, [&](const std::string& file) {
-                     return is_within(file, root) && asks_which_there_are(file);
-                   });
-  for (const fs::path& include : worker_context.run_context().include_folders()) {
-    const fs::path folder = fs::absolute(include).lexically_normal();
-    if (any) {
-      trace_folders(folder, worker_context.trace());
-    } else {
-      worker_context.trace().headers_in(folder, files);
-    }
-  }
-}
-
-}  // namespace
 
 Dependencies compiled_recipe(const RunContext& run_context, const std::string& kind,
                              const std::vector<std::string>& text, bool optimize) {
@@ -78,30 +22,6 @@ Dependencies with_page(Dependencies recipe, const RunContext& run_context) {
   const PageToolchain* page = run_context.page();
   recipe.push_back({"page", page == nullptr ? kAbsent : page->version()});
   return recipe;
-}
-
-void trace_compilation(const Compiled& compiled, const fs::path& source,
-                       WorkerContext& worker_context) {
-  Trace& trace = worker_context.trace();
-  if (!compiled.dependencies) return trace.unknown();
-  // Mostly the system's headers, which are the same hundreds behind each program.
-  std::vector<std::string> files = *compiled.dependencies;
-  const std::string folder = source.parent_path();
-  std::erase_if(files, [&](const std::string& file) { return is_within(file, folder); });
-  trace.files(files);
-  for (const WarmObjects::Entry& entry : {compiled.header, compiled.handlers}) {
-    if (!entry) continue;
-    trace.files(entry->inputs);
-    files.insert(files.end(), entry->inputs.begin(), entry->inputs.end());
-  }
-  trace_include_folders(files, compiled, source, worker_context);
-}
-
-void trace_run(const Outcome& outcome, const fs::path& folder, WorkerContext& worker_context) {
-  Trace& trace = worker_context.trace();
-  // Where the kernel does not tell, a program may have read whatever it was allowed to.
-  if (!outcome.opened) return trace_tree(fs::absolute(worker_context.root()) / "models", trace);
-  trace_files(*outcome.opened, folder, trace);
 }
 
 }  // namespace mjcourse

@@ -1,16 +1,12 @@
-// What a compiled program depends on: the recipe as it is known before, and the files that the
-// compiler read and the program opened.
+// What a task depends on that compiles: the recipe as it is known before.
 // Tested by tests/store/dependencies.mjs.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
 #include "cache/dependency.h"
-#include "evaluate/context/worker_context.h"
-#include "process/subprocess.h"
-#include "toolchain/compiler.h"
+#include "evaluate/context/run_context.h"
 
 namespace mjcourse {
 
@@ -18,14 +14,7 @@ namespace mjcourse {
 Dependencies compiled_recipe(const RunContext& run_context, const std::string& kind,
                              const std::vector<std::string>& text, bool optimize);
 
-// With the compiler and the engine of the page, which run the program again.
+// The same of what a page makes of it, with the page's compiler and engine.
 Dependencies with_page(Dependencies recipe, const RunContext& run_context);
-
-// The folder of `source` is where the compiler worked, `folder` where the program did; of these
-// nothing is traced.
-void trace_compilation(const Compiled& compiled, const std::filesystem::path& source,
-                       WorkerContext& worker_context);
-void trace_run(const Outcome& outcome, const std::filesystem::path& folder,
-               WorkerContext& worker_context);
 
 }  // namespace mjcourse

@@ -16,10 +16,23 @@ using Variant = ExerciseText::Variant;
 using Checks = std::vector<Check>;
 
 // The words of the line of `file`.
-Place place_of_line(const SourceText& file, int line) {
+Span span_of_line(const SourceText& file, int line) {
   const std::string_view text = file.line(line);
   const std::size_t begin = std::min(text.find_first_not_of(" \t"), text.size());
-  return place_of(file, {file.line_start(line) + begin, file.line_start(line) + text.size()});
+  return {file.line_start(line) + begin, file.line_start(line) + text.size()};
+}
+
+Place place_of_line(const SourceText& file, int line) {
+  return place_of(file, span_of_line(file, line));
+}
+
+// Of a program's text, which stands in the lesson or in a file of its own.
+Place place_of_line(const LocatedText& code, int line, const Example& program,
+                    const Lesson& lesson) {
+  const SourceText text(program.file.text, code.text);
+  if (code.offsets.empty()) return place_of_line(text, line);
+  const Span span = span_of_line(text, line);
+  return place_of(*lesson.source, code.span(span.begin, span.end));
 }
 
 std::string name_of(const Variant& variant) {
@@ -38,6 +51,14 @@ std::string lines(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += "  " + name + "\n";
   return text;
+}
+
+Diagnostic at_variant(const Variant& variant, const ExerciseText& text, const Exercise& exercise,
+                      const Lesson& lesson, std::string id, std::string message, std::string cure) {
+  Diagnostic wrong = error_at(place_of_line(text.file(), variant.mark), std::move(id),
+                              std::move(message), std::move(cure));
+  wrong.notes.push_back({"the lesson has this exercise", place_of(*lesson.source, exercise.span)});
+  return wrong;
 }
 
 // What one run of each program checked.
@@ -92,7 +113,7 @@ class Trials {
     bool is_whole = true;
     for (std::size_t i = 0; i < text.variants().size(); ++i) {
       const Variant& variant = text.variants()[i];
-      const std::optional<Made> made = checks_of(i, result);
+      const std::optional<Made> made = checks_of(i);
       if (made && made->shown.empty()) {
         fail(variant, "E-exercise-check", "the program makes no check",
              "check what its reader is to write: `expect(CONDITION, \"what should hold\")`");
@@ -118,27 +139,16 @@ class Trials {
     if (!ran) return false;
     const Checks& checks = ran->records.checks;
     for (const Check& check : checks) names.push_back(check.what);
-    report_failing_checks(hidden_program(exercise_),
-                          SourceText(exercise_.hidden->text, *files_.hidden), checks, lesson_,
+    report_failing_checks(hidden_program(exercise_), {*files_.hidden, {}}, checks, lesson_,
                           diagnostics_);
     return failing(checks).empty();
   }
 
   // With the variant in the solution's place.
-  std::optional<Made> checks_of(std::size_t index, ExerciseResult& result) {
+  std::optional<Made> checks_of(std::size_t index) {
     const Variant& variant = files_.text.variants()[index];
     auto ran = run(shown_, index, &variant);
     if (!ran) return std::nullopt;
-    if (ran->page) {
-      if (variant.name.empty()) result.why_not = ran->page->why_not;
-      if (!ran->page->otherwise.empty()) {
-        fail(variant, "E-page-output",
-             "in the page, " + name_of(variant) + " " + ran->page->otherwise,
-             "check what depends on no last digit, no size of a type and no C library; or say in "
-             "the fence that no page runs it, and why: `native because=\"…\"`");
-        return std::nullopt;
-      }
-    }
     Made made{std::move(ran->records.checks), {}};
     if (!hidden_) return made;
     auto more = run(*hidden_, index + 1, &variant);
@@ -203,11 +213,8 @@ class Trials {
 
   // Gives false.
   bool fail(const Variant& variant, std::string id, std::string message, std::string cure) {
-    Diagnostic wrong = error_at(place_of_line(files_.text.file(), variant.mark), std::move(id),
-                                std::move(message), std::move(cure));
-    wrong.notes.push_back(
-        {"the lesson has this exercise", place_of(*lesson_.source, exercise_.span)});
-    diagnostics_.push_back(std::move(wrong));
+    diagnostics_.push_back(at_variant(variant, files_.text, exercise_, lesson_, std::move(id),
+                                      std::move(message), std::move(cure)));
     return false;
   }
 
@@ -290,6 +297,40 @@ std::optional<ExerciseResult> evaluate_exercise(const Exercise& exercise,
   return Trials(exercise, files, lesson, worker_context, diagnostics).run();
 }
 
+std::optional<PageRun> evaluate_exercise_in_page(const Exercise& exercise,
+                                                 const ExerciseFiles& files, const Lesson& lesson,
+                                                 WorkerContext& worker_context,
+                                                 Diagnostics& diagnostics) {
+  VersionRuns versions(not_quoted(exercise.program), shown_versions(files.text), lesson,
+                       worker_context);
+  PageRun exercise_page;
+  const std::vector<Variant>& variants = files.text.variants();
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    Diagnostics known;  // of the native run
+    const auto native = versions.run(i, known);
+    auto page = native ? versions.run_in_page(i, *native) : std::nullopt;
+    if (!page) return std::nullopt;
+    if (!page->otherwise.empty()) {
+      diagnostics.push_back(at_variant(
+          variants[i], files.text, exercise, lesson, "E-page-output",
+          "in the page, " + name_of(variants[i]) + " " + page->otherwise,
+          "check what depends on no last digit, no size of a type and no C library; or say in "
+          "the fence that no page runs it, and why: `native because=\"…\"`"));
+      return std::nullopt;
+    }
+    // A reader begins with the starter.
+    if (variants[i].name.empty()) exercise_page.why_not = page->why_not;
+  }
+  return exercise_page;
+}
+
+bool is_known(const Exercise& exercise, const ExerciseFiles& files, const Lesson& lesson,
+              WorkerContext& worker_context) {
+  return VersionRuns(not_quoted(exercise.program), shown_versions(files.text), lesson,
+                     worker_context)
+      .is_known();
+}
+
 Example hidden_program(const Exercise& exercise) {
   Example program = not_quoted(exercise.program);
   program.file = *exercise.hidden;
@@ -304,12 +345,12 @@ std::string hidden_text(const Exercise& exercise, const ExerciseFiles& files,
       .value();
 }
 
-void report_failing_checks(const Example& program, const SourceText& text,
+void report_failing_checks(const Example& program, const LocatedText& code,
                            const std::vector<Check>& checks, const Lesson& lesson,
                            Diagnostics& diagnostics) {
   for (const Check& check : checks) {
     if (check.holds) continue;
-    Diagnostic wrong = error_at(place_of_line(text, check.line), "E-check-fails",
+    Diagnostic wrong = error_at(place_of_line(code, check.line, program, lesson), "E-check-fails",
                                 "the program fails its own check `" + check.what + "`",
                                 "correct the program, or what is checked");
     for (const std::string& words : {check.meaning, check.found}) {

@@ -2,7 +2,7 @@
 //
 // The solution is a program like any other, and runs as one (evaluate/program_task.h). Here its
 // place is taken by the starter, which compiles and fails a check; and by the mistakes, each of
-// which fails the check that is to refuse it, and no other. Each runs as the page will run it, too.
+// which fails the check that is to refuse it, and no other.
 // Tested by tests/courses/exercise.
 #pragma once
 
@@ -33,15 +33,26 @@ std::optional<ExerciseResult> evaluate_exercise(const Exercise& exercise,
                                                 WorkerContext& worker_context,
                                                 Diagnostics& diagnostics);
 
+// What the starter is in the page, after evaluate_exercise(). Nothing where it or a mistake comes
+// out otherwise there (reported).
+std::optional<PageRun> evaluate_exercise_in_page(const Exercise& exercise,
+                                                 const ExerciseFiles& files, const Lesson& lesson,
+                                                 WorkerContext& worker_context,
+                                                 Diagnostics& diagnostics);
+
+// Is it likely that evaluate_exercise() compiles nothing?
+bool is_known(const Exercise& exercise, const ExerciseFiles& files, const Lesson& lesson,
+              WorkerContext& worker_context);
+
 // The program with the hidden checks of an exercise that has them, and its text with `code` in the
 // region.
 Example hidden_program(const Exercise& exercise);
 std::string hidden_text(const Exercise& exercise, const ExerciseFiles& files,
                         const std::string& code);
 
-// The checks of `program` that do not hold though it is the solution; their lines are those of
-// `text`.
-void report_failing_checks(const Example& program, const SourceText& text,
+// The checks of `program` that do not hold though it is the solution; their lines are those of its
+// text, `code`.
+void report_failing_checks(const Example& program, const LocatedText& code,
                            const std::vector<Check>& checks, const Lesson& lesson,
                            Diagnostics& diagnostics);
 

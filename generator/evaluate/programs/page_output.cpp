@@ -38,10 +38,9 @@ std::string first_line(const std::vector<DiffLine>& changes, DiffLine::Kind kind
 
 }  // namespace
 
-void compare_page_run(const Example& example, const ExampleResult& result, const Lesson& lesson,
+void compare_page_run(const Example& example, const PageRun& page, const Lesson& lesson,
                       Diagnostics& diagnostics) {
-  if (!result.page || !result.page->why_not.empty()) return;
-  const PageRun& page = *result.page;
+  if (!page.why_not.empty()) return;
   const std::string kind = is_snippet_program(example) ? "snippet" : "program";
   const auto report = [&](const std::string& what) -> Diagnostic& {
     return diagnostics.emplace_back(error_at(place_of(*lesson.source, example.span),
@@ -52,11 +51,11 @@ void compare_page_run(const Example& example, const ExampleResult& result, const
     report(page.otherwise);
     return;
   }
-  if (!page.output || is_stated(example, *page.output, lesson)) return;
+  if (!page.outputs || is_stated(example, page.outputs->page, lesson)) return;
   const std::optional<double> tolerance = tolerance_of(example, lesson);
   Retrials retrials;
   const std::vector<DiffLine> changes =
-      output_changes(result.output, *page.output, tolerance, retrials);
+      output_changes(page.outputs->native, page.outputs->page, tolerance, retrials);
   if (changes.empty()) return;
   report("prints something else: " + first_line(changes, DiffLine::Kind::come) + " instead of " +
          first_line(changes, DiffLine::Kind::gone) + ", in line " +

@@ -11,7 +11,7 @@
 namespace mjcourse {
 
 // Reports what differs in the page; says nothing of a program that no page runs.
-void compare_page_run(const Example& example, const ExampleResult& result, const Lesson& lesson,
+void compare_page_run(const Example& example, const PageRun& page, const Lesson& lesson,
                       Diagnostics& diagnostics);
 
 }  // namespace mjcourse

@@ -1,24 +1,21 @@
 #include "evaluate/programs/page_run.h"
 
 #include <cstring>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
-#include "base/base64.h"
+#include "actions/page_program.h"
+#include "base/cpp_includes.h"
 #include "base/files.h"
 #include "base/running_text.h"
 #include "base/utf8.h"
 #include "evaluate/programs/record_diff.h"
 #include "evaluate/programs/records.h"
 #include "findings/path_in_folder.h"
-#include "lesson/syntax/linked_libraries.h"
 
 namespace mjcourse {
 namespace {
-
-using nlohmann::json;
 
 // Wall clock: of a compiler that begins cold, on a machine that has more to do; and of the run.
 constexpr double kCompileSeconds = 90, kTimesAsLong = 5;
@@ -43,23 +40,15 @@ std::string read_either(const std::string& path, const RunContext& run_context) 
   throw LostFile(path + ": was read, and is gone");
 }
 
-json content(std::string bytes) {
-  if (find_invalid_utf8(bytes)) return {{"base64", base64(bytes)}};
-  return {{"text", std::move(bytes)}};
-}
-
-std::string question(const Example& example, const std::string& code,
-                     const std::vector<std::string>& files, const RunContext& run_context) {
-  const std::string main = example.name() + ".cpp";
-  json contents{{main, content(code)}};
+PageProgram page_program(const Example& example, const std::string& code,
+                         const std::vector<std::string>& files, WorkerContext& worker_context) {
+  PageProgram program{example.name() + ".cpp", {}, example.arguments};
+  program.files[program.main] = code;
   for (const std::string& path : files) {
-    contents[path_in_folder(path, example)] = content(read_either(path, run_context));
+    worker_context.trace().file(path);
+    program.files[path_in_folder(path, example)] = read_either(path, worker_context.run_context());
   }
-  return json{{"main", main},
-              {"files", std::move(contents)},
-              {"models", "models"},
-              {"arguments", example.arguments}}
-      .dump();
+  return program;
 }
 
 // Of a process that gave no answer.
@@ -84,45 +73,30 @@ std::string quoted(const std::string& words) {
   return line.size() <= kMostQuoted ? line : beginning_of(line, kMostQuoted) + " …";
 }
 
-std::string first_error(const json& diagnostics) {
-  for (const json& diagnostic : diagnostics) {
-    if (diagnostic.value("severity", "") == "error") return quoted(diagnostic.value("message", ""));
-  }
-  return "no word";
-}
-
 // Where the program ended in another way than natively; "" where it did not.
-std::string other_end(const json& end, int expected) {
-  const std::string how = end.at("how");
-  const int line = end.value("line", 0);
+std::string other_end(const PageEnd& end, int expected) {
   const std::string said =
-      quoted(end.value("message", "")) + (line > 0 ? " (line " + std::to_string(line) + ")" : "");
-  if (how == "exit") {
-    const int code = end.at("code");
-    if (code == expected) return "";
-    return "exits with code " + std::to_string(code) + ", and natively with " +
+      quoted(end.message) + (end.line > 0 ? " (line " + std::to_string(end.line) + ")" : "");
+  if (end.how == "exit") {
+    if (end.code == expected) return "";
+    return "exits with code " + std::to_string(end.code) + ", and natively with " +
            std::to_string(expected);
   }
-  if (how == "error") return expected == kMujocoError ? "" : "is stopped by MuJoCo: " + said;
-  if (how == "uncaught") return "throws " + said;
+  if (end.how == "error") return expected == kMujocoError ? "" : "is stopped by MuJoCo: " + said;
+  if (end.how == "uncaught") return "throws " + said;
   return "ends with: " + said;
 }
 
-PageRun judge(const json& answer, const Example& example, const ExampleResult& native) {
-  if (!answer.at("ok").get<bool>()) {
-    return {kPageRefuses + first_error(answer.at("diagnostics")), {}, ""};
-  }
-  const json& end = answer.at("end");
-  if (end.at("how") == "memory") return {"it takes more memory than a page has", {}, ""};
-  const std::string said = end.value("message", "");
-  if (said.starts_with(kThreadWaits)) return {quoted(said), {}, ""};
+PageRun judge(const PageEnd& end, const Example& example, const ExampleResult& native) {
+  if (!end.compiled()) return {kPageRefuses + quoted(end.refusal)};
+  if (end.how == "memory") return {"it takes more memory than a page has"};
+  if (end.message.starts_with(kThreadWaits)) return {quoted(end.message)};
   PageRun run;
   run.otherwise = other_end(end, example.exit_code);
-  auto output = answer.at("out").get<std::string>();
-  if (output != native.output) run.output = std::move(output);
+  if (end.out != native.output) run.outputs = {native.output, end.out};
   if (!run.otherwise.empty()) return run;
   std::vector<RecordFault> faults;  // natively, there were none
-  const Records records = read_records(answer.at("records").get<std::string>(), faults);
+  const Records records = read_records(end.records, faults);
   const std::string differs = example.quoted ? record_diff(native.records, records)
                                              : check_diff(native.records.checks, records.checks);
   if (!differs.empty()) {
@@ -137,14 +111,16 @@ std::optional<PageRun> run_in_page(const Example& example, const std::string& co
                                    const ExampleResult& native, WorkerContext& worker_context) {
   PageProcess* const process = worker_context.page_process();
   if (process == nullptr) return std::nullopt;
-  if (!example.native.empty()) return PageRun{example.native, {}, ""};
-  if (draws(code)) return PageRun{"it draws, and the page's engine only simulates", {}, ""};
-  const auto said =
-      process->ask(question(example, code, native.files, worker_context.run_context()),
-                   kCompileSeconds + kTimesAsLong * native.run_seconds);
-  if (said) return judge(json::parse(*said), example, native);
+  if (!example.native.empty()) return PageRun{example.native};
+  if (draws(code)) return PageRun{"it draws, and the page's engine only simulates"};
+  const RunContext& run_context = worker_context.run_context();
+  const auto end =
+      run_page_program(page_program(example, code, native.files, worker_context),
+                       kCompileSeconds + kTimesAsLong * native.run_seconds, *run_context.page(),
+                       *process, run_context.actions(), worker_context.trace());
+  if (end) return judge(*end, example, native);
   worker_context.trace().unknown();  // another machine may do better
-  return PageRun{why_no_answer(said.error()), {}, ""};
+  return PageRun{why_no_answer(end.error())};
 }
 
 }  // namespace mjcourse

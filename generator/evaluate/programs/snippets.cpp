@@ -5,17 +5,10 @@
 #include <utility>
 #include <vector>
 
-#include "base/stopwatch.h"
-#include "base/temporary_folder.h"
 #include "evaluate/programs/compile_errors.h"
-#include "evaluate/programs/compiled_recipe.h"
 #include "evaluate/programs/judge_run.h"
-#include "evaluate/programs/page_run.h"
-#include "evaluate/programs/program_files.h"
 #include "evaluate/programs/snippet_text.h"
-#include "findings/snippet_program.h"
 #include "physics/vetted_model.h"
-#include "toolchain/containment.h"
 
 namespace mjcourse {
 namespace {
@@ -40,7 +33,7 @@ using namespace mjcourse;
 
 // What stands behind the last snippet.
 constexpr const char* kMainFile = "main.cpp";
-// Its arguments: the number of the snippet, and the model's file.
+// Its arguments: the number of the snippet, and the model.
 constexpr const char* kMain = R"(};
 int main(int, char** arguments) {
   mju_user_error = [](const char* error) {
@@ -48,8 +41,9 @@ int main(int, char** arguments) {
     std::fprintf(stderr, "MuJoCo error: %s\n", error);
     std::exit(70);
   };
+  const std::string file = std::string(std::getenv("MJCOURSE_MODELS")) + "/" + arguments[2] + ".xml";
   char error[1000] = "";
-  mjModel* model = mj_loadXML(arguments[2], nullptr, error, sizeof error);
+  mjModel* model = mj_loadXML(file.c_str(), nullptr, error, sizeof error);
   if (model == nullptr) {
     std::fprintf(stderr, "%s\n", error);
     return 1;
@@ -143,18 +137,29 @@ void report_messages(const Compiled& compiled, const std::vector<Placed>& snippe
     parts[i].succeeded = !linker || i > 0;
     parts[i].raw = compiled.raw;
     report_compile_messages(parts[i],
-                            {snippets[i].snippet->code, snippets[i].line + 1, lesson.source->path(),
-                             snippets[i].snippet->span},
+                            {snippets[i].snippet->code, lesson.source->path(),
+                             snippets[i].snippet->span, snippets[i].line + 1},
                             lesson, root, diagnostics);
   }
 }
 
-// The file of a model that compiles; empty for another, which is reported where models are.
-fs::path model_file(const Snippet& snippet, const Course& course, const fs::path& root) {
+// Does the snippet's model? One that does not is reported where models are.
+bool compiles(const Snippet& snippet, const WorkerContext& worker_context) {
   const std::string& name = snippet.model.text;
-  if (std::find(course.models.begin(), course.models.end(), name) == course.models.end()) return {};
-  const fs::path path = fs::absolute(root / "models" / (name + ".xml"));
-  return load_vetted_file(root, "models/" + name + ".xml") ? path : fs::path();
+  const std::vector<std::string>& models = worker_context.course().models;
+  return std::ranges::find(models, name) != models.end() &&
+         load_vetted_file(worker_context.root(), "models/" + name + ".xml").has_value();
+}
+
+NativeRequest request_of(std::size_t index, const Snippet& snippet) {
+  return {{std::to_string(index), snippet.model.text}, snippet.seconds};
+}
+
+NativeProgram program_of(const std::vector<Placed>& snippets, const Lesson& lesson,
+                         WorkerContext& worker_context) {
+  const IncludeFolders include = worker_context.run_context().include_folders();
+  return NativeProgram({"snippets", "snippets.cpp", program_text(snippets, lesson, include)},
+                       worker_context.action_context());
 }
 
 }  // namespace
@@ -169,55 +174,53 @@ std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson,
                                                        WorkerContext& worker_context,
                                                        Diagnostics& diagnostics) {
   const std::vector<Placed> snippets = snippets_of(lesson);
-  const fs::path& root = worker_context.root();
-  const std::optional<Compiler>& compiler = worker_context.run_context().compiler();
-  std::optional<Diagnostic> why = worker_context.run_context().why_nothing_runs();
-  if (!why && !compiler) why = no_compiler();
+  const RunContext& run_context = worker_context.run_context();
+  std::optional<Diagnostic> why = run_context.why_nothing_runs();
+  if (!why && !run_context.compiler()) why = no_compiler();
   if (why) {
     diagnostics.push_back(*std::move(why));
     diagnostics.back().place = place_of(*lesson.source, snippets.front().snippet->span);
     return {};
   }
-  const TemporaryFolder folder;
-  const fs::path source = folder.path() / "snippets.cpp", binary = folder.path() / "snippets";
-  write_file(source,
-             program_text(snippets, lesson, worker_context.run_context().include_folders()));
-  const Compiled compiled = compiler->compile(source, binary, folder.path());
-  trace_compilation(compiled, source, worker_context);
-  report_messages(compiled, snippets, lesson, root, diagnostics);
-  const std::string prelude = snippets_prelude(worker_context.run_context().include_folders());
+  NativeProgram program = program_of(snippets, lesson, worker_context);
+  std::vector<std::optional<NativeRun>> known;
+  for (const Placed& placed : snippets) {
+    known.push_back(compiles(*placed.snippet, worker_context)
+                        ? program.find(request_of(known.size(), *placed.snippet))
+                        : std::nullopt);
+  }
+  if (!std::ranges::all_of(known, [](const auto& run) { return run.has_value(); })) {
+    const Compiled& compiled = program.compile();
+    report_messages(compiled, snippets, lesson, worker_context.root(), diagnostics);
+    if (!compiled.succeeded) return {};
+  }
+  const std::string prelude = snippets_prelude(run_context.include_folders());
   std::map<std::size_t, ExampleResult> results;
-  if (!compiled.succeeded) return results;
   for (std::size_t i = 0; i < snippets.size(); ++i) {
     const Snippet& snippet = *snippets[i].snippet;
-    const fs::path model = model_file(snippet, worker_context.course(), root);
-    if (model.empty()) continue;
-    Command command;
-    command.arguments = {binary.string(), std::to_string(i), model.string()};
-    command.folder = folder.path() / ("run-" + std::to_string(i));
-    fs::create_directory(command.folder);
-    command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string()};
-    command.seconds = snippet.seconds;
-    command.sandbox = program_sandbox(binary, command.folder, {}, root);
-    command.record_opened = true;
-    const Stopwatch stopwatch;
-    Outcome outcome = run(command);
-    const double seconds = stopwatch.seconds();
-    trace_run(outcome, folder.path(), worker_context);
-    if (auto wrong = judge_run(outcome, {"snippet", snippet.seconds})) {
+    std::optional<NativeRun>& run = known[i];
+    if (!run && !compiles(snippet, worker_context)) continue;
+    if (!run) run = program.run(request_of(i, snippet));
+    if (auto wrong = judge_run(run->outcome, {"snippet", snippet.seconds})) {
       wrong->place = place_of(*lesson.source, snippet.span);
       diagnostics.push_back(*std::move(wrong));
     } else {
-      ExampleResult& result = results[snippets[i].block];
-      std::vector<std::string> files =
-          program_files(compiled, outcome, worker_context.run_context());
-      result = {
-          snippet_text(snippet, prelude), std::move(outcome.out), {}, seconds, std::move(files)};
-      result.page = run_in_page(snippet_program(lesson, snippets[i].block), result.code, result,
-                                worker_context);
+      results[snippets[i].block] = {snippet_text(snippet, prelude),
+                                    std::move(run->outcome.out),
+                                    {},
+                                    run->seconds,
+                                    std::move(run->files)};
     }
   }
   return results;
+}
+
+bool are_known(const Lesson& lesson, WorkerContext& worker_context) {
+  if (!worker_context.run_context().compiler()) return false;
+  const std::vector<Placed> snippets = snippets_of(lesson);
+  return program_of(snippets, lesson, worker_context)
+      .find(request_of(0, *snippets.front().snippet))
+      .has_value();
 }
 
 }  // namespace mjcourse

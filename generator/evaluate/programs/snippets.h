@@ -3,7 +3,7 @@
 // Steps: the program is made of one function for each, compiled with `#line` so that the compiler's
 // complaints name the lesson. Then it is run once for each, from a fresh model and fresh data. So
 // none sees what another did, and each has its output and its mistakes for itself.
-// At last, each is run in the page as a reader has it there: a program of its own (snippet_text.h).
+// In the page, each is a program of its own (snippet_text.h).
 #pragma once
 
 #include <map>
@@ -21,5 +21,8 @@ std::string snippets_prelude(const IncludeFolders& include);
 std::map<std::size_t, ExampleResult> evaluate_snippets(const Lesson& lesson,
                                                        WorkerContext& worker_context,
                                                        Diagnostics& diagnostics);
+
+// Is it likely that evaluate_snippets() compiles nothing?
+bool are_known(const Lesson& lesson, WorkerContext& worker_context);
 
 }  // namespace mjcourse

@@ -6,43 +6,58 @@
 #include "evaluate/programs/page_run.h"
 
 namespace mjcourse {
-namespace {
 
-// What the page's compiler refuses, it may take one by one.
-bool is_known_of_page(const ExampleResult& result) {
-  return !result.page || !result.page->why_not.starts_with(kPageRefuses);
+VersionRuns::VersionRuns(Example program, std::vector<std::string> versions, const Lesson& lesson,
+                         WorkerContext& worker_context)
+    : program_(std::move(program)),
+      versions_(std::move(versions)),
+      lesson_(lesson),
+      worker_context_(worker_context) {
+  if (versions_.size() < 2) return;
+  auto text = joined_programs(versions_, program_.file.text);
+  if (!text) return;
+  text_ = {*std::move(text), {}};
+  Diagnostics none;  // each version alone says what is wrong with it
+  auto joined = native_program(program_, *text_, lesson_, worker_context_, none);
+  if (joined) joined_.emplace(*std::move(joined));
 }
 
-}  // namespace
-
-std::optional<CompiledExample> VersionRuns::join() const {
-  if (versions_.size() < 2) return std::nullopt;
-  const auto text = joined_programs(versions_, program_.file.text);
-  if (!text) return std::nullopt;
-  Diagnostics none;  // each version alone says more of what is wrong with it
-  auto compiled = compile_example(program_, {*text, {}}, lesson_, worker_context_, none);
-  if (!compiled || !compiled->compiled.succeeded) return std::nullopt;
-  return compiled;
-}
-
-std::optional<ExampleResult> VersionRuns::run_joined(std::size_t index, Diagnostics& diagnostics) {
-  if (!std::exchange(was_joined_, true)) joined_ = join();
-  if (!joined_) return std::nullopt;
+Example VersionRuns::version(std::size_t index) const {
   Example version = program_;
   version.arguments = joined_arguments(index, program_.arguments);
-  return run_example(version, *joined_, lesson_, worker_context_, diagnostics);
+  return version;
+}
+
+std::optional<NativeRun> VersionRuns::run_joined(std::size_t index) {
+  if (!joined_) return std::nullopt;
+  if (auto run = known_run(version(index), *joined_)) return run;
+  if (!joined_->find_refusal()) {
+    const Compiled& compiled = joined_->compile();
+    if (compiled.succeeded) return new_run(version(index), *joined_);
+    if (compiled.refused()) joined_->refusal();  // so that nobody compiles it again
+  }
+  joined_.reset();
+  return std::nullopt;
+}
+
+bool VersionRuns::is_known() const {
+  if (joined_ && known_run(version(0), *joined_)) return true;
+  return mjcourse::is_known(program_, {versions_[0], {}}, lesson_, worker_context_);
 }
 
 std::optional<ExampleResult> VersionRuns::run(std::size_t index, Diagnostics& diagnostics) {
-  Diagnostics found;
-  auto result = run_joined(index, found);
-  const bool is_told = result ? is_known_of_page(*result) : !found.empty();
-  if (!is_told) {
-    return evaluate_example(program_, {versions_[index], {}}, lesson_, worker_context_,
-                            diagnostics);
+  auto run = run_joined(index);
+  if (run) return judge_native(program_, *text_, *std::move(run), lesson_, diagnostics);
+  return evaluate_example(program_, {versions_[index], {}}, lesson_, worker_context_, diagnostics);
+}
+
+std::optional<PageRun> VersionRuns::run_in_page(std::size_t index, const ExampleResult& native) {
+  if (joined_) {
+    auto page = mjcourse::run_in_page(version(index), text_->text, native, worker_context_);
+    // What the page's compiler refuses, it may take one by one.
+    if (!page || !page->why_not.starts_with(kPageRefuses)) return page;
   }
-  diagnostics.insert(diagnostics.end(), found.begin(), found.end());
-  return result;
+  return mjcourse::run_in_page(program_, versions_[index], native, worker_context_);
 }
 
 }  // namespace mjcourse

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "base/sha256.h"
-#include "cache/result_codec.h"
+#include "evaluate/codec/result_codec.h"
 #include "evaluate/evaluation_of.h"
 #include "memory_store.h"
 

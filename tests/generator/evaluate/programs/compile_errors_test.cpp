@@ -18,7 +18,7 @@ class CompileErrors : public testing::Test {
     compiled.raw = raw;
     const auto& example = reading_.only<Example>();
     Diagnostics diagnostics;
-    report_compile_messages(compiled, {example.code, 5, kLessonPath, example.span},
+    report_compile_messages(compiled, {example.code, kLessonPath, example.span, 5},
                             *reading_.lesson, course_.path(), diagnostics);
     return diagnostics;
   }
@@ -160,7 +160,7 @@ TEST_F(CompileErrors, OfAFileStandInTheFile) {
   Compiled compiled;
   compiled.messages = {{"examples/a.cpp", 2, 6, "error", "use of undeclared identifier"}};
   Diagnostics diagnostics;
-  report_compile_messages(compiled, {code, 1, "examples/a.cpp", fence}, *reading_.lesson,
+  report_compile_messages(compiled, {code, "examples/a.cpp", fence}, *reading_.lesson,
                           course_.path(), diagnostics);
   EXPECT_EQ(shown(diagnostics),
             R"(examples/a.cpp:2:5: error: use of undeclared identifier [E-example-compile]

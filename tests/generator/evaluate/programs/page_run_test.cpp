@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "evaluate/evaluation_of.h"
+#include "memory_store.h"
 #include "toolchain/scripted_page.h"
 
 namespace mjcourse {
@@ -39,8 +40,10 @@ TEST(PageRun, IsNoneWithoutACompiler) {
 TEST(PageRun, KeepsNoTextThatIsTheSame) {
   const PageRun same = page_run(exits("hello\\n"));
   EXPECT_EQ(same.why_not + same.otherwise, "");
-  EXPECT_FALSE(same.output);
-  EXPECT_EQ(page_run(exits("other\\n")).output, "other\n");
+  EXPECT_FALSE(same.outputs);
+  const PageRun other = page_run(exits("other\\n"));
+  ASSERT_TRUE(other.outputs);
+  EXPECT_EQ(other.outputs->native + other.outputs->page, "hello\nother\n");
 }
 
 TEST(PageRun, EndsAsItDidNatively) {
@@ -75,6 +78,18 @@ TEST(PageRun, SaysWhyThereCanBeNone) {
       "a thread waits for another");
   EXPECT_EQ(page_run("", kHello, " native").why_not, "native only");
   EXPECT_EQ(page_run("", kHello, " native because=\"it measures\"").why_not, "it measures");
+}
+
+TEST(PageRun, IsAskedForOnce) {
+  const ScriptedPage page(exits("hello\\n"));
+  MemoryStore store;
+  const auto evaluated = [&](const std::string& prose) {
+    return EvaluationOf(prose + "```cpp file=examples/a.cpp\n```\n", {{"examples/a.cpp", kHello}},
+                        &store, page.folder());
+  };
+  EXPECT_FALSE(evaluated("").result<ExampleResult>().page->outputs);
+  page.answers(exits("other\\n"));
+  EXPECT_FALSE(evaluated("Prose.\n\n").result<ExampleResult>().page->outputs);
 }
 
 TEST(PageRun, OfAProgramThatDrawsIsNotTried) {

@@ -1,4 +1,4 @@
-#include "lesson/syntax/leading_includes.h"
+#include "base/cpp_includes.h"
 
 #include <gtest/gtest.h>
 
@@ -38,6 +38,38 @@ TEST(LeadingIncludes, MayBeNone) {
   EXPECT_EQ(includes_of(""), "");
   EXPECT_EQ(includes_of("// only words"), "");
   EXPECT_EQ(includes_of("#"), "");
+}
+
+using Names = std::vector<std::string>;
+
+TEST(QuotedIncludes, AreNamedInTheirOrder) {
+  EXPECT_EQ(
+      quoted_includes("#include <cstdio>\n#include \"b.h\"\n\t# include\t\"sub/a.h\" // why\n"),
+      (Names{"b.h", "sub/a.h"}));
+}
+
+TEST(QuotedIncludes, AreAlsoThoseThatAConditionLeavesOut) {
+  EXPECT_EQ(quoted_includes("#if 0\n#include \"a.h\"\n#endif\n"), Names{"a.h"});
+}
+
+TEST(QuotedIncludes, AreNoOtherLines) {
+  EXPECT_EQ(quoted_includes("// #include \"a.h\"\nint x; #include \"b.h\"\n#include \"c.h\n"
+                            "#include_next \"d.h\"\n#include NAME\n\"e.h\"\n#include \"\"\n"),
+            Names());
+}
+
+TEST(QuotedIncludes, OfLinesThatEndAsOnWindowsAreTheSame) {
+  EXPECT_EQ(quoted_includes("#include \"a.h\"\r\n#include \"b.h\"\r\n"), (Names{"a.h", "b.h"}));
+}
+
+TEST(LinkedLibraries, AreMuJoCoAlone) {
+  EXPECT_EQ(linked_libraries("#include <mujoco/mujoco.h>\nint main() {}\n"), Names{"mujoco"});
+  EXPECT_EQ(linked_libraries("// #include <GL/osmesa.h>\nint main() {}\n"), Names{"mujoco"});
+}
+
+TEST(LinkedLibraries, HaveOSMesaForAProgramThatDraws) {
+  EXPECT_EQ(linked_libraries("#line 3 \"a.md\"\n#include <cstdio>\n#include <GL/osmesa.h>\n"),
+            (Names{"mujoco", "OSMesa"}));
 }
 
 }  // namespace

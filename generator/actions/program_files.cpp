@@ -1,4 +1,4 @@
-#include "evaluate/programs/program_files.h"
+#include "actions/program_files.h"
 
 #include <filesystem>
 #include <set>
@@ -53,11 +53,11 @@ class Gathering {
   std::set<std::string> found_;
 };
 
-Gathering sources_of(const Compiled& compiled, const RunContext& run_context) {
+Gathering sources_of(const Compiled& compiled, const IncludeFolders& include,
+                     const fs::path& root) {
   Gathering sources;
-  const IncludeFolders include = run_context.include_folders();
   for (const fs::path& folder : include) sources.know(folder, "examples/include");
-  sources.know(run_context.root() / "examples", "examples");
+  sources.know(root / "examples", "examples");
   if (compiled.dependencies) sources.add_all(*compiled.dependencies);
   for (const WarmObjects::Entry& entry : {compiled.header, compiled.handlers}) {
     if (entry) sources.add_all(entry->inputs);
@@ -67,11 +67,11 @@ Gathering sources_of(const Compiled& compiled, const RunContext& run_context) {
   return sources;
 }
 
-Gathering models_of(const Outcome& outcome, const RunContext& run_context) {
+Gathering models_of(const Outcome& outcome, const fs::path& root) {
   Gathering models;
-  const fs::path folder = fs::absolute(run_context.root() / "models").lexically_normal();
+  const fs::path folder = fs::absolute(root / "models").lexically_normal();
   models.know(folder, "models");
-  if (!DiskFiles(run_context.root()).is_folder("models")) return models;
+  if (!DiskFiles(root).is_folder("models")) return models;
   if (!outcome.opened) models.add_entries<fs::recursive_directory_iterator>(folder);
   for (const std::string& opened : outcome.opened.value_or(std::vector<std::string>())) {
     // A program that lists a folder wants what is in it.
@@ -85,10 +85,10 @@ Gathering models_of(const Outcome& outcome, const RunContext& run_context) {
 }  // namespace
 
 std::vector<std::string> program_files(const Compiled& compiled, const Outcome& outcome,
-                                       const RunContext& run_context) {
+                                       const IncludeFolders& include, const fs::path& root) {
   std::vector<std::string> files;
-  sources_of(compiled, run_context).give_to(files);
-  models_of(outcome, run_context).give_to(files);
+  sources_of(compiled, include, root).give_to(files);
+  models_of(outcome, root).give_to(files);
   return files;
 }
 

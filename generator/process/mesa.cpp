@@ -1,4 +1,4 @@
-#include "physics/mesa.h"
+#include "process/mesa.h"
 
 #include <cstdlib>
 #include <system_error>

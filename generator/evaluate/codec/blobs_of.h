@@ -1,5 +1,5 @@
 // The pictures and films in a finding.
-// Tested by tests/generator/cache/result_codec_test.cpp.
+// Tested by tests/generator/evaluate/codec/result_codec_test.cpp.
 #pragma once
 
 #include <vector>

@@ -1,12 +1,12 @@
-#include "cache/result_codec.h"
+#include "evaluate/codec/result_codec.h"
 
 #include <algorithm>
 #include <utility>
 
 #include "base/sha256.h"
-#include "cache/blobs_of.h"
 #include "cache/cbor.h"
-#include "cache/result_json.h"
+#include "evaluate/codec/blobs_of.h"
+#include "evaluate/codec/result_json.h"
 
 namespace mjcourse {
 
@@ -46,8 +46,12 @@ std::optional<std::string> ResultCodec::encode(Finding& finding, std::size_t fir
     results.push_back(
         {block - first, result, seconds == finding.seconds.end() ? 0 : seconds->second});
   }
-  std::string bytes = to_cbor(
-      {{"results", std::move(results)}, {"model", finding.model_page}, {"work", finding.work}});
+  json pages = json::array();
+  for (const auto& [block, page] : finding.pages) pages.push_back({block - first, page});
+  std::string bytes = to_cbor({{"results", std::move(results)},
+                               {"pages", std::move(pages)},
+                               {"model", finding.model_page},
+                               {"work", finding.work}});
   change_paths(finding, [&](const fs::path& path) { return root_ / path; });
   return bytes;
 }
@@ -61,6 +65,9 @@ std::optional<Finding> ResultCodec::decode(const std::string& bytes, std::size_t
       const std::size_t block = first + one.at(0).get<std::size_t>();
       finding.results[block] = one.at(1).get<Result>();
       finding.seconds[block] = one.at(2).get<double>();
+    }
+    for (const json& one : all->at("pages")) {
+      finding.pages[first + one.at(0).get<std::size_t>()] = one.at(1).get<PageRun>();
     }
     finding.model_page = all->at("model").get<std::optional<ModelPage>>();
     finding.work = all->at("work").get<double>();

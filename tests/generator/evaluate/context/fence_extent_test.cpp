@@ -1,4 +1,4 @@
-#include "evaluate/claims/fence_extent.h"
+#include "evaluate/context/fence_extent.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cache/blobs_of.h"
+#include "evaluate/codec/blobs_of.h"
 
 #include <variant>
 

@@ -1,4 +1,4 @@
-#include "cache/result_codec.h"
+#include "evaluate/codec/result_codec.h"
 
 #include <gtest/gtest.h>
 
@@ -25,6 +25,7 @@ bool decodes(const std::string& bytes) {
 // A finding of one formula's markup.
 std::string formula(const json& markup, const json& work = 0.5) {
   return cbor({{"results", {{0, {0, {{"markup", markup}}}, 0.5}}},
+               {"pages", json::array()},
                {"model", json::array()},
                {"work", work}});
 }

@@ -1,4 +1,6 @@
-#include "lesson/syntax/leading_includes.h"
+#include "base/cpp_includes.h"
+
+#include <re2/re2.h>
 
 #include <algorithm>
 #include <optional>
@@ -60,6 +62,25 @@ std::vector<Include> leading_includes(std::string_view program) {
     includes.push_back(*std::move(include));
   }
   return includes;
+}
+
+std::vector<std::string> quoted_includes(std::string_view program) {
+  static const RE2 form(R"re((?m)^[ \t]*#[ \t]*include[ \t]*"([^"\n]+)")re");
+  re2::StringPiece rest(program.data(), program.size());
+  std::vector<std::string> names;
+  for (std::string name; RE2::FindAndConsume(&rest, form, &name);) names.push_back(name);
+  return names;
+}
+
+bool draws(std::string_view program) {
+  return std::ranges::any_of(leading_includes(program),
+                             [](const Include& include) { return include.name == "GL/osmesa.h"; });
+}
+
+std::vector<std::string> linked_libraries(std::string_view program) {
+  std::vector<std::string> libraries{"mujoco"};
+  if (draws(program)) libraries.emplace_back("OSMesa");
+  return libraries;
 }
 
 }  // namespace mjcourse

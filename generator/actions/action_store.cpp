@@ -1,0 +1,68 @@
+#include "actions/action_store.h"
+
+#include <utility>
+
+#include "base/sha256.h"
+#include "sources/kActionSources.h"
+
+namespace mjcourse {
+namespace {
+
+std::string hash_of(const Dependencies& recipe) {
+  Sha256 hash;
+  for (const Dependency& one : recipe) hash.add(one.name).add(one.value);
+  return hash.hex();
+}
+
+// Bytes are kept behind their hash: what an action gave is believed, and nothing else tells whether
+// a store has it whole.
+std::string with_hash(const std::string& bytes) {
+  return sha256(bytes) + bytes;
+}
+
+std::optional<std::string> without_hash(const std::string& kept) {
+  const std::size_t size = 64;
+  if (kept.size() < size) return std::nullopt;
+  std::string bytes = kept.substr(size);
+  return kept.compare(0, size, sha256(bytes)) == 0 ? std::optional(std::move(bytes)) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> ActionStore::find(const Dependencies& recipe, Trace& trace) {
+  const std::string hash = hash_of(recipe);
+  {
+    const std::lock_guard lock(mutex_);
+    if (const auto known = known_.find(hash); known != known_.end()) {
+      trace.add(known->second.trace);
+      return known->second.bytes;
+    }
+  }
+  if (results_ == nullptr) return std::nullopt;
+  const auto found = results_->find(recipe);
+  auto bytes = found ? without_hash(found->bytes) : std::nullopt;
+  if (!bytes) return std::nullopt;
+  Trace own(root_);
+  own.found(found->traced);
+  trace.add(own);
+  const std::lock_guard lock(mutex_);
+  known_.insert_or_assign(hash, Known{*bytes, std::move(own)});
+  return bytes;
+}
+
+void ActionStore::keep(const Dependencies& recipe, const Trace& trace,
+                       std::chrono::system_clock::time_point begin, std::string bytes) {
+  if (results_ != nullptr) results_->keep(recipe, trace, begin, with_hash(bytes));
+  const std::lock_guard lock(mutex_);
+  known_.insert_or_assign(hash_of(recipe), Known{std::move(bytes), trace});
+}
+
+Dependencies action_recipe(const std::string& kind, const std::vector<std::string>& text) {
+  Sha256 hash;
+  for (const std::string& part : text) hash.add(part);
+  return {{"kind", kind},
+          {"text", hash.hex()},
+          {"mjcourse", std::string("sources of actions ") + kActionSources}};
+}
+
+}  // namespace mjcourse

@@ -1,0 +1,98 @@
+// NativeProgram: a program of a course, compiled and run as its reader would.
+//
+//   NativeProgram program({name, file, text}, context);
+//   if (auto run = program.find(request)) …          // as it ran before
+//   if (program.compile().succeeded) program.run(request);
+//
+// The text is compiled with `#line`, so that the compiler's complaints name `file`. The program
+// runs in an empty folder of its own, with no input, against the clock.
+// Tested by tests/generator/actions/native_program_test.cpp.
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "actions/action_store.h"
+#include "base/temporary_folder.h"
+#include "cache/trace.h"
+#include "process/subprocess.h"
+#include "toolchain/compiler.h"
+#include "toolchain/include_folders.h"
+
+namespace mjcourse {
+
+// What an action has of its course. All must outlive it.
+struct ActionContext {
+  const std::filesystem::path& root;
+  const Compiler& compiler;
+  ActionStore& store;
+  Trace& trace;  // gets what the action looked at
+};
+
+struct NativeSource {
+  std::string name;  // of the program
+  std::string file;  // as the course has it: "examples/l0_1_parabola.cpp"
+  std::string text;
+  bool optimize = false;
+};
+
+struct NativeRequest {
+  std::vector<std::string> arguments = {};
+  double seconds = 10;  // wall clock
+  int exit_code = 0;    // with which it is to end
+  bool handed_in =
+      false;  // by a stranger: it can add to its records, and neither read nor cut them
+};
+
+struct NativeRun {
+  Outcome outcome;
+  // What it wrote for its lesson; nothing where that is more than anybody reads.
+  std::optional<std::string> records;
+  double seconds = 0;  // measured, without compiling
+  // What a reader needs to build it, beside itself, as the course calls it (program_files.h).
+  std::vector<std::string> files;
+};
+
+class NativeProgram {
+ public:
+  NativeProgram(NativeSource source, const ActionContext& context);
+
+  const NativeSource& source() const { return source_; }
+
+  // The folder of the program, where that includes headers from there; "" where it does not.
+  const std::filesystem::path& beside() const { return beside_; }
+
+  // What was found before: of a program that compiled without a word and ended as it was to end,
+  // and of one that did not compile the compiler's words.
+  std::optional<NativeRun> find(const NativeRequest& request) const;
+  std::optional<std::string> find_refusal() const;
+
+  // At its first call.
+  const Compiled& compile();
+  // After compile(), and what the compiler said.
+  std::string refusal();
+  // After compile(), which succeeded.
+  NativeRun run(const NativeRequest& request);
+
+ private:
+  Dependencies recipe(const std::string& kind,
+                      const std::vector<std::string>& arguments = {}) const;
+  Command command_of(const NativeRequest& request, const std::filesystem::path& own,
+                     const std::filesystem::path& records) const;
+
+  NativeSource source_;
+  const ActionContext context_;
+  std::filesystem::path beside_;
+  std::chrono::system_clock::time_point begin_;
+  Trace compiling_;  // what that looked at
+  std::unique_ptr<TemporaryFolder> folder_;
+  std::filesystem::path binary_;
+  std::optional<Compiled> compiled_;
+  int runs_ = 0;
+};
+
+}  // namespace mjcourse

@@ -1,0 +1,181 @@
+#include "actions/native_program.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "base/files.h"
+#include "memory_store.h"
+
+namespace mjcourse {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr const char* kProgram = R"(#include <cstdio>
+#include <cstdlib>
+#include <kit.h>
+int main(int count, char** words) {
+  const std::string model = std::string(std::getenv("MJCOURSE_MODELS")) + "/a.xml";
+  if (std::FILE* file = std::fopen(model.c_str(), "r")) std::fclose(file);
+  std::FILE* records = std::fopen(std::getenv("MJCOURSE_RECORDS"), "a");
+  std::fputs("{}\n", records);
+  std::fclose(records);
+  std::printf("%s %d\n", count > 1 ? words[1] : "none", kKit);
+}
+)";
+
+// A store in which a byte of each result may change.
+class ChangingStore : public MemoryStore {
+ public:
+  std::optional<std::string> get(const std::string& name) override {
+    auto bytes = MemoryStore::get(name);
+    if (changes && bytes && name.starts_with("ac/")) bytes->back() ^= 1;
+    return bytes;
+  }
+  bool changes = false;
+};
+
+// A course with a header and a model, and a store that outlives its runs.
+class NativeProgramTest : public testing::Test {
+ protected:
+  NativeProgramTest() {
+    write("examples/include/kit.h", "#pragma once\n#include <string>\nconst int kKit = 7;\n");
+    write("models/a.xml", "<mujoco/>\n");
+  }
+
+  void write(const std::string& path, const std::string& bytes) const {
+    write_file(root_ / path, bytes);
+    std::this_thread::sleep_for(50ms);  // so that it was there before the work began
+  }
+
+  // What a run of mjcourse has.
+  struct Run {
+    explicit Run(const NativeProgramTest& test)
+        : prints(test.root_), results(test.store_, prints), actions(test.root_), trace(test.root_) {
+      actions.keep_in(results);
+    }
+    Fingerprints prints;
+    ResultStore results;
+    ActionStore actions;
+    Trace trace;
+  };
+
+  NativeProgram program(Run& run, const std::string& text = kProgram) const {
+    return NativeProgram({"a", "examples/a.cpp", text}, {root_, compiler_, run.actions, run.trace});
+  }
+
+  void compile_and_run(const std::string& text = kProgram,
+                       const NativeRequest& request = {}) const {
+    Run run(*this);
+    NativeProgram one = program(run, text);
+    ASSERT_TRUE(one.compile().succeeded) << one.compile().raw;
+    one.run(request);
+  }
+
+  // In another run of mjcourse.
+  std::string found(const std::string& text = kProgram, const NativeRequest& request = {}) const {
+    Run run(*this);
+    const auto known = program(run, text).find(request);
+    return known ? known->outcome.out : "nothing";
+  }
+
+  const TemporaryFolder folder_;
+  const std::filesystem::path root_ = folder_.path();
+  const Compiler compiler_{Toolchain::find().value(), {root_ / "examples/include"}, std::nullopt};
+  mutable ChangingStore store_;
+};
+
+TEST_F(NativeProgramTest, IsFoundWithAllThatItGave) {
+  Run run(*this);
+  NativeProgram one = program(run);
+  EXPECT_FALSE(one.find({}));
+  ASSERT_TRUE(one.compile().succeeded);
+  const NativeRun ran = one.run({});
+  EXPECT_EQ(ran.outcome.out, "none 7\n");
+  EXPECT_EQ(ran.records, "{}\n");
+  EXPECT_EQ(ran.files, (std::vector<std::string>{"examples/include/kit.h", "models/a.xml"}));
+
+  Run later(*this);
+  const auto known = program(later).find({});
+  ASSERT_TRUE(known);
+  EXPECT_EQ(known->outcome.out, ran.outcome.out);
+  EXPECT_EQ(known->records, ran.records);
+  EXPECT_EQ(known->files, ran.files);
+  EXPECT_EQ(known->seconds, ran.seconds);
+  // Whoever takes it depends on the same.
+  EXPECT_EQ(later.trace.names(), run.trace.names());
+  EXPECT_EQ(later.trace.found_sets().size(), run.trace.sets().size() + run.trace.headers().size());
+}
+
+TEST_F(NativeProgramTest, IsFoundInTheSameRunWithoutAStore) {
+  Run run(*this);
+  ActionStore alone(root_);
+  const ActionContext context{root_, compiler_, alone, run.trace};
+  NativeProgram one({"a", "examples/a.cpp", kProgram}, context);
+  ASSERT_TRUE(one.compile().succeeded);
+  one.run({});
+  EXPECT_TRUE(NativeProgram({"a", "examples/a.cpp", kProgram}, context).find({}));
+}
+
+TEST_F(NativeProgramTest, IsAnotherWithOtherArgumentsAndAnotherText) {
+  compile_and_run(kProgram, {{"one"}});
+  EXPECT_EQ(found(kProgram, {{"one"}}), "one 7\n");
+  EXPECT_EQ(found(kProgram, {{"two"}}), "nothing");
+  EXPECT_EQ(found(std::string(kProgram) + "\n", {{"one"}}), "nothing");
+}
+
+TEST_F(NativeProgramTest, IsMadeAnewForAnotherHeaderOrModel) {
+  compile_and_run();
+  EXPECT_EQ(found(), "none 7\n");
+  write("models/b.xml", "<mujoco/>\n");
+  EXPECT_EQ(found(), "none 7\n");
+  write("models/a.xml", "<mujoco> </mujoco>\n");
+  EXPECT_EQ(found(), "nothing");
+  write("models/a.xml", "<mujoco/>\n");
+  EXPECT_EQ(found(), "none 7\n");
+  write("examples/include/kit.h", "#pragma once\n#include <string>\nconst int kKit = 8;\n");
+  EXPECT_EQ(found(), "nothing");
+}
+
+TEST_F(NativeProgramTest, IsKeptOnlyWhereItRepeats) {
+  compile_and_run("int main() { int unused; }\n");  // the compiler warns
+  EXPECT_EQ(found("int main() { int unused; }\n"), "nothing");
+  compile_and_run("int main() { return 3; }\n");
+  EXPECT_EQ(found("int main() { return 3; }\n"), "nothing");
+  EXPECT_EQ(found("int main() { return 3; }\n", {.exit_code = 3}), "nothing");
+  compile_and_run("int main() { return 3; }\n", {.exit_code = 3});
+  EXPECT_EQ(found("int main() { return 3; }\n", {.exit_code = 3}), "");
+  EXPECT_EQ(found("int main() { return 3; }\n"), "nothing");
+  // As this run took longer than it now may.
+  EXPECT_EQ(found("int main() { return 3; }\n", {.seconds = 0, .exit_code = 3}), "nothing");
+}
+
+TEST_F(NativeProgramTest, OfAStrangerIsNeverKept) {
+  compile_and_run(kProgram, {.handed_in = true});
+  EXPECT_EQ(found(), "nothing");
+  compile_and_run();
+  EXPECT_EQ(found(kProgram, {.handed_in = true}), "nothing");
+}
+
+TEST_F(NativeProgramTest, ThatIsRefusedHasTheCompilersWords) {
+  const std::string wrong = "#include <kit.h>\nint main() { return kMissing; }\n";
+  Run run(*this);
+  NativeProgram one = program(run, wrong);
+  EXPECT_FALSE(one.find_refusal());
+  ASSERT_TRUE(one.compile().refused());
+  const std::string words = one.refusal();
+  EXPECT_TRUE(words.starts_with("examples/a.cpp:2:21: error: ")) << words;
+  EXPECT_EQ(words.find(root_), std::string::npos) << words;
+  Run later(*this);
+  EXPECT_EQ(program(later, wrong).find_refusal(), words);
+}
+
+TEST_F(NativeProgramTest, IsNotFoundInBytesOfSomebodyElses) {
+  compile_and_run();
+  store_.changes = true;
+  EXPECT_EQ(found(), "nothing");
+}
+
+}  // namespace
+}  // namespace mjcourse
