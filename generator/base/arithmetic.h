@@ -2,8 +2,7 @@
 //
 // The C library has variants of sine, cosine and their kin for some processors, which round one
 // value in a hundred otherwise, and otherwise than WebAssembly does. So whatever runs in a sandbox
-// runs without them (process/launch.cpp). The libraries that draw choose for themselves. Tested by
-// tests/generator/process/loaded_libraries_test.cpp.
+// runs without them (process/launch.cpp). The libraries that draw choose for themselves.
 #pragma once
 
 #include <string>

@@ -2,25 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "base/arithmetic.h"
-
 namespace mjcourse {
 namespace {
 
 // That others give another hash, tests/store/dependencies.mjs sees.
 TEST(LoadedLibraries, AreAHash) {
   EXPECT_EQ(loaded_libraries().size(), 64);
-}
-
-// That all round so, Example.RoundsTheSameOnAllProcessors sees.
-TEST(Arithmetic, IsOfTheArchitectureAndTheSetting) {
-  EXPECT_TRUE(arithmetic().ends_with(" glibc.cpu.hwcaps=-FMA,-FMA4,-AVX2")) << arithmetic();
-}
-
-// That what is drawn depends on them, tests/store/machines.mjs sees.
-TEST(ProcessorFeatures, AreWords) {
-  EXPECT_EQ(processor_features().find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789 "),
-            std::string::npos);
 }
 
 }  // namespace
