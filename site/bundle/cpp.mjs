@@ -4,7 +4,8 @@
 // Both are compressed with xz, which browsers do not know themselves (browser/cpp/download.ts): a
 // server may compress a program of WebAssembly badly or not at all, and this one has 75 MB. Compressing
 // it takes minutes and the pack one, so both are kept in the user's cache under a hash of all that they
-// are made of. Where something is missing, the site has no compiler, and its programs are only read.
+// are made of. They wait for nothing else of the build, which begins with them (keep.mjs). Where
+// something is missing, the site has no compiler, and its programs are only read.
 
 import { execFile } from "node:child_process";
 import { createHash } from "node:crypto";
@@ -34,27 +35,15 @@ const run = promisify(execFile);
 // build itself runs programs as the page does (node/run.ts). `engine` is the folder with MuJoCo for the
 // browser.
 export async function buildCpp(site, out, engine) {
-  const clang = path.join(site, "node_modules/@yowasp/clang/gen");
-  const sources = [
-    path.join(clang, "llvm.core.wasm"),
-    path.join(clang, "llvm-resources.tar"),
-    "/usr/include/eigen3/Eigen",
-    "/usr/include/mujoco",
-    "/usr/share/emscripten/system/lib/libcxxabi",
-    path.join(site, "browser/cpp/runtime"),
-    path.join(site, "../examples/include/mjcourse"),
-  ];
-  const missing = await firstMissing([path.join(engine, "engine.wasm"), ...sources]);
+  const missing = await firstMissing([path.join(engine, "engine.wasm"), ...sourcesOf(site)]);
   if (missing) return giveUp(`for want of ${missing}`);
 
   const folder = path.join(out, "cpp");
   await mkdir(folder, { recursive: true });
   await mkdir(path.join(out, "public/assets"), { recursive: true });
-  const llvm = path.join(folder, "llvm.wasm");
-  await writeFile(llvm, withLargerSteps(await readFile(sources[0])));
-  const compressed = await keptFolder([llvm], (into) => compress(llvm, into, "llvm"));
+  const compressed = await keptCompiler(site, path.join(folder, "llvm.wasm"));
   // Another release of emscripten may have other sources.
-  const pack = await packIn(site, clang, sources).catch(({ message }) => giveUp(message));
+  const pack = await keptPack(site).catch(({ message }) => giveUp(message));
   if (typeof pack !== "string") return {};
   await Promise.all([
     copyFile(path.join(pack, "cpp.pack"), path.join(folder, "cpp.pack")),
@@ -74,6 +63,51 @@ export async function buildCpp(site, out, engine) {
     copyCompilerLicenses(site, path.join(out, "public/licenses/cpp")),
   ]);
   return { ...worker, "llvm.wasm.xz": hashed[0], "cpp.pack.xz": hashed[1] };
+}
+
+// The folder of the cache with the compiler as browsers load it. It is written to `llvm`, too.
+export async function keptCompiler(site, llvm) {
+  await writeFile(llvm, withLargerSteps(await readFile(sourcesOf(site)[0])));
+  return keptFolder([llvm], (into) => compress(llvm, into, "llvm"));
+}
+
+// The folder of the cache with the pack, plain and compressed.
+export async function keptPack(site) {
+  return inWorkFolder(async (work) => {
+    const maker = await bundleForNode(site, "make-pack", work);
+    return keptFolder([maker, ...sourcesOf(site)], async (into) => {
+      const pack = path.join(into, "cpp.pack");
+      await run(process.execPath, [maker, path.dirname(site), clangIn(site), pack]);
+      await compress(pack, into, "cpp.pack");
+    });
+  });
+}
+
+// A folder for the time of `work`, on the disk of what is kept.
+export async function inWorkFolder(work) {
+  const folder = await mkdtemp(path.join(await cacheFolder(), ".making-"));
+  try {
+    return await work(folder);
+  } finally {
+    await rm(folder, { recursive: true });
+  }
+}
+
+function clangIn(site) {
+  return path.join(site, "node_modules/@yowasp/clang/gen");
+}
+
+// Of the pack; the first is the compiler.
+function sourcesOf(site) {
+  return [
+    path.join(clangIn(site), "llvm.core.wasm"),
+    path.join(clangIn(site), "llvm-resources.tar"),
+    "/usr/include/eigen3/Eigen",
+    "/usr/include/mujoco",
+    "/usr/share/emscripten/system/lib/libcxxabi",
+    path.join(site, "browser/cpp/runtime"),
+    path.join(site, "../examples/include/mjcourse"),
+  ];
 }
 
 // Under its plain names: in `public` they have hashes.
@@ -100,20 +134,6 @@ async function firstMissing(files) {
   for (const file of files) {
     const isThere = await readdir(file).catch(({ code }) => code === "ENOTDIR");
     if (!isThere) return file;
-  }
-}
-
-async function packIn(site, clang, sources) {
-  const work = await mkdtemp(path.join(await cacheFolder(), ".making-"));
-  try {
-    const maker = await bundleForNode(site, "make-pack", work);
-    return await keptFolder([maker, ...sources], async (into) => {
-      const pack = path.join(into, "cpp.pack");
-      await run(process.execPath, [maker, path.dirname(site), clang, pack]);
-      await compress(pack, into, "cpp.pack");
-    });
-  } finally {
-    await rm(work, { recursive: true });
   }
 }
 
