@@ -2,7 +2,8 @@
 //
 // Enter with ask(). The process begins with the first question, and stays, since its compiler is
 // quick once it is warm; after one that ended, there is a new one. It is confined as programs are,
-// and reads nothing but its own: question and answer have all of a program (site/node/run.ts).
+// and reads nothing but its own: question and answer have all of a program
+// (site/node/questions.ts).
 #pragma once
 
 #include <memory>

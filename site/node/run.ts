@@ -6,7 +6,7 @@
  *   node run.mjs CPP ENGINE PREPARED      answers questions on its standard streams, one by one
  *
  * CPP is the folder of this file with llvm.wasm and cpp.pack, ENGINE that of MuJoCo for the browser. A
- * question and an answer are JSON behind their size as 8 bytes, as
+ * question and an answer are JSON (questions.ts) behind their size as 8 bytes, as
  * generator/process/process_supervisor.h has them. The process stays between questions, since clang is
  * machine code then.
  */
@@ -14,31 +14,12 @@ import { readFileSync, readSync, writeFileSync, writeSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
-import { Compiler, type Finished } from "../browser/cpp/compiler.js";
+import { Compiler } from "../browser/cpp/compiler.js";
 import type { EngineBinary, EngineFactory } from "../browser/cpp/engine.js";
-import type { Diagnostic, End, Program } from "../browser/cpp/messages.js";
 import type { Files } from "../browser/cpp/files.js";
 import { makeHeader } from "../browser/cpp/header.js";
 import { unpack } from "../browser/cpp/pack.js";
-
-interface Question extends Omit<Program, "files"> {
-  readonly files: Readonly<Record<string, { readonly text: string } | { readonly base64: string }>>;
-}
-
-interface Answer {
-  readonly ok: boolean;
-  readonly diagnostics: readonly Diagnostic[];
-  readonly out: string;
-  readonly err: string;
-  /** Nothing where the program does not compile. */
-  readonly end: End | null;
-  readonly records: string;
-  readonly seconds: {
-    readonly compile: number;
-    readonly link: number;
-    readonly run: number;
-  } | null;
-}
+import { Respondent, type Question } from "./questions.js";
 
 const [first, second, third] = process.argv.slice(2) as [string, string, string];
 if (first === "--prepare") prepare(second, third);
@@ -55,36 +36,11 @@ async function serve(cpp: string, engine: string, prepared: string): Promise<voi
     pack: packIn(cpp),
   });
   compiler.useHeader(readFileSync(prepared));
+  const respondent = new Respondent(compiler);
   for (let question = read(); question !== undefined; question = read()) {
-    const { files, ...program } = JSON.parse(question) as Question;
-    write(JSON.stringify(await answer(compiler, { ...program, files: decoded(files) })));
+    const answer = await respondent.answer(JSON.parse(question) as Question);
+    write(JSON.stringify(answer));
   }
-}
-
-async function answer(compiler: Compiler, program: Program): Promise<Answer> {
-  const streams = { out: [] as Uint8Array[], err: [] as Uint8Array[] };
-  let told: Pick<Answer, "ok" | "diagnostics"> = { ok: false, diagnostics: [] };
-  const finished = await compiler.run(program, {
-    compiled: (ok, diagnostics) => (told = { ok, diagnostics }),
-    output: (stream, bytes) => streams[stream].push(bytes),
-  });
-  const text = (pieces: readonly Uint8Array[]) => Buffer.concat(pieces).toString("utf8");
-  const { records = "", seconds = null } = finished ?? {};
-  const end = finished ? placedEnd(compiler, finished, program) : null;
-  return { ...told, out: text(streams.out), err: text(streams.err), end, records, seconds };
-}
-
-/** With its line where somebody will look for that: a code is most often what the author expects. */
-function placedEnd(compiler: Compiler, { end, offsets }: Finished, program: Program): End {
-  if (end.how === "exit") return end;
-  const line = compiler.lineOf(offsets, program);
-  return line === undefined ? end : { ...end, line };
-}
-
-function decoded(files: Question["files"]): Program["files"] {
-  const content = (file: Question["files"][string]) =>
-    "text" in file ? file.text : Buffer.from(file.base64, "base64");
-  return Object.fromEntries(Object.entries(files).map(([name, file]) => [name, content(file)]));
 }
 
 function llvmIn(cpp: string): WebAssembly.Module {
