@@ -14,7 +14,7 @@ constexpr double kLifetime = 24 * 3600;
 // Of one answer: what a program prints, and 16 MiB of records as JSON has them.
 constexpr std::size_t kMostAnswer = 64 << 20;
 
-Command command_of(PageToolchain& toolchain, const std::filesystem::path& folder) {
+Command command_of(const PageToolchain& toolchain, const std::filesystem::path& folder) {
   Command command = toolchain.command(folder);
   command.seconds = kLifetime;
   command.output_bytes = kMostAnswer;
@@ -26,7 +26,7 @@ Command command_of(PageToolchain& toolchain, const std::filesystem::path& folder
 
 class PageProcess::Running {
  public:
-  explicit Running(PageToolchain& toolchain)
+  explicit Running(const PageToolchain& toolchain)
       : command_(command_of(toolchain, folder_.path())), supervisor_(command_) {}
 
   tl::expected<std::string, Outcome> ask(std::string_view question, double seconds) {
@@ -39,7 +39,7 @@ class PageProcess::Running {
   ProcessSupervisor supervisor_;
 };
 
-PageProcess::PageProcess(PageToolchain& toolchain) : toolchain_(toolchain) {}
+PageProcess::PageProcess(const PageToolchain& toolchain) : toolchain_(toolchain) {}
 
 PageProcess::~PageProcess() = default;
 

@@ -19,7 +19,7 @@ namespace mjcourse {
 class PageProcess {
  public:
   // The toolchain must outlive this.
-  explicit PageProcess(PageToolchain& toolchain);
+  explicit PageProcess(const PageToolchain& toolchain);
   ~PageProcess();
   PageProcess(const PageProcess&) = delete;
   PageProcess& operator=(const PageProcess&) = delete;
@@ -34,7 +34,7 @@ class PageProcess {
  private:
   class Running;
 
-  PageToolchain& toolchain_;
+  const PageToolchain& toolchain_;
   std::unique_ptr<Running> running_;
   double asked_ = 0;
 };

@@ -47,12 +47,13 @@ export async function buildCpp(site, out, engine) {
   if (typeof pack !== "string") return {};
   await Promise.all([
     copyFile(path.join(pack, "cpp.pack"), path.join(folder, "cpp.pack")),
+    copyFile(path.join(pack, "header.pch"), path.join(folder, "header.pch")),
     bundleForNode(site, "run", folder),
     copyEngine(engine, path.join(folder, "engine")),
     copyProgram(process.execPath, path.join(folder, "node")),
   ]);
   const version = await hashOf(
-    ["llvm.wasm", "cpp.pack", "run.mjs"].map((f) => path.join(folder, f)),
+    ["llvm.wasm", "cpp.pack", "header.pch", "run.mjs"].map((f) => path.join(folder, f)),
   );
   await writeFile(path.join(folder, "version"), `${version}\n`);
 
@@ -71,14 +72,13 @@ export async function keptCompiler(site, llvm) {
   return keptFolder([llvm], (into) => compress(llvm, into, "llvm"));
 }
 
-// The folder of the cache with the pack, plain and compressed.
+// The folder of the cache with the pack, plain and compressed, and the precompiled header.
 export async function keptPack(site) {
   return inWorkFolder(async (work) => {
     const maker = await bundleForNode(site, "make-pack", work);
     return keptFolder([maker, ...sourcesOf(site)], async (into) => {
-      const pack = path.join(into, "cpp.pack");
-      await run(process.execPath, [maker, path.dirname(site), clangIn(site), pack]);
-      await compress(pack, into, "cpp.pack");
+      await run(process.execPath, [maker, path.dirname(site), clangIn(site), into]);
+      await compress(path.join(into, "cpp.pack"), into, "cpp.pack");
     });
   });
 }

@@ -1,7 +1,8 @@
 /**
  * Makes the pack: all that a program is compiled of and linked with in the page, besides its own files.
+ * And the precompiled header, which the build itself takes.
  *
- *   node make-pack.mjs PROJECT CLANG OUT
+ *   node make-pack.mjs PROJECT CLANG OUT      writes OUT/cpp.pack and OUT/header.pch
  *
  * CLANG is the folder of @yowasp/clang with llvm.core.wasm and its headers and libraries. To these come
  * Eigen, MuJoCo's headers and the helper header, and what our clang itself compiles here: the runtime
@@ -38,7 +39,8 @@ for (const name of ["mjcourse.hpp", "handlers.cpp"]) {
 }
 files.put(preparedSource, headerToPrepare());
 compileRuntime();
-writeFileSync(out, packed(files.paths().filter(isPacked).sort()));
+writeFileSync(path.join(out, "cpp.pack"), packed(files.paths().filter(isPacked).sort()));
+writeFileSync(path.join(out, "header.pch"), files.bytes(preparedHeader)!);
 
 /** clang's own headers for other processors stay out, and a second C++ library for older standards. */
 function addSystem(): void {

@@ -2,62 +2,43 @@
  * Compiles and runs programs as the page does, for the build, which proves that they print there what
  * they print natively.
  *
- *   node run.mjs --prepare CPP OUT        makes the precompiled header
- *   node run.mjs CPP ENGINE PREPARED      answers questions on its standard streams, one by one
+ *   node run.mjs CPP ENGINE      answers questions on its standard streams, one by one
  *
- * CPP is the folder of this file with llvm.wasm and cpp.pack, ENGINE that of MuJoCo for the browser. A
- * question and an answer are JSON (questions.ts) behind their size as 8 bytes, as
+ * CPP is the folder of this file with llvm.wasm, cpp.pack and header.pch, ENGINE that of MuJoCo for the
+ * browser. A question and an answer are JSON (questions.ts) behind their size as 8 bytes, as
  * generator/process/process_supervisor.h has them. The process stays between questions, since clang is
  * machine code then.
  */
-import { readFileSync, readSync, writeFileSync, writeSync } from "node:fs";
+import { readFileSync, readSync, writeSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
 import { Compiler } from "../browser/cpp/compiler.js";
 import type { EngineBinary, EngineFactory } from "../browser/cpp/engine.js";
-import type { Files } from "../browser/cpp/files.js";
-import { makeHeader } from "../browser/cpp/header.js";
 import { unpack } from "../browser/cpp/pack.js";
 import { Respondent, type Question } from "./questions.js";
 
-const [first, second, third] = process.argv.slice(2) as [string, string, string];
-if (first === "--prepare") prepare(second, third);
-else await serve(first, second, third);
-
-function prepare(cpp: string, out: string): void {
-  writeFileSync(out, makeHeader(llvmIn(cpp), packIn(cpp)));
+const [cpp, engine] = process.argv.slice(2) as [string, string];
+const compiler = await Compiler.of({
+  llvm: moduleIn(cpp, "llvm.wasm"),
+  engine: await engineIn(engine),
+  pack: unpack(readFileSync(path.join(cpp, "cpp.pack"))),
+});
+compiler.useHeader(readFileSync(path.join(cpp, "header.pch")));
+const respondent = new Respondent(compiler);
+for (let question = read(); question !== undefined; question = read()) {
+  const answer = await respondent.answer(JSON.parse(question) as Question);
+  write(JSON.stringify(answer));
 }
 
-async function serve(cpp: string, engine: string, prepared: string): Promise<void> {
-  const compiler = await Compiler.of({
-    llvm: llvmIn(cpp),
-    engine: await engineIn(engine),
-    pack: packIn(cpp),
-  });
-  compiler.useHeader(readFileSync(prepared));
-  const respondent = new Respondent(compiler);
-  for (let question = read(); question !== undefined; question = read()) {
-    const answer = await respondent.answer(JSON.parse(question) as Question);
-    write(JSON.stringify(answer));
-  }
-}
-
-function llvmIn(cpp: string): WebAssembly.Module {
-  return new WebAssembly.Module(readFileSync(path.join(cpp, "llvm.wasm")));
-}
-
-function packIn(cpp: string): Files {
-  return unpack(readFileSync(path.join(cpp, "cpp.pack")));
+function moduleIn(folder: string, name: string): WebAssembly.Module {
+  return new WebAssembly.Module(readFileSync(path.join(folder, name)));
 }
 
 async function engineIn(folder: string): Promise<EngineBinary> {
   const glue = pathToFileURL(path.resolve(folder, "engine.mjs")).href;
   const { default: factory } = (await import(glue)) as { readonly default: EngineFactory };
-  return {
-    factory,
-    module: new WebAssembly.Module(readFileSync(path.join(folder, "engine.wasm"))),
-  };
+  return { factory, module: moduleIn(folder, "engine.wasm") };
 }
 
 /** Nothing at the end of the stream. */

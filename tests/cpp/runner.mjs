@@ -1,7 +1,7 @@
 // Programs as the page runs them: the assets' cpp/run.mjs in Node. MJCOURSE_CPP is its folder,
-// MJCOURSE_ENGINE that of MuJoCo for the browser; a precompiled header lies beside MJCOURSE_CPP.
+// MJCOURSE_ENGINE that of MuJoCo for the browser.
 
-import { spawn, spawnSync } from "node:child_process";
+import { spawn } from "node:child_process";
 import { existsSync, readdirSync, readFileSync } from "node:fs";
 import path from "node:path";
 
@@ -15,17 +15,11 @@ if (!existsSync(run)) {
   process.exit();
 }
 
-const version = readFileSync(path.join(cpp, "version"), "utf8").trim();
-const header = `${cpp}-${version}.pch`;
-if (!existsSync(header)) spawnSync(process.execPath, [run, "--prepare", cpp, header]);
-
 // The helper header and its like, as a program's zip has them.
 export const helpers = filesIn(path.join(course, "examples/include"), "include");
 
 export class Runner {
-  #child = spawn(process.execPath, [run, cpp, engine, header], {
-    stdio: ["pipe", "pipe", "inherit"],
-  });
+  #child = spawn(process.execPath, [run, cpp, engine], { stdio: ["pipe", "pipe", "inherit"] });
   #said = Buffer.alloc(0);
   #answer;
 

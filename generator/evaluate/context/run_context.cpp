@@ -17,7 +17,7 @@ RunContext::RunContext(const Course& course, std::filesystem::path root, const F
       prepared_(std::move(prepared)),
       scripts_(std::move(scripts)),
       without_landlock_(without_landlock),
-      page_(PageToolchain::find(page, prepared_)),
+      page_(PageToolchain::find(page)),
       shown_(shown_programs(course)),
       actions_(root_) {}
 

@@ -41,7 +41,7 @@ class RunContext {
   const std::optional<Compiler>& compiler() const;
 
   // With which programs are run a second time; null where there is none.
-  PageToolchain* page() const { return page_.get(); }
+  const PageToolchain* page() const { return page_.get(); }
 
   // Why no program, and no command, of the course may be run or compiled here; without a place.
   std::optional<Diagnostic> why_nothing_runs() const;

@@ -10,7 +10,7 @@ namespace {
 class PageProcessTest : public testing::Test {
  protected:
   ScriptedPage page_{"42"};
-  std::unique_ptr<PageToolchain> toolchain_ = PageToolchain::find(page_.folder(), std::nullopt);
+  std::unique_ptr<PageToolchain> toolchain_ = PageToolchain::find(page_.folder());
   PageProcess process_{*toolchain_};
 };
 
