@@ -21,6 +21,8 @@ import {
   prepareObjectArguments,
   preparedSource,
   runtimeArguments,
+  uncheckedHeaders,
+  uncheckedHeadersText,
 } from "../browser/cpp/flags.js";
 import { runTool } from "../browser/cpp/tool.js";
 import { filesOfTar } from "./tar.js";
@@ -38,6 +40,7 @@ for (const name of ["mjcourse.hpp", "handlers.cpp"]) {
   files.put(`${packFolder}/mjcourse/${name}`, content);
 }
 files.put(preparedSource, headerToPrepare());
+files.put(uncheckedHeaders, uncheckedHeadersText);
 compileRuntime();
 writeFileSync(path.join(out, "cpp.pack"), packed(files.paths().filter(isPacked).sort()));
 writeFileSync(path.join(out, "header.pch"), files.bytes(preparedHeader)!);

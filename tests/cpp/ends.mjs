@@ -111,6 +111,7 @@ test("a trap says which", async () => {
     [`volatile int none = 0; std::printf("%d", 1 / none);`]: "divide by zero",
     [`*(volatile int*)0xfffffff0 = 1;`]: "memory access out of bounds",
     [`mjData* none = nullptr; none->time = argc;`]: unreachable,
+    [`std::vector<int>* none = nullptr; return int(none->size());`]: unreachable,
     [`std::printf("%d", [](int n) -> int { if (n > 5) return 1; }(argc));`]: unreachable,
     [`std::abort();`]: "it called abort()",
     [`assert(argc == 5);`]: `Assertion failed: argc == 5 (p.cpp: main: ${firstLine})`,
