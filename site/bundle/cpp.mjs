@@ -26,6 +26,7 @@ import { promisify } from "node:util";
 import { build } from "esbuild";
 
 import { withLargerSteps } from "./allocation-step.mjs";
+import { withImportedMemory } from "./imported-memory.mjs";
 import { copyCompilerLicenses } from "./licenses.mjs";
 import { forBrowsers, manifestOf } from "./manifest.mjs";
 
@@ -41,9 +42,11 @@ export async function buildCpp(site, out, engine) {
   const folder = path.join(out, "cpp");
   await mkdir(folder, { recursive: true });
   await mkdir(path.join(out, "public/assets"), { recursive: true });
-  const compressed = await keptCompiler(site, path.join(folder, "llvm.wasm"));
+  const llvm = path.join(folder, "llvm.wasm");
+  await writeCompiler(site, llvm);
+  const compressed = await keptCompiler(llvm);
   // Another release of emscripten may have other sources.
-  const pack = await keptPack(site).catch(({ message }) => giveUp(message));
+  const pack = await keptPack(site, llvm).catch(({ message }) => giveUp(message));
   if (typeof pack !== "string") return {};
   await Promise.all([
     copyFile(path.join(pack, "cpp.pack"), path.join(folder, "cpp.pack")),
@@ -66,18 +69,24 @@ export async function buildCpp(site, out, engine) {
   return { ...worker, "llvm.wasm.xz": hashed[0], "cpp.pack.xz": hashed[1] };
 }
 
-// The folder of the cache with the compiler as browsers load it. It is written to `llvm`, too.
-export async function keptCompiler(site, llvm) {
-  await writeFile(llvm, withLargerSteps(await readFile(sourcesOf(site)[0])));
+// As it runs in the page, and here.
+export async function writeCompiler(site, llvm) {
+  const original = await readFile(path.join(clangIn(site), "llvm.core.wasm"));
+  await writeFile(llvm, withImportedMemory(withLargerSteps(original)));
+}
+
+// The folder of the cache with that compiler as browsers load it.
+export function keptCompiler(llvm) {
   return keptFolder([llvm], (into) => compress(llvm, into, "llvm"));
 }
 
 // The folder of the cache with the pack, plain and compressed, and the precompiled header.
-export async function keptPack(site) {
+export function keptPack(site, llvm) {
   return inWorkFolder(async (work) => {
     const maker = await bundleForNode(site, "make-pack", work);
-    return keptFolder([maker, ...sourcesOf(site)], async (into) => {
-      await run(process.execPath, [maker, path.dirname(site), clangIn(site), into]);
+    const [, resources, ...others] = sourcesOf(site);
+    return keptFolder([maker, llvm, resources, ...others], async (into) => {
+      await run(process.execPath, [maker, path.dirname(site), llvm, resources, into]);
       await compress(path.join(into, "cpp.pack"), into, "cpp.pack");
     });
   });
@@ -97,7 +106,7 @@ function clangIn(site) {
   return path.join(site, "node_modules/@yowasp/clang/gen");
 }
 
-// Of the pack; the first is the compiler.
+// Of the pack; the first is the compiler, the second its resources.
 function sourcesOf(site) {
   return [
     path.join(clangIn(site), "llvm.core.wasm"),

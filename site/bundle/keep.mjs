@@ -6,11 +6,12 @@
 import { writeFile } from "node:fs/promises";
 import path from "node:path";
 
-import { inWorkFolder, keptCompiler, keptPack } from "./cpp.mjs";
+import { inWorkFolder, keptCompiler, keptPack, writeCompiler } from "./cpp.mjs";
 
+// Given the compiler.
 const parts = {
-  compiler: () => inWorkFolder((work) => keptCompiler(site, path.join(work, "llvm.wasm"))),
-  pack: () => keptPack(site),
+  compiler: (llvm) => keptCompiler(llvm),
+  pack: (llvm) => keptPack(site, llvm),
 };
 
 const site = path.resolve(import.meta.dirname, "..");
@@ -19,5 +20,9 @@ if (!parts[part] || !stamp) {
   console.error(`usage: node site/bundle/keep.mjs ${Object.keys(parts).join("|")} STAMP`);
   process.exit(2);
 }
-const kept = await parts[part]().catch(() => "nothing");
+const kept = await inWorkFolder(async (work) => {
+  const llvm = path.join(work, "llvm.wasm");
+  await writeCompiler(site, llvm);
+  return parts[part](llvm);
+}).catch(() => "nothing");
 await writeFile(stamp, `${kept}\n`);

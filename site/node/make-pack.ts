@@ -2,12 +2,12 @@
  * Makes the pack: all that a program is compiled of and linked with in the page, besides its own files.
  * And the precompiled header, which the build itself takes.
  *
- *   node make-pack.mjs PROJECT CLANG OUT      writes OUT/cpp.pack and OUT/header.pch
+ *   node make-pack.mjs PROJECT LLVM RESOURCES OUT      writes OUT/cpp.pack and OUT/header.pch
  *
- * CLANG is the folder of @yowasp/clang with llvm.core.wasm and its headers and libraries. To these come
- * Eigen, MuJoCo's headers and the helper header, and what our clang itself compiles here: the runtime
- * (browser/cpp/runtime/), the two sources of libc++abi that throw and catch, which the package lacks
- * and emscripten has, and what the precompiled header defines.
+ * LLVM is the compiler as bundle/cpp.mjs leaves it, RESOURCES the archive of its headers and libraries.
+ * To these come Eigen, MuJoCo's headers and the helper header, and what our clang itself compiles here:
+ * the runtime (browser/cpp/runtime/), the two sources of libc++abi that throw and catch, which the
+ * package lacks and emscripten has, and what the precompiled header defines.
  */
 import { readdirSync, readFileSync, statSync, writeFileSync } from "node:fs";
 import path from "node:path";
@@ -24,13 +24,13 @@ import {
   uncheckedHeaders,
   uncheckedHeadersText,
 } from "../browser/cpp/flags.js";
-import { runTool } from "../browser/cpp/tool.js";
+import { Tool } from "../browser/cpp/tool.js";
 import { filesOfTar } from "./tar.js";
 
-const [project, clang, out] = process.argv.slice(2) as [string, string, string];
+const [project, llvm, resources, out] = process.argv.slice(2) as [string, string, string, string];
 const abi = "/usr/share/emscripten/system/lib/libcxxabi";
 
-const llvm = new WebAssembly.Module(readFileSync(path.join(clang, "llvm.core.wasm")));
+const tool = new Tool(new WebAssembly.Module(readFileSync(llvm)));
 const files = new Files();
 addSystem();
 addFolder("/usr/include/eigen3/Eigen", `${packFolder}/eigen3/Eigen`);
@@ -51,7 +51,7 @@ function addSystem(): void {
   const ofLibraries = /^include\/(c\+\+\/v1|wasm32-wasip1)\/(?!__cxx03\/)/;
   const libraries = /\/(crt1-command\.o|libc\+\+(abi)?\.a|libc\.a|libclang_rt\.builtins\.a)$/;
   const wanted = [ofCompiler, ofLibraries, /^lib\/wasm32-(unknown-)?wasip1\/[^/]+$/];
-  for (const [name, content] of filesOfTar(readFileSync(path.join(clang, "llvm-resources.tar")))) {
+  for (const [name, content] of filesOfTar(readFileSync(resources))) {
     const isWanted = wanted.some((pattern) => pattern.test(name));
     if (isWanted && (!name.startsWith("lib/") || libraries.test(name))) {
       files.put(`/usr/${name}`, content);
@@ -105,7 +105,7 @@ function compile(source: string, more: readonly string[] = []): void {
 }
 
 function run(args: readonly string[]): void {
-  const { ok, text } = runTool(llvm, args, files);
+  const { ok, text } = tool.run(args, files);
   if (!ok) throw new Error(text);
 }
 

@@ -32,7 +32,7 @@ import type {
 } from "./messages.js";
 import { outputChanges } from "./output-changes.js";
 import { asText, filesToCompile, filesToRun } from "./program-files.js";
-import { runTool } from "./tool.js";
+import { Tool } from "./tool.js";
 import type { Stream } from "./wasi.js";
 
 export interface Parts {
@@ -96,7 +96,8 @@ export class Compiler {
   #built: { readonly program: Program; readonly built: Built } | undefined;
 
   private constructor(
-    private readonly parts: Parts,
+    private readonly engine: EngineBinary,
+    private readonly tool: Tool,
     /** The pack, the precompiled header and what is known of the engine. */
     private readonly base: Files,
     private readonly tableBegin: number,
@@ -108,7 +109,7 @@ export class Compiler {
     const base = new Files(parts.pack);
     base.put(variablesPath, variablesObject(engine.variables));
     base.put(functionsPath, [...engine.functions.keys(), ...programImports].join("\n"));
-    return new Compiler(parts, base, engine.table.length);
+    return new Compiler(parts.engine, new Tool(parts.llvm), base, engine.table.length);
   }
 
   /** Without one, a program takes many times as long. */
@@ -146,7 +147,7 @@ export class Compiler {
     const clock = new Stopwatch();
     const files = filesToRun(program);
     let model: LoadedModel | undefined;
-    const ending = await execute(this.parts.engine, {
+    const ending = await execute(this.engine, {
       module: new WebAssembly.Module(code as Uint8Array<ArrayBuffer>),
       args: [nameOf(program.main), ...(program.arguments ?? [])],
       env: { MJCOURSE_MODELS: modelsFolder, MJCOURSE_RECORDS: recordsPath },
@@ -175,7 +176,7 @@ export class Compiler {
 
   /** What a run has printed with what it is to print. */
   compare(printed: string, stated: readonly StatedOutput[]): Promise<OutputChanges> {
-    return outputChanges(this.parts.engine, printed, stated);
+    return outputChanges(this.engine, printed, stated);
   }
 
   #compile(program: Program, withLines = false): Objects {
@@ -191,7 +192,7 @@ export class Compiler {
       const object = `/object/${i}.o`;
       files.addFolder("/object");
       const args = compileArguments(source, object, { include, prepared, withLines });
-      const result = runTool(this.parts.llvm, args, files);
+      const result = this.tool.run(args, files);
       diagnostics.push(...compilerDiagnostics(result.text, nameForReader));
       paths.push(object);
       ok &&= result.ok;
@@ -206,7 +207,7 @@ export class Compiler {
     if (!areObjects) return { diagnostics: [] };
     const out = "/program.wasm";
     const args = linkArguments({ ...how, out, tableBegin: this.tableBegin });
-    const { ok, text } = runTool(this.parts.llvm, args, files);
+    const { ok, text } = this.tool.run(args, files);
     const code = files.bytes(out);
     return ok && code ? { code, diagnostics: [] } : { diagnostics: linkerDiagnostics(text) };
   }

@@ -5,12 +5,12 @@
  */
 import { Files } from "./files.js";
 import { prepareArguments, preparedHeader } from "./flags.js";
-import { runTool } from "./tool.js";
+import { Tool } from "./tool.js";
 
 /** Takes seconds. */
 export function makeHeader(llvm: WebAssembly.Module, pack: Files): Uint8Array {
   const files = new Files(pack);
-  const { ok, text } = runTool(llvm, prepareArguments, files);
+  const { ok, text } = new Tool(llvm).run(prepareArguments, files);
   if (!ok) throw new Error(`the header does not compile: ${text}`);
   return files.bytes(preparedHeader)!;
 }
