@@ -29,6 +29,11 @@ export class Stamps {
     return existsSync(join(this.#folder, stamp));
   }
 
+  // What was put there; nothing where nothing was.
+  get(stamp) {
+    return this.has(stamp) ? readFileSync(join(this.#folder, stamp), "utf8") : undefined;
+  }
+
   // The seconds that each took last time, several at once; nothing where that is not known.
   get pace() {
     const file = join(this.#folder, "pace");
@@ -38,7 +43,7 @@ export class Stamps {
     writeFileSync(join(this.#folder, "pace"), String(seconds));
   }
 
-  // `what` is for whoever looks into the folder.
+  // `what` is for whoever looks into the folder, and for get().
   put(stamp, what) {
     writeFileSync(join(this.#folder, stamp), what);
   }

@@ -1,5 +1,5 @@
 // The page of MuJoCo's names: what each is that the course links to, and which lessons speak of it.
-// Tested by tests/site/references.mjs.
+// Tested by tests/site/checks/references.mjs.
 #pragma once
 
 #include <string>

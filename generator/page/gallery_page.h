@@ -1,5 +1,5 @@
 // The page of all models: a picture of each, its sizes, and the lessons that are about it.
-// Tested by tests/site/references.mjs.
+// Tested by tests/site/checks/references.mjs.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // The page of a model: a picture of it, what it is made of, its MJCF to read and to take away.
-// Tested by tests/site/references.mjs.
+// Tested by tests/site/checks/references.mjs.
 #pragma once
 
 #include <nlohmann/json.hpp>

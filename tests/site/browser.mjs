@@ -34,7 +34,7 @@ function saveData() {
   });
 }
 
-class Visitor {
+export class Visitor {
   #browser;
   #root;
   #problems = new Set();

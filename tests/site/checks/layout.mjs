@@ -1,7 +1,5 @@
-// Every page, on wide and narrow screens, light, and dark without JavaScript: nothing is wider than the
-// window, and every picture is there. Enlarged and spaced out as readers may have it, no text is cut off.
-
-import { pages, testSite } from "./browser.mjs";
+// On wide and narrow screens, light, and dark without JavaScript: nothing is wider than the window, and
+// every picture is there. Enlarged and spaced out as readers may have it, no text is cut off.
 
 const widths = [1440, 1000, 390, 360];
 const narrowest = 320; // a window of 1280 px, enlarged to 400 %
@@ -18,6 +16,10 @@ function spaceOut(css) {
   const sheet = new CSSStyleSheet();
   sheet.replaceSync(css);
   document.adoptedStyleSheets = [sheet];
+}
+
+function closeUp() {
+  document.adoptedStyleSheets = [];
 }
 
 // Texts that are cut off. What is there for screen readers alone is 1 px wide; a formula's strut is higher
@@ -51,41 +53,40 @@ function overflowing() {
 async function missingPictures() {
   const missing = [];
   for (const image of document.images) {
+    const { loading } = image;
     image.loading = "eager";
     await image.decode().catch(() => missing.push(image.currentSrc || image.src));
+    image.loading = loading;
   }
   return missing;
 }
 
-await testSite(async (visitor) => {
-  let pictures = 0;
-  for (const path of pages) {
-    // What a scheme may spoil are pictures, and a script sizes: so two visits do.
-    for (const [scheme, javaScript] of [
-      ["light", true],
-      ["dark", false],
-    ]) {
-      await visitor.visit(path, { scheme, javaScript }, async (page) => {
-        const how = `${path} (${scheme}${javaScript ? "" : ", no JavaScript"}`;
-        const fits = async (width, where) => {
-          await page.setViewportSize({ width, height: 900 });
-          const wide = await page.evaluate(overflowing);
-          visitor.expect(wide.length === 0, where, `too wide: ${wide}`);
-        };
-        for (const width of widths) await fits(width, `${how}, ${width} px)`);
-        if (/^(index|models).*html$/.test(path)) {
-          const loading = await page.evaluate(() => document.images[0].loading);
-          visitor.expect(loading !== "lazy", how, "what is seen first waits until it is near");
-        }
-        const missing = await page.evaluate(missingPictures);
-        visitor.expect(missing.length === 0, `${how})`, `pictures did not load: ${missing}`);
-        await page.evaluate(spaceOut, spacing);
-        await fits(narrowest, `${how}, ${narrowest} px, spaced out)`);
-        const cut = await page.evaluate(cutOff);
-        visitor.expect(cut.length === 0, `${how}, spaced out)`, `cut off: ${cut}`);
-        pictures += await page.locator(":is(.lab, .figure) picture img").count();
-      });
-    }
+// What a scheme may spoil are pictures, and a script sizes: so two views do. Gives how many pictures labs
+// and figures have.
+async function look(page, { path, expect }) {
+  const fits = async (width, how) => {
+    await page.setViewportSize({ width, height: 900 });
+    const wide = await page.evaluate(overflowing);
+    expect(wide.length === 0, `at ${width} px${how} this is too wide: ${wide}`);
+  };
+  for (const width of widths) await fits(width, "");
+  if (/^(index|models).*html$/.test(path)) {
+    const loading = await page.evaluate(() => document.images[0].loading);
+    expect(loading !== "lazy", "what is seen first waits until it is near");
   }
-  visitor.expect(pictures > 0, "the site", "no lab or figure has a picture");
-});
+  const missing = await page.evaluate(missingPictures);
+  expect(missing.length === 0, `pictures did not load: ${missing}`);
+  await page.evaluate(spaceOut, spacing);
+  await fits(narrowest, ", spaced out,");
+  const cut = await page.evaluate(cutOff);
+  expect(cut.length === 0, `spaced out, this is cut off: ${cut}`);
+  await page.evaluate(closeUp);
+  return page.locator(":is(.lab, .figure) picture img").count();
+}
+
+export const looks = { light: look, plain: look };
+
+export function conclude({ light }, { expect }) {
+  const pictures = [...light.values()].reduce((sum, count) => sum + count, 0);
+  expect(pictures > 0, "the site", "no lab or figure has a picture");
+}
