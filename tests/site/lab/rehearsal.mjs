@@ -1,9 +1,15 @@
 // The page gives the numbers of the build: every control of every lab, used as the rehearsal used it,
 // and every readout at every moment that the rehearsal wrote down, digit for digit.
+//
+//   node tests/site/lab/rehearsal.mjs SITE [SHARES]
+//
+// With SHARES, a control is used once, at one of its values, and read once, and so many commits try other
+// values and moments (sample.mjs). All digits come out of the same engine in run-rehearsal.mjs.
 
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 
+import { sampleOf } from "../../sample.mjs";
 import { folder, pages, testSite } from "../browser.mjs";
 import { Lab } from "./lab.mjs";
 
@@ -13,6 +19,18 @@ function drawInstances(wanted) {
   const { prototype } = WebGL2RenderingContext;
   prototype.reallyDraw ??= prototype.drawElementsInstanced;
   prototype.drawElementsInstanced = wanted ? prototype.reallyDraw : () => {};
+}
+
+const sample = process.argv[3] ? sampleOf(Number(process.argv[3])) : { all: true };
+
+// Of the runs of a lab with all their readings, those that are tried.
+function tried(runs) {
+  if (sample.all) return runs;
+  const one = (all) => all[sample.share % all.length];
+  const ofControls = Map.groupBy(runs, ({ control }) => control);
+  return [...ofControls.values()].map(one).map((run) => {
+    return { ...run, readings: run.readings.length > 0 ? [one(run.readings)] : [] };
+  });
 }
 
 await testSite(async (visitor) => {
@@ -32,9 +50,9 @@ await testSite(async (visitor) => {
         const { runs } = JSON.parse(readFileSync(record, "utf8"));
         // There are many models; half a second of each run is enough of them.
         const kept = path.startsWith("models/") ? 2 : undefined;
-        for (const { readings: all, ...run } of runs) {
-          const some = { ...run, readings: all.slice(0, kept) };
-          readings += await rerun(visitor, lab, some, `${path} lab-${index}`);
+        const some = runs.map((run) => ({ ...run, readings: run.readings.slice(0, kept) }));
+        for (const run of tried(some)) {
+          readings += await rerun(visitor, lab, run, `${path} lab-${index}`);
         }
       }
     });
