@@ -54,8 +54,7 @@ export const linkArguments = (linking: Linking): string[] => [
 
 /**
  * A wasm object that says where the engine's variables lie: data symbols with absolute addresses, in
- * the form of WebAssembly's tool conventions (Linking.md, "Symbol table", WASM_SYMBOL_ABSOLUTE). Each
- * names a data segment, which the linker looks up, and so there is an empty one.
+ * the form of WebAssembly's tool conventions (Linking.md, "Symbol table", WASM_SYMBOL_ABSOLUTE).
  */
 export function variablesObject(places: ReadonlyMap<string, number>): Uint8Array {
   const dataKind = 1;
@@ -71,12 +70,7 @@ export function variablesObject(places: ReadonlyMap<string, number>): Uint8Array
   const linking = [...text("linking"), version, symbolTable, ...leb(table.length), ...table];
   const customSection = 0;
   const head = [0x00, 0x61, 0x73, 0x6d, 0x01, 0x00, 0x00, 0x00];
-  // one active segment at i32.const 0, of no bytes
-  const dataSection = [0x0b, 0x06, 0x01, 0x00, 0x41, 0x00, 0x0b, 0x00];
-  return new Uint8Array([
-    ...[...head, ...dataSection],
-    ...[customSection, ...leb(linking.length), ...linking],
-  ]);
+  return new Uint8Array([...head, customSection, ...leb(linking.length), ...linking]);
 }
 
 /** An unsigned number in LEB128. */
