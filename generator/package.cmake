@@ -24,5 +24,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION education)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
     "clang-16 | clang-19 | clang-14 | clang | g++, binutils, libmujoco-dev, libeigen3-dev, ffmpeg")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "clang-16, mold, git")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "clang-16, mold, git, clang-22")
 include(CPack)

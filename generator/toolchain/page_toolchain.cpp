@@ -1,5 +1,6 @@
 #include "toolchain/page_toolchain.h"
 
+#include <cstdlib>
 #include <utility>
 
 #include "base/content_hash.h"
@@ -40,6 +41,10 @@ PageToolchain::PageToolchain(fs::path folder, std::string version)
 Command PageToolchain::command(const fs::path& folder) const {
   Command command;
   command.arguments = {folder_ / "node", folder_ / "run.mjs", folder_, folder_ / "engine"};
+  // The tests' long mode compares the objects of all programs; otherwise it is those of some.
+  if (std::getenv("MJCOURSE_COMPARE_ALL_OBJECTS") != nullptr) {
+    command.arguments.emplace_back("--compare-all");
+  }
   command.folder = folder;
   // Node would look for the system's settings, which the sandbox keeps from it.
   command.environment = {"OPENSSL_CONF=/dev/null"};

@@ -10,13 +10,16 @@
 import { execFile } from "node:child_process";
 import { createHash } from "node:crypto";
 import {
+  chmod,
   copyFile,
+  cp,
   mkdir,
   mkdtemp,
   readdir,
   readFile,
   rename,
   rm,
+  symlink,
   writeFile,
 } from "node:fs/promises";
 import { homedir } from "node:os";
@@ -31,6 +34,9 @@ import { copyCompilerLicenses } from "./licenses.mjs";
 import { forBrowsers, manifestOf } from "./manifest.mjs";
 
 const run = promisify(execFile);
+
+// As node/native-clang.ts has it.
+const nativeCompiler = "/usr/lib/llvm-22/bin/clang";
 
 // Builds into `out`: `public`, of which it returns the part of the manifest, and `cpp`, with which the
 // build itself runs programs as the page does (node/run.ts). `engine` is the folder with MuJoCo for the
@@ -52,6 +58,7 @@ export async function buildCpp(site, out, engine) {
     copyFile(path.join(pack, "cpp.pack"), path.join(folder, "cpp.pack")),
     copyFile(path.join(pack, "header.pch"), path.join(folder, "header.pch")),
     bundleForNode(site, "run", folder),
+    copyNative(site, pack, llvm, path.join(folder, "native")),
     copyEngine(engine, path.join(folder, "engine")),
     copyProgram(process.execPath, path.join(folder, "node")),
   ]);
@@ -90,6 +97,30 @@ export function keptPack(site, llvm) {
       await compress(path.join(into, "cpp.pack"), into, "cpp.pack");
     });
   });
+}
+
+// What Debian's clang needs to make the page's objects (node/native-clang.ts); nothing where there is none,
+// or it makes others.
+async function copyNative(site, pack, llvm, folder) {
+  const version = await run(nativeCompiler, ["--version"]).catch(() => undefined);
+  await rm(folder, { recursive: true, force: true });
+  if (!version) return;
+  const native = await inWorkFolder(async (work) => {
+    const maker = await bundleForNode(site, "make-native", work);
+    const about = path.join(work, "version");
+    await writeFile(about, version.stdout);
+    const parts = ["cpp.pack", "header.pch"].map((name) => path.join(pack, name));
+    return keptFolder([maker, about, llvm, ...parts], async (into) => {
+      const cpp = path.join(work, "cpp");
+      await mkdir(cpp);
+      for (const file of [llvm, ...parts]) await symlink(file, path.join(cpp, path.basename(file)));
+      const { stdout } = await run(process.execPath, [maker, path.dirname(site), cpp, into]);
+      if (stdout) console.warn(`mjcourse: ${stdout.trim()}`);
+    });
+  });
+  if ((await readdir(native)).length === 0) return;
+  await cp(native, folder, { recursive: true });
+  await chmod(folder, 0o755); // a program that is confined may be another user
 }
 
 // A folder for the time of `work`, on the disk of what is kept.

@@ -2,10 +2,11 @@
  * Compiles and runs programs as the page does, for the build, which proves that they print there what
  * they print natively.
  *
- *   node run.mjs CPP ENGINE      answers questions on its standard streams, one by one
+ *   node run.mjs CPP ENGINE [--compare-all]     answers questions on its standard streams, one by one
  *
  * CPP is the folder of this file with llvm.wasm, cpp.pack and header.pch, ENGINE that of MuJoCo for the
- * browser. A question and an answer are JSON (questions.ts) behind their size as 8 bytes, as
+ * browser. Where native/ is in CPP, Debian's clang makes the objects (native-clang.ts), and of some or of
+ * all programs it is compared with the page's. It works in the folder in which this is started. A question and an answer are JSON (questions.ts) behind their size as 8 bytes, as
  * generator/process/process_supervisor.h has them. The process stays between questions, since clang is
  * machine code then.
  */
@@ -16,15 +17,19 @@ import { pathToFileURL } from "node:url";
 import { Compiler } from "../browser/cpp/compiler.js";
 import type { EngineBinary, EngineFactory } from "../browser/cpp/engine.js";
 import { unpack } from "../browser/cpp/pack.js";
+import { ComparedClang } from "./compared-clang.js";
+import { nativeClang } from "./native-clang.js";
 import { Respondent, type Question } from "./questions.js";
 
-const [cpp, engine] = process.argv.slice(2) as [string, string];
+const [cpp, engine, option] = process.argv.slice(2) as [string, string, string?];
 const compiler = await Compiler.of({
   llvm: moduleIn(cpp, "llvm.wasm"),
   engine: await engineIn(engine),
   pack: unpack(readFileSync(path.join(cpp, "cpp.pack"))),
 });
 compiler.useHeader(readFileSync(path.join(cpp, "header.pch")));
+const clang = nativeClang(path.join(cpp, "native"), path.resolve("native-clang"));
+if (clang) compiler.useQuickCompiler(new ComparedClang(clang, option === "--compare-all"));
 const respondent = new Respondent(compiler);
 for (let question = read(); question !== undefined; question = read()) {
   const answer = await respondent.answer(JSON.parse(question) as Question);

@@ -2,7 +2,8 @@
 // MJCOURSE_ENGINE that of MuJoCo for the browser.
 
 import { spawn } from "node:child_process";
-import { existsSync, readdirSync, readFileSync } from "node:fs";
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from "node:fs";
+import { tmpdir } from "node:os";
 import path from "node:path";
 
 const course = path.resolve(import.meta.dirname, "../..");
@@ -19,11 +20,18 @@ if (!existsSync(run)) {
 export const helpers = filesIn(path.join(course, "examples/include"), "include");
 
 export class Runner {
-  #child = spawn(process.execPath, [run, cpp, engine], { stdio: ["pipe", "pipe", "inherit"] });
+  #child;
   #said = Buffer.alloc(0);
   #answer;
+  #work; // the process is started in a folder of its own
 
-  constructor() {
+  // `folder` has what is in MJCOURSE_CPP.
+  constructor(folder = cpp, options = []) {
+    this.#work = mkdtempSync(path.join(tmpdir(), "mjcourse-test-"));
+    this.#child = spawn(process.execPath, [run, folder, engine, ...options], {
+      stdio: ["pipe", "pipe", "inherit"],
+      cwd: this.#work,
+    });
     this.#child.stdout.on("data", (bytes) => {
       this.#said = Buffer.concat([this.#said, bytes]);
       const size = this.#said.length < 8 ? Infinity : Number(this.#said.readBigUInt64LE());
@@ -32,7 +40,10 @@ export class Runner {
       this.#said = this.#said.subarray(8 + size);
       this.#answer(JSON.parse(answer));
     });
-    this.#child.on("exit", (code) => this.#answer?.({ exited: code }));
+    this.#child.on("exit", (code) => {
+      rmSync(this.#work, { recursive: true });
+      this.#answer?.({ exited: code });
+    });
   }
 
   // `files` by their names; text is a string, else bytes.

@@ -20,7 +20,7 @@ test("CONTRIBUTING's table has the Debian packages of packages.txt", () => {
   const installed = read("packages.txt")
     .split("\n")
     .filter((line) => /^[a-z]/.test(line))
-    .flatMap((line) => line.split(" unless ")[0].split(" or "));
+    .flatMap((line) => line.split(/ unless | if /)[0].split(" or "));
   assert.deepEqual(tableOf("package").sort(), installed.sort());
 });
 

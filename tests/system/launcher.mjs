@@ -10,6 +10,7 @@ import {
   cpSync,
   mkdirSync,
   mkdtempSync,
+  readFileSync,
   rmSync,
   symlinkSync,
   writeFileSync,
@@ -136,6 +137,21 @@ mjcourse: installing 60/80
 mjcourse: installing 80/80
 `,
   ]);
+});
+
+test("what is wanted if known comes where apt knows it, and else is asked for once", () => {
+  withoutPackages();
+  const packages = join(checkout, "packages.txt");
+  writeFileSync(packages, "[build]\nfirst if known\n");
+  assert.match(
+    run(["./mjcourse", "list"])[2],
+    /^mjcourse: installing 1 Debian packages .*: first\n/,
+  );
+  writeFileSync(packages, "[build]\nsecond if known\n");
+  script(join(tools, "apt-get"), 'echo "$*" >>../asked');
+  for (let i = 0; i < 2; ++i)
+    assert.deepEqual(run(["./mjcourse", "list"]), [0, "./mjcourse list\n", ""]);
+  assert.equal(readFileSync(join(folder, "asked"), "utf8"), "update -q\n");
 });
 
 test("without root and without sudo it says what root has to do", () => {

@@ -41,6 +41,13 @@ export interface Parts {
   readonly pack: Files;
 }
 
+/** Makes objects sooner than the page's compiler can, and the same ones (node/compared-clang.ts). */
+export interface QuickCompiler {
+  /** What `args` compile to `object`, of `files`. Nothing where there is anything to say of the program: the
+   * page's own compiler, `tool`, says it. */
+  object(args: readonly string[], object: string, files: Files, tool: Tool): Uint8Array | undefined;
+}
+
 /** Hears of a run as it goes on. */
 export interface Listener {
   readonly compiled: (ok: boolean, diagnostics: readonly Diagnostic[]) => void;
@@ -92,6 +99,7 @@ const recordsPath = "/records";
 
 export class Compiler {
   #isPrepared = false;
+  #quick: QuickCompiler | undefined;
   /** The last one. */
   #built: { readonly program: Program; readonly built: Built } | undefined;
 
@@ -116,6 +124,10 @@ export class Compiler {
   useHeader(header: Uint8Array): void {
     this.base.put(preparedHeader, header);
     this.#isPrepared = true;
+  }
+
+  useQuickCompiler(quick: QuickCompiler): void {
+    this.#quick = quick;
   }
 
   /** Gives nothing where the program does not compile. */
@@ -192,6 +204,13 @@ export class Compiler {
       const object = `/object/${i}.o`;
       files.addFolder("/object");
       const args = compileArguments(source, object, { include, prepared, withLines });
+      // Which line is which only the page's own compiler is asked.
+      const made = withLines ? undefined : this.#quick?.object(args, object, files, this.tool);
+      if (made) {
+        files.put(object, made);
+        paths.push(object);
+        continue;
+      }
       const result = this.tool.run(args, files);
       diagnostics.push(...compilerDiagnostics(result.text, nameForReader));
       paths.push(object);
