@@ -19,10 +19,12 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION education)
-# Libraries are found by dpkg-shlibdeps. Beside them, what is run, and what lessons' programs include:
-# the compilers in the order in which they are looked for.
+# Libraries are found by dpkg-shlibdeps, but for those that are loaded late (base/late_library.h). Beside
+# them, what is run, and what lessons' programs include: the compilers in the order in which they are
+# looked for.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
-    "clang-16 | clang-19 | clang-14 | clang | g++, binutils, libmujoco-dev, libeigen3-dev, ffmpeg")
+    "libjavascriptcoregtk-4.1-0, libosmesa6, clang-16 | clang-19 | clang-14 | clang | g++, binutils, \
+libmujoco-dev, libeigen3-dev, ffmpeg")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "clang-16, mold, git, clang-22")
 include(CPack)

@@ -10,7 +10,18 @@
 #include <memory>
 #include <vector>
 
+#include "base/late_library.h"
+
 namespace mjcourse {
+
+// The functions that are used of a library that the first call loads.
+#define MJCOURSE_LATE(name) \
+  inline const LateFunction<kOffscreenGraphics, decltype(::name)> name(#name)
+MJCOURSE_LATE(OSMesaCreateContextAttribs);
+MJCOURSE_LATE(OSMesaDestroyContext);
+MJCOURSE_LATE(OSMesaMakeCurrent);
+MJCOURSE_LATE(glGetIntegerv);
+#undef MJCOURSE_LATE
 
 class OffscreenContext {
  public:

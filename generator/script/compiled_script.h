@@ -7,8 +7,6 @@
 // Tested by tests/generator/script/world_test.cpp.
 #pragma once
 
-#include <JavaScriptCore/JavaScript.h>
-
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
@@ -16,6 +14,7 @@
 
 #include "script/author_text.h"
 #include "script/engine.h"
+#include "script/javascriptcore.h"
 #include "script/js_value.h"
 #include "script/script_error.h"
 

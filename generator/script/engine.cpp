@@ -9,17 +9,13 @@
 #include "script/exception.h"
 #include "script/js_value.h"
 
-// JavaScriptCore exports these and declares them in no header. A callback that returns true ends
-// the script with an exception that it cannot catch.
-extern "C" {
-using JSShouldTerminateCallback = bool (*)(JSContextRef context, void* data);
-void JSContextGroupSetExecutionTimeLimit(JSContextGroupRef group, double seconds,
-                                         JSShouldTerminateCallback callback, void* data);
-}
-
 namespace mjcourse {
-
 namespace {
+
+const LateFunction<kScriptEngine, decltype(::jsc_options_set_boolean)> jsc_options_set_boolean(
+    "jsc_options_set_boolean");
+const LateFunction<kScriptEngine, decltype(::jsc_options_set_size)> jsc_options_set_size(
+    "jsc_options_set_size");
 
 // The clock stands at the first second of 2000 (UTC), and chance is the generator mulberry32.
 constexpr const char* fixed_surroundings = R"js(
@@ -59,8 +55,8 @@ void set_options() {
 // one a tenth of the time.
 std::shared_ptr<const OpaqueJSContextGroup> group_of_thread() {
   set_options();
-  thread_local const std::shared_ptr<const OpaqueJSContextGroup> group(JSContextGroupCreate(),
-                                                                       JSContextGroupRelease);
+  thread_local const std::shared_ptr<const OpaqueJSContextGroup> group(
+      JSContextGroupCreate(), [](JSContextGroupRef ended) { JSContextGroupRelease(ended); });
   return group;
 }
 

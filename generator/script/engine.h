@@ -10,8 +10,6 @@
 // (not memory), so the process must not run under RLIMIT_AS.
 #pragma once
 
-#include <JavaScriptCore/JavaScript.h>
-
 #include <cstddef>
 #include <memory>
 #include <span>
@@ -19,6 +17,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "script/javascriptcore.h"
 #include "script/script_error.h"
 
 namespace mjcourse {

@@ -2,11 +2,10 @@
 // Tested by tests/generator/script/world_test.cpp.
 #pragma once
 
-#include <JavaScriptCore/JavaScript.h>
-
 #include <string>
 #include <vector>
 
+#include "script/javascriptcore.h"
 #include "script/script_error.h"
 
 namespace mjcourse {

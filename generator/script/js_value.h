@@ -6,10 +6,10 @@
 // Tested by tests/generator/script/engine_test.cpp.
 #pragma once
 
-#include <JavaScriptCore/JavaScript.h>
-
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+
+#include "script/javascriptcore.h"
 
 namespace mjcourse {
 

@@ -3,7 +3,7 @@
 // strict half (site/press/script/mujoco-functions.ts) checks before it calls.
 #pragma once
 
-#include <JavaScriptCore/JavaScript.h>
+#include "script/javascriptcore.h"
 
 namespace mjcourse {
 

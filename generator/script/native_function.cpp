@@ -33,7 +33,7 @@ void finalize(JSObjectRef function) {
 
 JSClassRef native_class() {
   static const JSClassRef shared = [] {
-    JSClassDefinition definition = kJSClassDefinitionEmpty;
+    JSClassDefinition definition = {};
     definition.className = "NativeFunction";
     definition.callAsFunction = call;
     definition.finalize = finalize;

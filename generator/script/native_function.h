@@ -2,10 +2,10 @@
 // Tested by tests/generator/script/mujoco_functions_test.cpp.
 #pragma once
 
-#include <JavaScriptCore/JavaScript.h>
-
 #include <functional>
 #include <span>
+
+#include "script/javascriptcore.h"
 
 namespace mjcourse {
 

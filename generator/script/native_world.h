@@ -4,7 +4,7 @@
 // Tested by tests/generator/script/strict_array_test.cpp.
 #pragma once
 
-#include <JavaScriptCore/JavaScript.h>
+#include "script/javascriptcore.h"
 
 namespace mjcourse {
 
