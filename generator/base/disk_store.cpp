@@ -26,18 +26,11 @@ namespace fs = std::filesystem;
 constexpr std::array kParts{"ac", "cas", "tmp", "prepared", "lock", "pruned"};
 constexpr std::time_t kHour = 3600;  // seconds
 
-void mark_used(const fs::path& path) {
-  struct stat status {};
-  if (stat(path.c_str(), &status) != 0 || std::time(nullptr) - status.st_mtime < kHour) return;
-  utimensat(AT_FDCWD, path.c_str(), nullptr, 0);
-}
-
 // The bytes of the file at `path`; nothing where there is none. What is no file of a store (a link,
-// a device, what is too large) is damaged: empty.
-std::optional<std::string> read_entry(const fs::path& path) {
+// a device, what is too large) is damaged: empty. `status` is that of what was read.
+std::optional<std::string> read_entry(const fs::path& path, struct stat& status) {
   const Descriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
   if (file.get() < 0) return errno == ELOOP ? std::optional("") : std::nullopt;
-  struct stat status {};
   if (fstat(file.get(), &status) != 0) return std::nullopt;
   if (!S_ISREG(status.st_mode) || std::cmp_greater(status.st_size, kMostEntryBytes)) return "";
   std::string bytes(static_cast<std::size_t>(status.st_size), '\0');
@@ -50,6 +43,11 @@ std::optional<std::string> read_entry(const fs::path& path) {
   }
   bytes.resize(size);
   return bytes;
+}
+
+// `file` is what lies at `path`.
+void mark_used(const fs::path& path, const struct stat& file) {
+  if (std::time(nullptr) - file.st_mtime >= kHour) utimensat(AT_FDCWD, path.c_str(), nullptr, 0);
 }
 
 // What a store removes is its own, so a folder with anything else in it is none.
@@ -115,11 +113,12 @@ std::optional<std::string> DiskStore::get(const std::string& name) {
   if (!is_store_name(name)) return std::nullopt;
   const fs::path path = path_of(name);
   if (fs::is_symlink(path.parent_path())) return std::nullopt;
-  std::optional<std::string> bytes = read_entry(path);
+  struct stat status {};
+  std::optional<std::string> bytes = read_entry(path, status);
   if (!bytes || is_of_another_version(*bytes)) return std::nullopt;
   std::optional<std::string> content = unsealed(name, *std::move(bytes));
   if (content) {
-    mark_used(path);
+    mark_used(path, status);
   } else {
     note("the store's entry " + name + " was damaged; it is made again");
     std::error_code ignored;

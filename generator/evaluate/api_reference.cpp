@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/nearest.h"
+#include "base/parallel.h"
 #include "evaluate/code_names.h"
 #include "lesson/blocks/block_scripts.h"
 #include "physics/mujoco_api.h"
@@ -86,18 +87,30 @@ std::vector<Code> code_of(const Block& block, const Result& result) {
   return found;
 }
 
+// A name that the code of a page uses, and where.
+struct FoundUse {
+  std::string name;
+  CodeUse use;
+};
+
 class Reference {
  public:
   Reference(const Course& course, const ResultsOf& results, const MujocoHeaders& headers,
             Diagnostics& diagnostics)
       : pages_(course.pages()), results_(results), headers_(headers), diagnostics_(diagnostics) {}
 
-  std::vector<ApiEntry> run() {
+  std::vector<ApiEntry> run(std::size_t threads) {
+    std::vector<std::vector<FoundUse>> in_code(pages_.size());
+    for_each_index(pages_.size(), threads, [&](std::size_t i, std::size_t) {
+      if (!pages_[i]->front.draft) in_code[i] = uses_in_code(i);
+    });
     for (std::size_t i = 0; i < pages_.size(); ++i) {
       for (const Link& link : pages_[i]->links) {
         if (link.target.text.starts_with(kScheme)) look_up(*pages_[i], link.target);
       }
-      if (!pages_[i]->front.draft) look_into_code(i);
+      for (auto& [name, use] : in_code[i]) {
+        entry_of(name, *headers_()).uses_in_code.push_back(std::move(use));
+      }
     }
     std::vector<ApiEntry> entries;
     for (auto& [name, entry] : entries_) entries.push_back(std::move(entry));
@@ -122,18 +135,20 @@ class Reference {
     if (!page.front.draft) entry_of(name.text, *api);
   }
 
-  void look_into_code(std::size_t page) {
+  std::vector<FoundUse> uses_in_code(std::size_t page) const {
+    std::vector<FoundUse> found;
     for (const auto& [block, result] : results_(*pages_[page]).of_block) {
       const Block& shown = pages_[page]->blocks[block];
       const bool has_lines = std::holds_alternative<Example>(shown);
       for (const auto& [text, place] : code_of(shown, result)) {
-        if (!headers_()) return;
+        if (!headers_()) return {};
         for (auto& [name, lines] : names_in_code(text, *headers_())) {
-          std::vector<CodeUse>& uses = entry_of(name, *headers_()).uses_in_code;
-          uses.push_back({page, block, place, has_lines ? std::move(lines) : std::set<int>()});
+          found.push_back(
+              {name, {page, block, place, has_lines ? std::move(lines) : std::set<int>()}});
         }
       }
     }
+    return found;
   }
 
   ApiEntry& entry_of(const std::string& name, const MujocoApi& api) {
@@ -156,8 +171,9 @@ class Reference {
 }  // namespace
 
 std::vector<ApiEntry> evaluate_api(const Course& course, const ResultsOf& results,
-                                   const MujocoHeaders& headers, Diagnostics& diagnostics) {
-  return Reference(course, results, headers, diagnostics).run();
+                                   const MujocoHeaders& headers, std::size_t threads,
+                                   Diagnostics& diagnostics) {
+  return Reference(course, results, headers, diagnostics).run(threads);
 }
 
 }  // namespace mjcourse

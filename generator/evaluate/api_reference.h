@@ -16,10 +16,11 @@ namespace mjcourse {
 
 // Each name once, in the order of its letters; those that only drafts use are checked and left out.
 // `results` are those of each page. `headers` is asked for MuJoCo's names only where there is a
-// link or code; where they cannot be read, only a link is in error.
+// link or code; where they cannot be read, only a link is in error. Several threads ask both.
 using MujocoHeaders = std::function<const tl::expected<MujocoApi, std::string>&()>;
 using ResultsOf = std::function<const LessonResults&(const Lesson&)>;
 std::vector<ApiEntry> evaluate_api(const Course& course, const ResultsOf& results,
-                                   const MujocoHeaders& headers, Diagnostics& diagnostics);
+                                   const MujocoHeaders& headers, std::size_t threads,
+                                   Diagnostics& diagnostics);
 
 }  // namespace mjcourse

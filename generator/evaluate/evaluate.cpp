@@ -151,7 +151,7 @@ class Evaluator {
     if (const auto& api = installed_mujoco_api()) evaluation_.api_names = api_names(*api);
     Diagnostics of_others;
     evaluation_.api =
-        evaluate_api(course_, results_of, installed_mujoco_api,
+        evaluate_api(course_, results_of, installed_mujoco_api, settings_.threads,
                      settings_.shard.is_first() ? evaluation_.diagnostics : of_others);
     ClaimSources sources(settings_.root, course_.models, run_context_.include_folders(),
                          fingerprints_);

@@ -1,10 +1,12 @@
 #include "toolchain/page_toolchain.h"
 
+#include <array>
 #include <cstdlib>
+#include <fstream>
 #include <utility>
 
-#include "base/content_hash.h"
 #include "base/files.h"
+#include "base/sha256.h"
 #include "process/open_to_all.h"
 
 namespace mjcourse {
@@ -12,15 +14,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of what has no version of its own, the engine and who runs it; "" where they are not there.
+// Of what has no version of its own, the engine and who runs it; "" where they are not there. A
+// piece at a time, as new memory for megabytes takes longer than their hash.
 std::string hash_of_small_files(const fs::path& folder) {
-  std::string bytes;
+  Sha256 hash;
+  std::array<char, 1 << 16> piece;
   for (const char* name : {"run.mjs", "engine/engine.mjs", "engine/engine.wasm"}) {
-    const auto file = read_file(folder / name);
+    std::ifstream file(folder / name, std::ios::binary);
     if (!file) return "";
-    bytes += *file;
+    do {
+      file.read(piece.data(), piece.size());
+      hash.add({piece.data(), static_cast<std::size_t>(file.gcount())});
+    } while (file);
   }
-  return content_hash(bytes);
+  return hash.hex();
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "evaluate/claims/claim_sources.h"
 
 #include <algorithm>
+#include <string_view>
 
 #include "base/content_hash.h"
 #include "cache/dependency.h"
@@ -9,6 +10,30 @@
 namespace mjcourse {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// What stands between a quotation mark and the next one, be it inside a quotation or between two.
+std::vector<std::string_view> quoted_in(std::string_view text) {
+  std::vector<std::string_view> quoted;
+  for (auto mark = text.find('"'); mark != text.npos;) {
+    const auto next = text.find('"', mark + 1);
+    if (next != text.npos) quoted.push_back(text.substr(mark + 1, next - mark - 1));
+    mark = next;
+  }
+  return quoted;
+}
+
+// All of `text` before each place where `end` stands in it.
+std::vector<std::string_view> before_each(std::string_view end, std::string_view text) {
+  std::vector<std::string_view> found;
+  for (auto at = text.find(end); at != text.npos; at = text.find(end, at + 1)) {
+    found.push_back(text.substr(0, at));
+  }
+  return found;
+}
+
+}  // namespace
 
 std::string hash_of(const std::vector<std::string>& parts) {
   std::string all;
@@ -40,10 +65,12 @@ std::string ClaimSources::read_model(const std::string& name) {
 }
 
 std::string ClaimSources::models_named_in(const std::string& text) {
+  // Of one text for each claim, so it is gone through once and not once for each model.
+  const std::vector<std::string_view> quoted = quoted_in(text), files = before_each(".xml", text);
   std::vector<std::string> parts;
   for (const std::string& name : models_) {
-    const bool named =
-        text.find("\"" + name + "\"") != text.npos || text.find(name + ".xml") != text.npos;
+    const bool named = std::ranges::count(quoted, name) > 0 ||
+                       std::ranges::any_of(files, [&](auto file) { return file.ends_with(name); });
     if (named) parts.push_back(model(name));
   }
   return hash_of(parts);

@@ -18,7 +18,7 @@ struct ApiOf {
             [this](const Lesson& page) -> const auto& {
               return &page == &read.course->lessons[0] ? results : none;
             },
-            [this]() -> const auto& { return api; }, read.diagnostics)) {}
+            [this]() -> const auto& { return api; }, 2, read.diagnostics)) {}
 
   // Each block of the first lesson is found to be as it is written.
   static LessonResults found(const Course& course) {
