@@ -5,6 +5,7 @@
 #include <link.h>
 #include <unistd.h>
 
+#include <bit>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -27,8 +28,7 @@ int read_linker(dl_phdr_info* info, std::size_t, void* into) {
   for (int i = 0; i < info->dlpi_phnum; ++i) {
     const ElfW(Phdr)& header = info->dlpi_phdr[i];
     if (header.p_type != PT_INTERP) continue;
-    *static_cast<std::string*>(into) =
-        reinterpret_cast<const char*>(info->dlpi_addr + header.p_vaddr);
+    *static_cast<std::string*>(into) = std::bit_cast<const char*>(info->dlpi_addr + header.p_vaddr);
   }
   return 1;
 }
