@@ -18,9 +18,14 @@ const folder = process.argv[2] ?? "build/release/test-site";
 const picture = /\.(webp|png|woff2)$/; // is compressed already
 let problems = 0;
 
+// Most files are of many pages.
+const sizes = new Map();
 function transferred(path) {
-  const bytes = readFileSync(join(folder, path));
-  return picture.test(path) ? bytes.length : brotliCompressSync(bytes).length;
+  if (!sizes.has(path)) {
+    const bytes = readFileSync(join(folder, path));
+    sizes.set(path, picture.test(path) ? bytes.length : brotliCompressSync(bytes).length);
+  }
+  return sizes.get(path);
 }
 
 const total = (paths) => [...new Set(paths)].map(transferred).reduce((sum, size) => sum + size, 0);
