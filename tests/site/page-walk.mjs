@@ -20,6 +20,8 @@ const views = {
   plain: { scheme: "dark", width: 1440, javaScript: false },
 };
 
+const patience = 120_000; // ms; the course as one document is long, and machines are busy
+
 // What stays open; the course as one document; what leads on to another page; what stands for one.
 function kindOf(path) {
   if (pages.includes(path)) return "page";
@@ -106,7 +108,10 @@ export class Walk {
   async #openOne(visit, visitor) {
     const { path, view } = visit;
     visit.root = visitor.address("");
-    const before = (page) => page.on("request", (request) => visit.requests.push(request));
+    const before = (page) => {
+      page.setDefaultTimeout(patience);
+      page.on("request", (request) => visit.requests.push(request));
+    };
     await visitor
       .visit(path, { ...views[view], before }, (page) => this.#look(page, visit))
       .catch((error) => visitor.complain(path, `the visit was broken off: ${error.message}`));

@@ -53,9 +53,15 @@ async function light(page, { expect, root }) {
   return asked.map((address) => address.replace(root, ""));
 }
 
+// Resolves once all is there that the page, as it is laid out now, is set in.
+async function setInFull() {
+  document.body.getBoundingClientRect();
+  await document.fonts.ready;
+}
+
 // Without scripts nothing is asked for ahead. Gives what the browser asks for by itself.
 async function plain(page, { requests, root }) {
-  await page.waitForLoadState("networkidle");
+  await page.evaluate(setInFull);
   const fonts = requests.filter((request) => request.resourceType() === "font");
   return [...new Set(fonts.map((request) => request.url().replace(root, "")))];
 }
