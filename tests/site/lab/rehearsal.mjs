@@ -3,8 +3,9 @@
 //
 //   node tests/site/lab/rehearsal.mjs SITE [SHARES]
 //
-// With SHARES, a control is used once, at one of its values, and read once, and so many commits try other
-// values and moments (sample.mjs). All digits come out of the same engine in run-rehearsal.mjs.
+// With SHARES, a control is used once, at one of its values, and read once, and of the models' pages, whose
+// labs are all alike, a share is opened: so many commits try other values, moments and models (sample.mjs).
+// All digits come out of the same engine in run-rehearsal.mjs.
 
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
@@ -21,7 +22,7 @@ function drawInstances(wanted) {
   prototype.drawElementsInstanced = wanted ? prototype.reallyDraw : () => {};
 }
 
-const sample = process.argv[3] ? sampleOf(Number(process.argv[3])) : { all: true };
+const sample = sampleOf(Number(process.argv[3] ?? 1));
 
 // Of the runs of a lab with all their readings, those that are tried.
 function tried(runs) {
@@ -38,6 +39,7 @@ await testSite(async (visitor) => {
   for (const path of pages) {
     const number = (/^models\/(.+)\.html$/.exec(path) ?? /\/(\w+\.\d+)-/.exec(path))?.[1];
     if (number === undefined) continue; // neither a model nor a lesson, and so without labs
+    if (path.startsWith("models/") && !sample.has(path)) continue;
     await visitor.visit(path, {}, async (page) => {
       const labs = page.locator("sim-lab[data-code]");
       for (let index = 1; index <= (await labs.count()); ++index) {
