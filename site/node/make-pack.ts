@@ -28,6 +28,7 @@ import { Tool } from "../browser/cpp/tool.js";
 import { filesOfTar } from "./tar.js";
 
 const [project, llvm, resources, out] = process.argv.slice(2) as [string, string, string, string];
+const eigenSolvers = '#include "/runtime/eigen.hpp"\n';
 const abi = "/usr/share/emscripten/system/lib/libcxxabi";
 
 const tool = new Tool(new WebAssembly.Module(readFileSync(llvm)));
@@ -67,8 +68,9 @@ function addFolder(from: string, to: string): void {
   }
 }
 
-/** What programs of lessons include. A program that formats would compile std::format for ten seconds;
- * what they do with Eigen would make the header twice as large, and each program slower. */
+/** What programs of lessons include. A program that formats would compile std::format for ten seconds.
+ * Of what they do with Eigen, there are the solvers (browser/cpp/runtime/eigen.hpp): all of it would make
+ * the header twice as large, and each program slower. */
 function headerToPrepare(): string {
   const standard = [
     ...["algorithm", "array", "chrono", "cmath", "complex", "cstdio", "cstdlib", "cstring"],
@@ -78,7 +80,7 @@ function headerToPrepare(): string {
     ...["utility", "vector", "mjcourse/mjcourse.hpp", "mujoco/mjxmacro.h"],
   ];
   const format = `inline std::string mjcourse_formatted() { return std::format("{} {:.3f}", 1, 2.0); }\n`;
-  return standard.map((name) => `#include <${name}>\n`).join("") + format;
+  return standard.map((name) => `#include <${name}>\n`).join("") + format + eigenSolvers;
 }
 
 function compileRuntime(): void {

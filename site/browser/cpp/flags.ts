@@ -17,6 +17,8 @@ export const modelsFolder = "/models";
 export const preparedSource = "/prepared/header.hpp";
 export const preparedHeader = "/prepared/header.pch";
 export const preparedObject = "/prepared/header.o";
+/** With what it declares and others define. */
+export const preparedObjects = [preparedObject, "/runtime/eigen.o"];
 
 /** Says in which sources clang puts no checks for null pointers: all but the program's own. Those in
  * others' templates would be a third of a program's code. */

@@ -2,7 +2,7 @@
  * Links a reader's program: it imports the engine's functions, memory and table, and lies at the
  * bottom of that memory (engine/wasm/program_api.h).
  */
-import { preparedObject } from "./flags.js";
+import { preparedObjects } from "./flags.js";
 
 /** The stack lies below a program's variables, so one that overflows runs out of memory at address 0
  * and is stopped there. */
@@ -29,7 +29,7 @@ export interface Linking {
   readonly out: string;
   /** Where the program's functions begin in the engine's table. */
   readonly tableBegin: number;
-  /** Whether the precompiled header's object takes part. */
+  /** Whether the precompiled header's objects take part. */
   readonly prepared: boolean;
   readonly hasHandlers: boolean;
   /** Whether the program says which code comes from which line. */
@@ -47,7 +47,7 @@ export const linkArguments = (linking: Linking): string[] => [
   ),
   ...["/usr/lib/wasm32-wasip1/crt1-command.o", ...linking.objects],
   ...[...runtime, ...(linking.hasHandlers ? [] : ["handlers"])].map((name) => `/runtime/${name}.o`),
-  ...[variablesPath, ...(linking.prepared ? [preparedObject] : [])],
+  ...[variablesPath, ...(linking.prepared ? preparedObjects : [])],
   ...["-L/usr/lib/wasm32-wasip1", "-lc++", "-lc++abi", "-lc"],
   ...["/usr/lib/wasm32-unknown-wasip1/libclang_rt.builtins.a", "-o", linking.out],
 ];
