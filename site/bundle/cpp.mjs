@@ -114,7 +114,7 @@ async function copyNative(site, pack, llvm, folder) {
       const cpp = path.join(work, "cpp");
       await mkdir(cpp);
       for (const file of [llvm, ...parts]) await symlink(file, path.join(cpp, path.basename(file)));
-      const { stdout } = await run(process.execPath, [maker, path.dirname(site), cpp, into]);
+      const { stdout } = await run(process.execPath, [maker, cpp, into]);
       if (stdout) console.warn(`mjcourse: ${stdout.trim()}`);
     });
   });

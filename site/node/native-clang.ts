@@ -21,7 +21,7 @@ import { compileArguments, programFolder } from "../browser/cpp/flags.js";
 export const nativeCompiler = "/usr/lib/llvm-22/bin/clang";
 
 /** What lies in root/. */
-const shownFolders = ["/usr/include", "/include", "/prepared"];
+const shownFolders = ["/usr/include", "/include", "/prepared", "/runtime"];
 
 /** An object may be 64 MiB, in blocks of 512 bytes. A larger one, as of a program with an array of gigabytes,
  * the page's compiler has no memory for. */

@@ -7,13 +7,18 @@
 #include "require.h"
 #include "script/author_text.h"
 #include "script/exception.h"
+#include "script/javascriptcore.h"
 #include "script/js_value.h"
 
 namespace mjcourse {
 namespace {
 
+// The generator has no use for it.
+const LateFunction<kScriptEngine, decltype(::JSValueMakeFromJSONString)> JSValueMakeFromJSONString(
+    "JSValueMakeFromJSONString");
+
 JSGlobalContextRef context() {
-  static JSGlobalContextRef one = JSGlobalContextCreate(nullptr);
+  static JSGlobalContextRef one = JSGlobalContextCreateInGroup(nullptr, nullptr);
   return one;
 }
 
