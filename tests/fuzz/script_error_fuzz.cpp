@@ -41,7 +41,7 @@ void check_thrown(JSValueRef thrown) {
 int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string input = mjcourse::text_of_input(data, size);
   const std::size_t line = std::min(input.find('\n'), input.size());
-  JSValueRef thrown = value_of_json(
+  JSValueRef thrown = mjcourse::value_of_json(
       mjcourse::context(), mjcourse::JsString(input.substr(std::min(line + 1, input.size()))));
   if (thrown != nullptr) mjcourse::check_thrown(thrown);
   return 0;
