@@ -69,9 +69,47 @@ test("a program's own header comes before the pack's, with the sources beside it
   assert.deepEqual((await diagnosticsOf(program, files)).end, { how: "exit", code: 7 });
 });
 
+test("a solver that was compiled before has the name that it would have", async () => {
+  const program = `#include <Eigen/Dense>
+using namespace Eigen;
+LDLT<MatrixXd> a;
+LDLT<Matrix<double, 6, 6>> b;
+PartialPivLU<MatrixXcd> c;
+int main() { return a.none + b.none + c.none; }
+`;
+  const { diagnostics } = await diagnosticsOf(program);
+  assert.deepEqual(
+    diagnostics.map(({ message }) => message),
+    [
+      "no member named 'none' in 'Eigen::LDLT<Eigen::Matrix<double, -1, -1>>'",
+      "no member named 'none' in 'Eigen::LDLT<Eigen::Matrix<double, 6, 6>>'",
+      "no member named 'none' in 'Eigen::PartialPivLU<Eigen::Matrix<std::complex<double>, -1, -1>>'",
+    ],
+  );
+});
+
 test("a macro before an include is heeded", async () => {
   const program =
     "#define EIGEN_STACK_ALLOCATION_LIMIT 7\n#include <Eigen/Core>\n" +
     "int main() { return EIGEN_STACK_ALLOCATION_LIMIT; }\n";
   assert.deepEqual((await diagnosticsOf(program)).end, { how: "exit", code: 7 });
+});
+
+test("Eigen's solvers, compiled once, print what they print when a program compiles them", async () => {
+  const program = `#include <Eigen/Dense>
+#include <cstdio>
+int main() {
+  Eigen::MatrixXd a(3, 3);
+  a << 4, 1, 0.1, 1, 3, 0.2, 0.1, 0.2, 2;
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(3, 0.1, 0.7);
+  const Eigen::VectorXd x = a.ldlt().solve(b), y = a.householderQr().solve(b), z = a.inverse() * b;
+  for (int i = 0; i < 3; ++i) std::printf("%a %a %a\\n", x[i], y[i], z[i]);
+}
+`;
+  const run = (text) => runner.ask("p.cpp", { "p.cpp": text });
+  const once = await run(program);
+  const itself = await run(`#define BEFORE_INCLUDES\n${program}`);
+  assert.deepEqual([once.end, once.diagnostics], [{ how: "exit", code: 0 }, []]);
+  assert.match(once.out, /^(-?0x1\S+ -?0x1\S+ -?0x1\S+\n){3}$/);
+  assert.equal(once.out, itself.out);
 });

@@ -4,10 +4,12 @@
 // they name: that is most of the time that a program with a solver takes to compile. Each costs
 // every program a little, since it makes the header larger.
 //
-// The list is that of Eigen 3.4, and of the course: what stands at the head of InstantiateFunction when
-// `clang++ -std=c++20 -O0 -ftime-trace -c` compiles the programs that solve most (l3_4_riccati.cpp,
-// l4_1_fit.cpp and l5_1_reach.cpp of examples/), and the same of the other solvers that programs name.
-// What another release of Eigen has no longer is an error when the pack is made (node/make-pack.ts).
+// The list is that of Eigen 3.4, and of the course: what stands at the head of InstantiateFunction
+// when `clang++ -std=c++20 -O0 -ftime-trace -c` compiles the programs that solve most
+// (l3_4_riccati.cpp, l4_1_fit.cpp and l5_1_reach.cpp of examples/), and the same of the other
+// solvers that programs name. What another release of Eigen has no longer is an error when the pack
+// is made (node/make-pack.ts). Messages name a class as it is written here, so it is written as
+// clang would name it.
 #pragma once
 
 #include <Eigen/Dense>
@@ -21,36 +23,36 @@ namespace Eigen {
 using MjcMatrix6d = Matrix<double, 6, 6>;
 using MjcVector6d = Matrix<double, 6, 1>;
 
-MJC_EIGEN class HouseholderQR<MatrixXd>;
+MJC_EIGEN class HouseholderQR<Eigen::Matrix<double, -1, -1>>;
 MJC_EIGEN void HouseholderQR<MatrixXd>::_solve_impl(const MatrixXd&, MatrixXd&) const;
 MJC_EIGEN void HouseholderQR<MatrixXd>::_solve_impl(const VectorXd&, VectorXd&) const;
 MJC_EIGEN void HouseholderSequence<MatrixXd, VectorXd>::evalTo(MatrixXd&, VectorXd&) const;
-MJC_EIGEN class ColPivHouseholderQR<MatrixXd>;
+MJC_EIGEN class ColPivHouseholderQR<Eigen::Matrix<double, -1, -1>>;
 
-MJC_EIGEN class PartialPivLU<MatrixXd>;
-MJC_EIGEN class PartialPivLU<MatrixXcd>;
-MJC_EIGEN class FullPivLU<MatrixXd>;
+MJC_EIGEN class PartialPivLU<Eigen::Matrix<double, -1, -1>>;
+MJC_EIGEN class PartialPivLU<Eigen::Matrix<std::complex<double>, -1, -1>>;
+MJC_EIGEN class FullPivLU<Eigen::Matrix<double, -1, -1>>;
 
-MJC_EIGEN class LLT<MatrixXd>;
+MJC_EIGEN class LLT<Eigen::Matrix<double, -1, -1>>;
 MJC_EIGEN LLT<MatrixXd>& LLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);
-MJC_EIGEN class LDLT<MatrixXd>;
+MJC_EIGEN class LDLT<Eigen::Matrix<double, -1, -1>>;
 MJC_EIGEN LDLT<MatrixXd>& LDLT<MatrixXd>::compute(const EigenBase<MatrixXd>&);
 MJC_EIGEN void LDLT<MatrixXd>::_solve_impl(const MatrixXd&, MatrixXd&) const;
 MJC_EIGEN void LDLT<MatrixXd>::_solve_impl(const VectorXd&, VectorXd&) const;
 MJC_EIGEN void LDLT<MatrixXd>::_solve_impl_transposed<true>(const MatrixXd&, MatrixXd&) const;
 MJC_EIGEN void LDLT<MatrixXd>::_solve_impl_transposed<true>(const VectorXd&, VectorXd&) const;
-MJC_EIGEN class LDLT<MjcMatrix6d>;
+MJC_EIGEN class LDLT<Eigen::Matrix<double, 6, 6>>;
 MJC_EIGEN LDLT<MjcMatrix6d>& LDLT<MjcMatrix6d>::compute(const EigenBase<MjcMatrix6d>&);
 MJC_EIGEN void LDLT<MjcMatrix6d>::_solve_impl(const MjcVector6d&, MjcVector6d&) const;
 MJC_EIGEN void LDLT<MjcMatrix6d>::_solve_impl_transposed<true>(const MjcVector6d&,
                                                                MjcVector6d&) const;
 
-MJC_EIGEN class HessenbergDecomposition<MatrixXd>;
-MJC_EIGEN class RealSchur<MatrixXd>;
+MJC_EIGEN class HessenbergDecomposition<Eigen::Matrix<double, -1, -1>>;
+MJC_EIGEN class RealSchur<Eigen::Matrix<double, -1, -1>>;
 MJC_EIGEN RealSchur<MatrixXd>& RealSchur<MatrixXd>::compute(const EigenBase<MatrixXd>&, bool);
-MJC_EIGEN class EigenSolver<MatrixXd>;
+MJC_EIGEN class EigenSolver<Eigen::Matrix<double, -1, -1>>;
 MJC_EIGEN EigenSolver<MatrixXd>& EigenSolver<MatrixXd>::compute(const EigenBase<MatrixXd>&, bool);
-MJC_EIGEN class SelfAdjointEigenSolver<MatrixXd>;
+MJC_EIGEN class SelfAdjointEigenSolver<Eigen::Matrix<double, -1, -1>>;
 MJC_EIGEN SelfAdjointEigenSolver<MatrixXd>& SelfAdjointEigenSolver<MatrixXd>::compute(
     const EigenBase<MatrixXd>&, int);
 
