@@ -28,6 +28,9 @@
 namespace mjcourse {
 namespace {
 
+// Tasks of programs in the page, of a second or two each: nobody wants to wait for more.
+constexpr std::size_t kMuch = 10;
+
 // Adds what only --strict minds; what is a warning without it is an error.
 void apply_strictly(Verified& verified) {
   Evaluation& evaluation = verified.evaluation;
@@ -157,7 +160,8 @@ void evaluate_course(const CourseOptions& options, Verified& verified, bool all_
     const Stopwatch stopwatch;
     verified.evaluation = examined(*verified.course, settings, reading);
     if (is_shown && verified.evaluation.open) {
-      if (count_errors(verified.evaluation.diagnostics) == 0) {
+      if (verified.evaluation.open_in_page >= kMuch &&
+          count_errors(verified.evaluation.diagnostics) == 0) {
         show(*verified.course, verified.evaluation);
       }
       settings.natively = false;

@@ -23,7 +23,7 @@ struct Verified {
 // there is one.
 Verified read_course_of(const CourseOptions& options);
 // `all_claims`: also those of lessons that state nothing but what nobody runs. Where what programs
-// are in the page takes work, `show` gets the evaluation without that, before the work.
+// are in the page takes much work, `show` gets the evaluation without that, before the work.
 using ShowNative = std::function<void(Course& course, const Evaluation& evaluation)>;
 void evaluate_course(const CourseOptions& options, Verified& verified, bool all_claims,
                      const Shard& shard = {}, const ShowNative& show = {});

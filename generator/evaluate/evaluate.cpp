@@ -212,6 +212,7 @@ class Evaluator {
                                    : evaluation_.glossary;
       results.seconds.merge(finding.seconds);
       if (const PageTask* page = page_task(task)) {
+        evaluation_.open_in_page += records[i].open ? 1 : 0;
         take_pages(*page, records[i].open, finding, results);
         continue;
       }

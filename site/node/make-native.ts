@@ -11,7 +11,7 @@ import { mkdirSync, readdirSync, readFileSync, rmSync, writeFileSync } from "nod
 import path from "node:path";
 
 import { Files } from "../browser/cpp/files.js";
-import { prepareArguments, preparedHeader, runtimeArguments } from "../browser/cpp/flags.js";
+import { prepareArguments, preparedHeader } from "../browser/cpp/flags.js";
 import { unpack } from "../browser/cpp/pack.js";
 import { Tool } from "../browser/cpp/tool.js";
 import {
