@@ -34,11 +34,10 @@ struct Evaluation {
   std::string api_names = "[]";  // all there are, for a reader's editor (evaluate/api_names.h)
   Diagnostics diagnostics;
   Versions versions;
-  std::string sandbox = {};          // how what was run was contained; empty where nothing was
-  std::vector<TaskTime> times = {};  // of all tasks, as they began
-  bool open = false;                 // something is still to be worked out
-  std::size_t open_in_page =
-      0;  // of the tasks that nobody worked on: those of programs in the page
+  std::string sandbox = {};              // how what was run was contained; empty where nothing was
+  std::vector<TaskTime> times = {};      // of all tasks, as they began
+  bool open = false;                     // something is still to be worked out
+  std::size_t open_in_page = 0;          // tasks of programs in the page among that
   std::size_t all_tasks = 0, tasks = 0;  // of all shards, and of this one
   std::string division = {};             // into shards (evaluate/shard.h)
 
