@@ -1,12 +1,24 @@
 // What was found good once, and stays so until something changes: the user's cache holds a file for it,
-// named by a hash of all that it depends on. Other checkouts find it, too.
+// named by a hash of all that it depends on. Other checkouts find it, too. What nobody asked for during
+// two months goes.
 //
 // Enter at new Stamps("tidy").
 
 import { createHash } from "node:crypto";
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from "node:fs";
+import {
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  statSync,
+  utimesSync,
+  writeFileSync,
+} from "node:fs";
 import { homedir } from "node:os";
 import { join } from "node:path";
+
+const unusedFor = 60 * 24 * 3600 * 1000; // ms
 
 export class Stamps {
   #folder;
@@ -16,6 +28,10 @@ export class Stamps {
     const cache = process.env.XDG_CACHE_HOME || join(homedir(), ".cache");
     this.#folder = join(cache, "mjcourse", name);
     mkdirSync(this.#folder, { recursive: true });
+    for (const file of readdirSync(this.#folder).map((one) => join(this.#folder, one))) {
+      const { mtimeMs } = statSync(file, { throwIfNoEntry: false }) ?? {};
+      if (mtimeMs < Date.now() - unusedFor) rmSync(file, { force: true });
+    }
   }
 
   // The name of what depends on `parts`, strings and bytes.
@@ -26,7 +42,10 @@ export class Stamps {
   }
 
   has(stamp) {
-    return existsSync(join(this.#folder, stamp));
+    const file = join(this.#folder, stamp);
+    if (!existsSync(file)) return false;
+    utimesSync(file, new Date(), new Date());
+    return true;
   }
 
   // What was put there; nothing where nothing was.
