@@ -38,7 +38,8 @@ const walk = new Walk(folder, checks);
 await walk.run();
 for (const check of checks) walk.conclude(check);
 
-for (const problem of walk.problems) console.error(problem);
+// By check and page: which page was looked at first, is chance.
+for (const problem of walk.problems.toSorted()) console.error(problem);
 for (const { name } of checks) {
   const { looks, anew } = walk.countsOf(name);
   const problems = walk.problems.filter((problem) => problem.startsWith(`${name}: `)).length;

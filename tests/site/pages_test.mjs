@@ -40,7 +40,7 @@ test("what was good is looked at again once something of it changes", () => {
   for (const time of ["first", "second"]) {
     const [last, complaints, status] = look();
     assert.equal(last, "layout: 4 looks, 2 done anew, 10 problems", time);
-    assert.match(complaints, /^layout: two.html \(light\): at 1440 px this is too wide: <main/);
+    assert.match(complaints, /^layout: two.html \(light\): at 1000 px this is too wide: <main/);
     assert.equal(status, 1);
   }
 
