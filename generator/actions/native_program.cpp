@@ -1,5 +1,6 @@
 #include "actions/native_program.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "base/cpp_includes.h"
 #include "base/files.h"
 #include "base/out_folder.h"
+#include "base/plain_name.h"
 #include "base/stopwatch.h"
 #include "cache/cbor.h"
 #include "process/loaded_libraries.h"
@@ -45,7 +47,11 @@ std::optional<NativeRun> run_of(const std::string& bytes) {
     run.records = all->at("records").get<std::string>();
     run.seconds = all->at("seconds").get<double>();
     run.files = all->at("files").get<std::vector<std::string>>();
-    return run;
+    // They become names in a reader's archive.
+    const bool are_paths = std::ranges::none_of(run.files, [](const std::string& file) {
+      return fault_of_path(file, Hidden::is_allowed).has_value();
+    });
+    return are_paths ? std::optional(std::move(run)) : std::nullopt;
   } catch (const json::exception&) {
     return std::nullopt;
   }

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <thread>
 
 #include "base/files.h"
+#include "base/sha256.h"
 #include "memory_store.h"
 
 namespace mjcourse {
@@ -25,15 +27,16 @@ int main(int count, char** words) {
 }
 )";
 
-// A store in which a byte of each result may change.
+// A store in which somebody may change what was kept: an answer behind the line of its question.
 class ChangingStore : public MemoryStore {
  public:
   std::optional<std::string> get(const std::string& name) override {
     auto bytes = MemoryStore::get(name);
-    if (changes && bytes && name.starts_with("ac/")) bytes->back() ^= 1;
-    return bytes;
+    if (!change || !bytes || !name.starts_with("ac/")) return bytes;
+    const std::size_t begin = bytes->find('\n') + 1;
+    return bytes->substr(0, begin) + change(bytes->substr(begin));
   }
-  bool changes = false;
+  std::function<std::string(std::string)> change;
 };
 
 // A course with a header and a model, and a store that outlives its runs.
@@ -173,8 +176,20 @@ TEST_F(NativeProgramTest, ThatIsRefusedHasTheCompilersWords) {
 
 TEST_F(NativeProgramTest, IsNotFoundInBytesOfSomebodyElses) {
   compile_and_run();
-  store_.changes = true;
+  store_.change = [](std::string answer) {
+    answer.back() ^= 1;
+    return answer;
+  };
   EXPECT_EQ(found(), "nothing");
+  // With the hash that belongs to it.
+  store_.change = [](const std::string& answer) {
+    std::string bytes = answer.substr(64);
+    bytes.replace(bytes.find("models/a.xml"), 12, "../../../bad");
+    return sha256(bytes) + bytes;
+  };
+  EXPECT_EQ(found(), "nothing");
+  store_.change = [](const std::string& answer) { return answer; };
+  EXPECT_EQ(found(), "none 7\n");
 }
 
 }  // namespace
