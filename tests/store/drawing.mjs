@@ -4,6 +4,7 @@
 //   node tests/store/drawing.mjs MJCOURSE
 
 import { cleanUp, worked, write } from "./harness.mjs";
+import { withPageHalves } from "./page_halves.mjs";
 
 const mjcourse = process.argv[2];
 
@@ -41,7 +42,7 @@ ${program}\`\`\`
 );
 
 const failures = [];
-for (const expected of ["compile and run red", ""]) {
+for (const expected of [withPageHalves(["compile and run red"], mjcourse).join("; "), ""]) {
   const { anew, notes } = worked(mjcourse);
   if (anew.join("; ") !== expected) failures.push(`worked out [${anew}], not [${expected}]`);
   if (notes !== "") failures.push(notes);
