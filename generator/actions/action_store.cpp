@@ -29,14 +29,19 @@ std::optional<std::string> without_hash(const std::string& kept) {
 
 }  // namespace
 
+std::optional<ActionStore::Known> ActionStore::remembered(const std::string& hash) {
+  const std::lock_guard lock(mutex_);
+  const auto known = known_.find(hash);
+  return known == known_.end() ? std::nullopt : std::optional(known->second);
+}
+
 std::optional<std::string> ActionStore::find(const Dependencies& recipe, Trace& trace) {
   const std::string hash = hash_of(recipe);
-  {
-    const std::lock_guard lock(mutex_);
-    if (const auto known = known_.find(hash); known != known_.end()) {
-      trace.add(known->second.trace);
-      return known->second.bytes;
-    }
+  // Somebody may have saved a file since.
+  auto known = remembered(hash);
+  if (known && (results_ == nullptr || results_->still_hold(known->traced))) {
+    trace.add(known->trace);
+    return std::move(known->bytes);
   }
   if (results_ == nullptr) return std::nullopt;
   const auto found = results_->find(recipe);
@@ -46,15 +51,22 @@ std::optional<std::string> ActionStore::find(const Dependencies& recipe, Trace& 
   own.found(found->traced);
   trace.add(own);
   const std::lock_guard lock(mutex_);
-  known_.insert_or_assign(hash, Known{*bytes, std::move(own)});
+  known_.insert_or_assign(hash, Known{*bytes, std::move(own), found->traced});
   return bytes;
 }
 
 void ActionStore::keep(const Dependencies& recipe, const Trace& trace,
                        std::chrono::system_clock::time_point begin, std::string bytes) {
-  if (results_ != nullptr) results_->keep(recipe, trace, begin, with_hash(bytes));
+  Known known{std::move(bytes), trace, {}};
+  if (results_ != nullptr) {
+    auto kept = results_->keep(recipe, trace, begin, with_hash(known.bytes));
+    if (!kept) return;  // it belongs to files that nobody has any more
+    known.trace = Trace(root_);
+    known.trace.found(kept->traced);
+    known.traced = std::move(kept->traced);
+  }
   const std::lock_guard lock(mutex_);
-  known_.insert_or_assign(hash_of(recipe), Known{std::move(bytes), trace});
+  known_.insert_or_assign(hash_of(recipe), std::move(known));
 }
 
 Dependencies action_recipe(const std::string& kind, const std::vector<std::string>& text) {

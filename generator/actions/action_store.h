@@ -39,7 +39,9 @@ class ActionStore {
   struct Known {
     std::string bytes;
     Trace trace;
+    Dependencies traced;  // with what was behind its names, where results are kept
   };
+  std::optional<Known> remembered(const std::string& hash);
 
   std::filesystem::path root_;
   ResultStore* results_ = nullptr;

@@ -117,8 +117,9 @@ const Compiled& NativeProgram::compile() {
   write_file(source, "#line 1 \"" + source_.file + "\"\n" + source_.text);
   compiled_ =
       context_.compiler.compile(source, binary_, folder_->path(), source_.optimize, beside_);
-  trace_compilation(*compiled_, source, context_.compiler.include_folders(), context_.root,
-                    compiling_);
+  IncludeFolders looked_in = context_.compiler.include_folders();
+  if (!beside_.empty()) looked_in.push_back(beside_);
+  trace_compilation(*compiled_, source, looked_in, context_.root, compiling_);
   context_.trace.add(compiling_);
   return *compiled_;
 }

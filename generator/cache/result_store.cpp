@@ -59,6 +59,13 @@ Dependency ResultStore::now(const std::string& name) {
   return {name, DependencySets::is_name(name) ? sets_.known(name) : fingerprints_.of(name)};
 }
 
+bool ResultStore::still_hold(const Dependencies& traced) {
+  return std::ranges::all_of(traced, [&](const Dependency& one) {
+    const bool is_set = DependencySets::is_name(one.name);
+    return (is_set ? sets_.now(one.name) : fingerprints_.of(one.name)) == one.value;
+  });
+}
+
 Dependencies ResultStore::known(const Names& names) {
   Dependencies found;
   for (const std::string& name : names) found.push_back(now(name));
@@ -105,10 +112,12 @@ std::optional<ResultStore::Kept> ResultStore::keep(const Dependencies& recipe, c
     sets_.now(names.back());
     if (!fingerprints_.tree_unchanged_since(folder, begin)) return std::nullopt;
   }
-  for (const auto& [name, value] : trace.found_sets()) {
-    if (std::ranges::find(names, name) != names.end()) continue;
-    names.push_back(name);
-    if (sets_.now(name) != value) return std::nullopt;
+  // What was found in place of work belongs to what was there when it was found.
+  const Dependencies& found = trace.found();
+  if (!still_hold(found)) return std::nullopt;
+  for (const auto& [name, value] : found) {
+    const bool is_known = std::ranges::find(names, name) != names.end();
+    if (DependencySets::is_name(name) && !is_known) names.push_back(name);
   }
   const Dependencies traced = known(names);
   for (const std::string& name : looked_at_all) {

@@ -52,6 +52,9 @@ class ResultStore {
   // What the result of that name depends on, the recipe first; empty where there is none.
   Dependencies dependencies_of(const std::string& name) const;
 
+  // Is all behind these names as it was? It is looked at anew.
+  bool still_hold(const Dependencies& traced);
+
   // What a result depended on, as it is now.
   Dependency now(const std::string& name);
 

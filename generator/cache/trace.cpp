@@ -12,7 +12,7 @@ void Trace::clear() {
   names_.clear();
   sets_.clear();
   headers_.clear();
-  found_sets_.clear();
+  found_.clear();
   complete_ = true;
 }
 
@@ -48,17 +48,14 @@ void Trace::add(const Trace& other) {
   for (const auto& [folder, headers] : other.headers_) {
     headers_[folder].insert(headers.begin(), headers.end());
   }
-  found_sets_.insert(other.found_sets_.begin(), other.found_sets_.end());
+  found_.insert(found_.end(), other.found_.begin(), other.found_.end());
   complete_ = complete_ && other.complete_;
 }
 
 void Trace::found(const Dependencies& traced) {
   for (const auto& [name, value] : traced) {
-    if (DependencySets::is_name(name)) {
-      found_sets_.emplace(name, value);
-    } else {
-      names_.insert(name);
-    }
+    found_.push_back({name, value});
+    if (!DependencySets::is_name(name)) names_.insert(name);
   }
 }
 

@@ -51,15 +51,15 @@ class Trace {
   // What files are called, by the folders in which they were looked for.
   using Headers = std::map<std::string, std::set<std::string>>;
   const Headers& headers() const { return headers_; }
-  // What was found of DependencySets (dependency_sets.h): their names, and what was behind them.
-  const std::map<std::string, std::string>& found_sets() const { return found_sets_; }
+  // What was found, by the names of dependencies: what was behind them then.
+  const Dependencies& found() const { return found_; }
 
  private:
   std::filesystem::path root_;
   std::set<std::string> names_;
   std::set<std::vector<std::string>> sets_;
   Headers headers_;
-  std::map<std::string, std::string> found_sets_;
+  Dependencies found_;
   bool complete_ = true;
 };
 

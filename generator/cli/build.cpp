@@ -23,9 +23,10 @@ class SiteBuild {
   explicit SiteBuild(const BuildOptions& options) : options_(options) {}
 
   int run() {
-    // Solutions are taken out of what was found, which is wanted whole until all is known.
+    // A site that is there stays until all of the new one is proved. And solutions are taken out of
+    // what was found, which is wanted whole until all is known.
     ShowNative show;
-    if (!options_.without_solutions) {
+    if (!options_.without_solutions && !std::filesystem::exists(site() / "index.html")) {
       show = [this](Course& course, const Evaluation& evaluation) { preview(course, evaluation); };
     }
     Verified verified = verify_course(options_, show);

@@ -34,11 +34,11 @@ bool PageTask::work(WorkerContext& worker_context, Finding& finding) {
 // The lesson may state more of an output than the native run printed, and is edited without that
 // the program runs again.
 void PageTask::conclude(WorkerContext&, Finding& finding) {
+  const auto* program = dynamic_cast<const ProgramTask*>(native_.get());
   for (const auto& [index, page] : finding.pages) {
-    const Block& block = lesson().blocks[index];
-    if (const auto* example = std::get_if<Example>(&block)) {
-      compare_page_run(*example, page, lesson(), finding.diagnostics);
-    } else if (std::holds_alternative<Snippet>(block)) {
+    if (program != nullptr) {  // an exercise's solution, too
+      compare_page_run(program->program(), page, lesson(), finding.diagnostics);
+    } else if (std::holds_alternative<Snippet>(lesson().blocks[index])) {
       compare_page_run(snippet_program(lesson(), index), page, lesson(), finding.diagnostics);
     }
   }

@@ -65,7 +65,7 @@ export async function buildCpp(site, out, engine) {
   const version = await hashOf(
     ["llvm.wasm", "cpp.pack", "header.pch", "run.mjs"].map((f) => path.join(folder, f)),
   );
-  await writeFile(path.join(folder, "version"), `${version}\n`);
+  await writeFile(path.join(folder, "version"), `${version}-${process.version}\n`);
 
   const [worker, ...hashed] = await Promise.all([
     bundleWorker(site, path.join(out, "public")),

@@ -1,7 +1,10 @@
 /**
  * Compiles natively, and compares some of the objects with those of the page's own compiler: a sixteenth
- * of the programs, which their text chooses, or all. Enter with ComparedClang.object(). The first object that differs
- * ends it, since then no other can be believed.
+ * of the programs, which their text chooses, or all. Enter with ComparedClang.object(). Where the first differs, no
+ * other is believed, and the page's own compiler does the rest; where all are compared, that is an error.
+ *
+ * A program that may ask which compiler this is, or has assembly, which could name files that the page's
+ * compiler does not see, is left to that.
  */
 import { createHash } from "node:crypto";
 
@@ -11,7 +14,12 @@ import { programFolder } from "../browser/cpp/flags.js";
 import type { Tool } from "../browser/cpp/tool.js";
 import { isSameObject, withoutProducers, type NativeClang } from "./native-clang.js";
 
+/** The preprocessor could make any word of pieces, by ## or over the end of a line. */
+const isLeft = /asm|##|%:%:|\\\s*\n|__VERSION__|__TIMESTAMP__|__clang/;
+
 export class ComparedClang implements QuickCompiler {
+  #isBelieved = true;
+
   constructor(
     private readonly clang: NativeClang,
     private readonly comparesAll: boolean,
@@ -29,12 +37,17 @@ export class ComparedClang implements QuickCompiler {
         .filter((name) => name.startsWith(`${programFolder}/`))
         .map((name) => [name, files.bytes(name)!]),
     );
+    if (!this.#isBelieved || mayDiffer(sources)) return undefined;
     const made = this.clang.make(args, sources);
     if (made && this.#isCompared(sources)) {
       const { ok } = tool.run(args, files);
       const own = files.bytes(object);
       if (!ok || !own || !isSameObject(made, own)) {
-        throw new Error("the native compiler makes another object than the page's own does");
+        if (this.comparesAll) {
+          throw new Error("the native compiler makes another object than the page's own does");
+        }
+        this.#isBelieved = false;
+        return undefined;
       }
     }
     return made && withoutProducers(made);
@@ -46,4 +59,9 @@ export class ComparedClang implements QuickCompiler {
     for (const content of sources.values()) hash.update(content);
     return hash.digest()[0]! < 16;
   }
+}
+
+function mayDiffer(sources: ReadonlyMap<string, Uint8Array>): boolean {
+  const decoder = new TextDecoder();
+  return [...sources.values()].some((content) => isLeft.test(decoder.decode(content)));
 }

@@ -59,7 +59,7 @@ const pack = new Files(unpack(readFileSync(path.join(cpp, "cpp.pack"))));
 const clang = new NativeClang(root, path.join(out, "work"));
 try {
   writeHeaders();
-  const header = clang.make(prepareArguments, new Map());
+  const header = clang.make(prepareArguments, new Map(), 1 << 19);
   if (!header) throw new Error("the headers do not compile");
   writeFileSync(path.join(root, preparedHeader), header);
   writeProbe();

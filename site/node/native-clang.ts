@@ -23,9 +23,12 @@ export const nativeCompiler = "/usr/lib/llvm-22/bin/clang";
 /** What lies in root/. */
 const shownFolders = ["/usr/include", "/include", "/prepared", "/runtime"];
 
-/** An object may be 64 MiB, in blocks of 512 bytes. A larger one, as of a program with an array of gigabytes,
- * the page's compiler has no memory for. */
-const bounded = 'ulimit -f 131072; exec "$0" "$@"';
+/** An object may be 32 MiB, in blocks of 512 bytes: what the build's sandbox has as its limit (process/sandbox.h).
+ * Of a program with an array of gigabytes, the page's compiler has no memory for a larger one. */
+const mostBlocks = 65536;
+const bounded = 'ulimit -f $0 && exec "$@"';
+/** Of a compiler that loops: the page's own then ends for want of stack or memory. */
+const mostMilliseconds = 60_000;
 
 /** Large pages, and memory that is asked for seldom: a tenth of the time. */
 const malloc = "glibc.malloc.hugetlb=1:glibc.malloc.top_pad=67108864";
@@ -38,7 +41,11 @@ export class NativeClang {
   ) {}
 
   /** What clang makes with the command line `args`, over `sources` by their paths; nothing where it says anything. */
-  make(args: readonly string[], sources: ReadonlyMap<string, Uint8Array>): Uint8Array | undefined {
+  make(
+    args: readonly string[],
+    sources: ReadonlyMap<string, Uint8Array>,
+    most = mostBlocks,
+  ): Uint8Array | undefined {
     mkdirSync(this.work, { recursive: true });
     try {
       const out = path.join(this.work, "out");
@@ -53,8 +60,8 @@ export class NativeClang {
       words[words.indexOf("-o") + 1] = out;
       const { status, stdout, stderr } = spawnSync(
         "/bin/sh",
-        ["-c", bounded, nativeCompiler, "-cc1", "-ivfsoverlay", overlay, ...words],
-        { env: { GLIBC_TUNABLES: tunables() } },
+        ["-c", bounded, `${most}`, nativeCompiler, "-cc1", "-ivfsoverlay", overlay, ...words],
+        { env: { GLIBC_TUNABLES: tunables() }, timeout: mostMilliseconds, killSignal: "SIGKILL" },
       );
       const isSilent = status === 0 && stdout.length + stderr.length === 0;
       return isSilent ? readFileSync(out) : undefined;

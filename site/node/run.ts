@@ -10,7 +10,7 @@
  * generator/process/process_supervisor.h has them. The process stays between questions, since clang is
  * machine code then.
  */
-import { readFileSync, readSync, writeSync } from "node:fs";
+import { existsSync, readFileSync, readSync, writeSync } from "node:fs";
 import path from "node:path";
 import { pathToFileURL } from "node:url";
 
@@ -28,8 +28,11 @@ const compiler = await Compiler.of({
   pack: unpack(readFileSync(path.join(cpp, "cpp.pack"))),
 });
 compiler.useHeader(readFileSync(path.join(cpp, "header.pch")));
-const clang = nativeClang(path.join(cpp, "native"), path.resolve("native-clang"));
-if (clang) compiler.useQuickCompiler(new ComparedClang(clang, option === "--compare-all"));
+const comparesAll = option === "--compare-all";
+const native = path.join(cpp, "native");
+const clang = nativeClang(native, path.resolve("native-clang"));
+if (clang) compiler.useQuickCompiler(new ComparedClang(clang, comparesAll));
+else if (comparesAll && existsSync(native)) throw new Error("the native compiler cannot be used");
 const respondent = new Respondent(compiler);
 for (let question = read(); question !== undefined; question = read()) {
   const answer = await respondent.answer(JSON.parse(question) as Question);

@@ -108,7 +108,41 @@ TEST_F(NativeProgramTest, IsFoundWithAllThatItGave) {
   EXPECT_EQ(known->seconds, ran.seconds);
   // Whoever takes it depends on the same.
   EXPECT_EQ(later.trace.names(), run.trace.names());
-  EXPECT_EQ(later.trace.found_sets().size(), run.trace.sets().size() + run.trace.headers().size());
+  EXPECT_EQ(later.trace.found().size(),
+            run.trace.names().size() + run.trace.sets().size() + run.trace.headers().size());
+}
+
+TEST_F(NativeProgramTest, IsNotFoundInTheSameRunOnceAFileHasChanged) {
+  Run run(*this);
+  NativeProgram one = program(run);
+  ASSERT_TRUE(one.compile().succeeded);
+  one.run({});
+  Trace task(root_);
+  const auto begin = std::chrono::system_clock::now();
+  const ActionContext context{root_, compiler_, run.actions, task};
+  EXPECT_TRUE(NativeProgram({"a", "examples/a.cpp", kProgram}, context).find({}));
+  write("examples/include/kit.h", "#pragma once\n#include <string>\nconst int kKit = 8;\n");
+  EXPECT_FALSE(program(run).find({}));
+  // Nor is what somebody made of it kept.
+  EXPECT_FALSE(run.results.keep({{"text", "t"}}, task, begin, "made of 7"));
+}
+
+TEST_F(NativeProgramTest, IsMadeAnewForAHeaderThatIsAddedBesideIt) {
+  write("examples/a.h",
+        "#include \"c.h\"\n#if __has_include(\"d.h\")\nconst int kD = 1;\n#else\n"
+        "const int kD = 0;\n#endif\n");
+  write("examples/include/c.h", "const int kC = 1;\n");
+  const std::string text =
+      "#include \"a.h\"\n#include <cstdio>\n"
+      "int main() { std::printf(\"%d %d\\n\", kC, kD); }\n";
+  compile_and_run(text);
+  EXPECT_EQ(found(text), "1 0\n");
+  write("examples/d.h", "");
+  EXPECT_EQ(found(text), "nothing");
+  compile_and_run(text);
+  EXPECT_EQ(found(text), "1 1\n");
+  write("examples/c.h", "const int kC = 2;\n");
+  EXPECT_EQ(found(text), "nothing");
 }
 
 TEST_F(NativeProgramTest, IsFoundInTheSameRunWithoutAStore) {
