@@ -119,6 +119,10 @@ std::optional<ResultStore::Kept> ResultStore::keep(const Dependencies& recipe, c
     const bool is_known = std::ranges::find(names, name) != names.end();
     if (DependencySets::is_name(name) && !is_known) names.push_back(name);
   }
+  // In one order, whether the work was done or found.
+  std::ranges::sort(names, {}, [](const std::string& name) {
+    return std::pair(DependencySets::is_name(name), name);
+  });
   const Dependencies traced = known(names);
   for (const std::string& name : looked_at_all) {
     if (!fingerprints_.unchanged_since(name, begin)) return std::nullopt;
