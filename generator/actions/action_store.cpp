@@ -14,8 +14,8 @@ std::string hash_of(const Dependencies& recipe) {
   return hash.hex();
 }
 
-// Bytes are kept behind their hash: what an action gave is believed, and nothing else tells whether
-// a store has it whole.
+// Bytes are kept behind their hash. The result of an action is believed as it stands, so a damaged
+// entry must be seen here.
 std::string with_hash(const std::string& bytes) {
   return sha256(bytes) + bytes;
 }
@@ -60,7 +60,7 @@ void ActionStore::keep(const Dependencies& recipe, const Trace& trace,
   Known known{std::move(bytes), trace, {}};
   if (results_ != nullptr) {
     auto kept = results_->keep(recipe, trace, begin, with_hash(known.bytes));
-    if (!kept) return;  // it belongs to files that nobody has any more
+    if (!kept) return;  // the files that it read have changed since
     known.trace = Trace(root_);
     known.trace.found(kept->traced);
     known.traced = std::move(kept->traced);

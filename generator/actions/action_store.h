@@ -1,7 +1,7 @@
 // ActionStore: what actions gave, by all that they depend on.
 //
 // One for a run of mjcourse: it remembers what was done or found in this run, and asks the store of
-// results for the rest. Whoever gets a result has it in the trace as if it had done the work.
+// results for the rest. A result that is found comes with its trace, as if the work had been done.
 // Tested by tests/generator/actions/native_program_test.cpp.
 #pragma once
 
@@ -28,7 +28,7 @@ class ActionStore {
   // Without it, results are kept for this run alone. It must outlive this.
   void keep_in(ResultStore& results) { results_ = &results; }
 
-  // What the action of that recipe gave; `trace` gets what it looked at.
+  // Gives the bytes of the action of that recipe; `trace` gets what it looked at.
   std::optional<std::string> find(const Dependencies& recipe, Trace& trace);
 
   // The action gave `bytes`. It began at `begin` and looked at what is in `trace`.

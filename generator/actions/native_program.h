@@ -25,7 +25,7 @@
 
 namespace mjcourse {
 
-// What an action has of its course. All must outlive it.
+// An action's view of its course. All must outlive it.
 struct ActionContext {
   const std::filesystem::path& root;
   const Compiler& compiler;
@@ -50,10 +50,10 @@ struct NativeRequest {
 
 struct NativeRun {
   Outcome outcome;
-  // What it wrote for its lesson; nothing where that is more than anybody reads.
+  // Its records for the lesson; nothing where they are more than 16 MiB.
   std::optional<std::string> records;
   double seconds = 0;  // measured, without compiling
-  // What a reader needs to build it, beside itself, as the course calls it (program_files.h).
+  // The files that a reader needs beside it, by the course's names (program_files.h).
   std::vector<std::string> files;
 };
 
@@ -66,8 +66,8 @@ class NativeProgram {
   // The folder of the program, where that includes headers from there; "" where it does not.
   const std::filesystem::path& beside() const { return beside_; }
 
-  // What was found before: of a program that compiled without a word and ended as it was to end,
-  // and of one that did not compile the compiler's words.
+  // Both give an earlier result: the run of a program that compiled without a word and ended as it
+  // was to end, and the compiler's words of one that did not compile.
   std::optional<NativeRun> find(const NativeRequest& request) const;
   std::optional<std::string> find_refusal() const;
 

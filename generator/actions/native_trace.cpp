@@ -77,7 +77,7 @@ void trace_compilation(const Compiled& compiled, const fs::path& source,
 }
 
 void trace_run(const Outcome& outcome, const fs::path& folder, const fs::path& root, Trace& trace) {
-  // Where the kernel does not tell, a program may have read whatever it was allowed to.
+  // A program whose reads the kernel does not tell may have read any model.
   if (!outcome.opened) return trace_tree(fs::absolute(root) / "models", trace);
   trace_files(*outcome.opened, folder, trace);
 }

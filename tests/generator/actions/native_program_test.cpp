@@ -106,7 +106,7 @@ TEST_F(NativeProgramTest, IsFoundWithAllThatItGave) {
   EXPECT_EQ(known->records, ran.records);
   EXPECT_EQ(known->files, ran.files);
   EXPECT_EQ(known->seconds, ran.seconds);
-  // Whoever takes it depends on the same.
+  // A task that takes it depends on the same.
   EXPECT_EQ(later.trace.names(), run.trace.names());
   EXPECT_EQ(later.trace.found().size(),
             run.trace.names().size() + run.trace.sets().size() + run.trace.headers().size());
