@@ -1,5 +1,5 @@
-// The source of a script together with those of ours that it imports: while they are the same, and the
-// packages of site/package-lock.json are, so is what the script does.
+// The source files of a script: its own and those of ours that it imports. A script does the same as
+// before as long as none of them changes, nor a package of site/package-lock.json.
 
 import { readFileSync } from "node:fs";
 import { dirname, join, sep } from "node:path";

@@ -62,7 +62,7 @@ export class Stamps {
     writeFileSync(join(this.#folder, "pace"), String(seconds));
   }
 
-  // `what` is for whoever looks into the folder, and for get().
+  // `what` is the stamp's content, which get() gives; it should tell a reader of the folder what was done.
   put(stamp, what) {
     writeFileSync(join(this.#folder, stamp), what);
   }

@@ -30,8 +30,8 @@ struct WorkerProgram {
 // Of one task, whatever it is made of.
 struct WorkLimits {
   double seconds = 60;
-  // Bytes. A model may take 2 GiB of it, and once more where it is drawn. Less on a machine that
-  // has not so much for each (concurrency.h).
+  // Bytes. A model may take 2 GiB of it, and once more where it is drawn. A machine without so much
+  // for each worker gives less (concurrency.h).
   std::uint64_t memory = 5ull << 30;
 };
 

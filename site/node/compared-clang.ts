@@ -1,7 +1,7 @@
 /**
  * Compiles natively, and compares some of the objects with those of the page's own compiler: a sixteenth
- * of the programs, which their text chooses, or all. Enter with ComparedClang.object(). Where the first differs, no
- * other is believed, and the page's own compiler does the rest; where all are compared, that is an error.
+ * of the programs, which their text chooses, or all. Enter with ComparedClang.object(). Once one differs,
+ * the page's own compiler does the rest; where all are compared, that is an error.
  *
  * A program that may ask which compiler this is, or has assembly, which could name files that the page's
  * compiler does not see, is left to that.

@@ -5,8 +5,9 @@
  *   node run.mjs CPP ENGINE [--compare-all]     answers questions on its standard streams, one by one
  *
  * CPP is the folder of this file with llvm.wasm, cpp.pack and header.pch, ENGINE that of MuJoCo for the
- * browser. Where native/ is in CPP, Debian's clang makes the objects (native-clang.ts), and of some or of
- * all programs it is compared with the page's. It works in the folder in which this is started. A question and an answer are JSON (questions.ts) behind their size as 8 bytes, as
+ * browser. Where native/ is in CPP, Debian's clang makes the objects (native-clang.ts), in the folder in
+ * which this is started; of some or of all programs they are compared with the page's. A question and
+ * an answer are JSON (questions.ts) behind their size as 8 bytes, as
  * generator/process/process_supervisor.h has them. The process stays between questions, since clang is
  * machine code then.
  */
@@ -19,7 +20,7 @@ import type { EngineBinary, EngineFactory } from "../browser/cpp/engine.js";
 import { unpack } from "../browser/cpp/pack.js";
 import { ComparedClang } from "./compared-clang.js";
 import { nativeClang } from "./native-clang.js";
-import { Respondent, type Question } from "./questions.js";
+import { answer, type Question } from "./questions.js";
 
 const [cpp, engine, option] = process.argv.slice(2) as [string, string, string?];
 const compiler = await Compiler.of({
@@ -33,10 +34,8 @@ const native = path.join(cpp, "native");
 const clang = nativeClang(native, path.resolve("native-clang"));
 if (clang) compiler.useQuickCompiler(new ComparedClang(clang, comparesAll));
 else if (comparesAll && existsSync(native)) throw new Error("the native compiler cannot be used");
-const respondent = new Respondent(compiler);
 for (let question = read(); question !== undefined; question = read()) {
-  const answer = await respondent.answer(JSON.parse(question) as Question);
-  write(JSON.stringify(answer));
+  write(JSON.stringify(await answer(compiler, JSON.parse(question) as Question)));
 }
 
 function moduleIn(folder: string, name: string): WebAssembly.Module {

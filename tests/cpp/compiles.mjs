@@ -59,6 +59,17 @@ test("what is defined nowhere is named, and what draws says why", async () => {
   );
 });
 
+test("a line that the program says is of another file is told with that file's name", async () => {
+  const { ok, diagnostics } = await diagnosticsOf(
+    'int main() {\n#line 5 "a.y"\n  return none;\n}\n',
+  );
+  assert.equal(ok, false);
+  assert.deepEqual(
+    diagnostics.map(({ file, line, message }) => `${file}:${line}: ${message}`),
+    ["a.y:5: use of undeclared identifier 'none'"],
+  );
+});
+
 test("a program's own header comes before the pack's, with the sources beside it", async () => {
   const files = {
     "a/include/mjcourse/mjcourse.hpp": "#pragma once\n#define OWN 5\nint other();\n",

@@ -67,7 +67,7 @@ async function modulesOf(names) {
   const modules = [];
   for (const name of names) {
     const files = { ...helpers, "p.cpp": programs[name] };
-    modules.push((await runner.ask("p.cpp", files, { kind: "compile" })).module);
+    modules.push((await runner.ask("p.cpp", files)).module);
   }
   runner.close();
   return modules;

@@ -43,7 +43,7 @@ int main(int, char** words) {
 async function compiled(text, options = [], folder = cpp) {
   const runner = new Runner(folder, options);
   try {
-    const answer = await runner.ask("p.cpp", { "p.cpp": text }, { kind: "compile" });
+    const answer = await runner.ask("p.cpp", { "p.cpp": text });
     delete answer.seconds;
     return answer;
   } finally {

@@ -1,14 +1,14 @@
 // Looks at pages that found nothing wrong, and need not be done again: of each there is a stamp in the
 // user's cache, so that a fresh checkout knows them, too. Enter at new PageStamps().
 //
-// A stamp is named by a hash of what is known before the page is opened: the check's name, source and
-// settings, the walker's source, the packages and the browser, the view, the page's path and bytes. It
-// says which files of the site the visit asked for besides, each with its hash, as ninja keeps what a
-// compiler has read: a file that is another now, or one that was missing and is there, makes the stamp
-// void. Beside that it holds what the check found out.
+// A stamp's name is a hash of all that is known before the page is opened: the check's name, source and
+// settings, the walker's source, the packages and the browser, the view, the page's path and bytes. The
+// stamp lists the other files of the site that the visit asked for, each with its hash, as ninja lists
+// the headers that a compiler has read. A file that has changed, or was missing and is there, makes the
+// stamp void. The stamp also holds what the check found out.
 
 import { spawnSync } from "node:child_process";
-import { existsSync, readFileSync } from "node:fs";
+import { readFileSync, statSync } from "node:fs";
 import { join, resolve } from "node:path";
 
 import { sourcesOf } from "../sources.mjs";
@@ -62,7 +62,8 @@ export class PageStamps {
   #hashOf(path) {
     const file = join(this.#folder, path);
     if (!this.#files.has(path)) {
-      this.#files.set(path, existsSync(file) ? Stamps.of(readFileSync(file)) : "");
+      const isFile = statSync(file, { throwIfNoEntry: false })?.isFile();
+      this.#files.set(path, isFile ? Stamps.of(readFileSync(file)) : "");
     }
     return this.#files.get(path);
   }

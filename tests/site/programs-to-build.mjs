@@ -4,8 +4,8 @@
 //
 //   node tests/site/programs-to-build.mjs SITE [SHARES]
 //
-// With SHARES, one of so many shares is built (sample.mjs), and beside that each zip that is another than
-// the one of its name that was built here.
+// With SHARES, one of so many shares is built (sample.mjs), and each zip that has changed since one of its
+// name was built here.
 
 import { execFileSync, spawnSync } from "node:child_process";
 import { globSync, mkdtempSync, readFileSync, rmSync } from "node:fs";

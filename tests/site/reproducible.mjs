@@ -7,7 +7,7 @@
 // SITE is what COURSE was built into. With SHARDS, so many jobs of a Slurm check a share each, as the
 // script does that `mjcourse new ci slurm` writes, and a last one builds the site. Together they work out
 // a sixth of the course anew, which the commit chooses (sample.mjs). The rest comes from the store that
-// SITE was built with, the user's, in which nearly all of their results must have the same name.
+// SITE was built with, the user's, in which all of their results must have the same name.
 
 import { spawnSync } from "node:child_process";
 import {
@@ -83,10 +83,13 @@ function addTheRest(moved) {
   }
   console.log(`${found.length} entries of the store are new`);
   if (found.length === 0) return "the jobs found nothing";
-  // A task that found a program's run, where another machine compiled it, may have looked at other files.
-  const few = found.length / 100;
-  return strange.length > few ? `here alone these have such names: ${strange}` : "";
+  // With what each is named by.
+  const told = strange.map((name) => `${name}\n${asked(join(store, name))}`);
+  return ["", ...told].join("\nhere alone an entry has the name ");
 }
+
+// The question that an entry of the store answers, in front of the answer.
+const asked = (file) => readFileSync(file, "latin1").slice(0, 4000);
 
 // A job has one processor, and several run at the same time.
 function buildByJobs(moved, environment) {

@@ -54,29 +54,15 @@ export interface Listener {
   readonly output: (stream: Stream, bytes: Uint8Array) => void;
 }
 
-/** What came of a run. */
 export interface Finished {
+  /** What was run, as the linker left it. */
+  readonly code: Uint8Array;
   readonly end: End;
   /** For lineOf(). */
   readonly offsets: readonly number[];
   readonly records: string;
   readonly model: LoadedModel | undefined;
-  readonly seconds: number;
-}
-
-/** What came of a program that was compiled for its run. */
-export interface CompiledAndFinished extends Omit<Finished, "seconds"> {
   readonly seconds: { readonly compile: number; readonly link: number; readonly run: number };
-}
-
-/** A program as the linker leaves it. */
-export interface Built {
-  /** Nothing where it does not compile. */
-  readonly code: Uint8Array | undefined;
-  readonly diagnostics: readonly Diagnostic[];
-  /** Seconds. */
-  readonly compile: number;
-  readonly link: number;
 }
 
 /** What came of compiling. */
@@ -87,12 +73,15 @@ interface Objects {
   readonly how: Omit<Linking, "out" | "tableBegin">;
 }
 
-/** The end of a run of `program`, where that may be for want of a main(): the linker puts a trap in its
- * place. One that a macro or a header writes is not seen here. */
-export function withMain(end: End, { main, files }: Program): End {
-  const hasMain = /\bmain\s*\(/.test(asText(files[main] ?? ""));
-  if (end.how !== "trap" || hasMain) return end;
-  return { ...end, message: "it has no main(), where a program begins" };
+/** The program that was compiled last. */
+interface Built {
+  readonly program: Program;
+  /** Nothing where it does not compile. */
+  readonly code: Uint8Array | undefined;
+  readonly diagnostics: readonly Diagnostic[];
+  /** Seconds. */
+  readonly compile: number;
+  readonly link: number;
 }
 
 const recordsPath = "/records";
@@ -100,8 +89,7 @@ const recordsPath = "/records";
 export class Compiler {
   #isPrepared = false;
   #quick: QuickCompiler | undefined;
-  /** The last one. */
-  #built: { readonly program: Program; readonly built: Built } | undefined;
+  #built: Built | undefined;
 
   private constructor(
     private readonly engine: EngineBinary,
@@ -131,44 +119,24 @@ export class Compiler {
   }
 
   /** Gives nothing where the program does not compile. */
-  async run(program: Program, listener: Listener): Promise<CompiledAndFinished | undefined> {
-    const { code, diagnostics, compile, link } = this.build(program);
+  async run(program: Program, listener: Listener): Promise<Finished | undefined> {
+    const { code, diagnostics, compile, link } = this.#build(program);
     listener.compiled(code !== undefined, diagnostics);
     if (code === undefined) return undefined;
-    const { end, seconds, ...rest } = await this.execute(code, program, listener.output);
-    return { ...rest, end: withMain(end, program), seconds: { compile, link, run: seconds } };
-  }
-
-  /** A program that is built again, perhaps for other arguments, is not compiled again. */
-  build(program: Program): Built {
-    if (this.#built && areSame(this.#built.program, program)) {
-      return { ...this.#built.built, compile: 0, link: 0 };
-    }
-    const clock = new Stopwatch();
-    const objects = this.#compile(program);
-    const compile = clock.lap();
-    const { code, diagnostics } = this.#link(objects);
-    const all = [...objects.diagnostics, ...diagnostics];
-    const built = { code, diagnostics: all, compile, link: clock.lap() };
-    this.#built = { program, built };
-    return built;
-  }
-
-  /** Runs what was built. Of `program`, its name, models and arguments count. */
-  async execute(code: Uint8Array, program: Program, write: Listener["output"]): Promise<Finished> {
     const clock = new Stopwatch();
     const files = filesToRun(program);
     let model: LoadedModel | undefined;
-    const ending = await execute(this.engine, {
+    const { end, offsets } = await execute(this.engine, {
       module: new WebAssembly.Module(code as Uint8Array<ArrayBuffer>),
       args: [nameOf(program.main), ...(program.arguments ?? [])],
       env: { MJCOURSE_MODELS: modelsFolder, MJCOURSE_RECORDS: recordsPath },
       files,
-      write,
+      write: listener.output,
       loaded: (last) => (model = last),
     });
     const records = new TextDecoder().decode(files.bytes(recordsPath));
-    return { ...ending, records, model, seconds: clock.lap() };
+    const seconds = { compile, link, run: clock.lap() };
+    return { code, end: withMain(end, program), offsets, records, model, seconds };
   }
 
   /**
@@ -189,6 +157,20 @@ export class Compiler {
   /** What a run has printed with what it is to print. */
   compare(printed: string, stated: readonly StatedOutput[]): Promise<OutputChanges> {
     return outputChanges(this.engine, printed, stated);
+  }
+
+  /** A program that is run again, perhaps with other arguments, is not compiled again. */
+  #build(program: Program): Built {
+    if (this.#built && areSame(this.#built.program, program)) {
+      return { ...this.#built, compile: 0, link: 0 };
+    }
+    const clock = new Stopwatch();
+    const objects = this.#compile(program);
+    const compile = clock.lap();
+    const { code, diagnostics } = this.#link(objects);
+    const all = [...objects.diagnostics, ...diagnostics];
+    this.#built = { program, code, diagnostics: all, compile, link: clock.lap() };
+    return this.#built;
   }
 
   #compile(program: Program, withLines = false): Objects {
@@ -212,7 +194,7 @@ export class Compiler {
         continue;
       }
       const result = this.tool.run(args, files);
-      diagnostics.push(...compilerDiagnostics(result.text, nameForReader));
+      diagnostics.push(...compilerDiagnostics(result, nameForReader));
       paths.push(object);
       ok &&= result.ok;
     }
@@ -230,6 +212,14 @@ export class Compiler {
     const code = files.bytes(out);
     return ok && code ? { code, diagnostics: [] } : { diagnostics: linkerDiagnostics(text) };
   }
+}
+
+/** The linker puts a trap in the place of a main() that is missing. One that a macro or a header writes
+ * is not seen here. */
+function withMain(end: End, { main, files }: Program): End {
+  const hasMain = /\bmain\s*\(/.test(asText(files[main] ?? ""));
+  if (end.how !== "trap" || hasMain) return end;
+  return { ...end, message: "it has no main(), where a program begins" };
 }
 
 /** A path of the program's as its zip has it, and of the others what an #include names. */

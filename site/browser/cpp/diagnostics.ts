@@ -1,16 +1,18 @@
 /** What clang and the linker print, as data. Enter with compilerDiagnostics() or linkerDiagnostics(). */
 import type { Diagnostic } from "./messages.js";
+import type { ToolResult } from "./tool.js";
 
 /**
  * Of clang's lines, with the flags of flags.ts:
  *
  *   /program/fall.cpp:6:9:{6:3-6:9}: error: use of undeclared identifier 'modell'
  *
- * Without a range, one ends where it begins. A line without a place belongs to the one before it.
- * `nameOf` gives the name by which the reader knows a path.
+ * Without a range, one ends where it begins. A line without a place belongs to the one before it. A file
+ * that the program names by `#line` has that name. `nameOf` gives the name by which the reader knows a path.
+ * Where the compiler fails and no line says why, all that it printed does.
  */
 export function compilerDiagnostics(
-  text: string,
+  { ok, text }: ToolResult,
   nameOf: (path: string) => string,
 ): readonly Diagnostic[] {
   const found: Diagnostic[] = [];
@@ -28,11 +30,12 @@ export function compilerDiagnostics(
       message: message!,
     });
   }
-  return found;
+  const isExplained = ok || found.some(({ severity }) => severity === "error");
+  return isExplained ? found : [...found, withoutPlace(text.trim() || "the compiler fails")];
 }
 
 const placedLine =
-  /^(?<path>\/[^:]*):(?<line>\d+):(?<column>\d+):(?<ranges>(?:\{[\d:-]+\})*:?) (?<severity>fatal error|error|warning|note): (?<message>.*)$/;
+  /^(?<path>.+?):(?<line>\d+):(?<column>\d+):(?<ranges>(?:\{[\d:-]+\})*:?) (?<severity>fatal error|error|warning|note): (?<message>.*)$/;
 const plainLine = /^(?<severity>fatal error|error|warning): (?<message>.*)$/;
 
 interface Place {
@@ -65,12 +68,14 @@ export function linkerDiagnostics(text: string): readonly Diagnostic[] {
   const names = [...new Set([...missing].map(([, name]) => name!))];
   const [, crash] = /^error: (.*)$/m.exec(text) ?? [];
   const messages = names.length > 0 ? names.map(explained) : [crash ?? text.trim()];
-  return messages.map((message) => ({
-    ...{ file: "", line: 0, column: 0, endLine: 0, endColumn: 0 },
-    severity: "error",
-    message,
-  }));
+  return messages.map(withoutPlace);
 }
+
+const withoutPlace = (message: string): Diagnostic => ({
+  ...{ file: "", line: 0, column: 0, endLine: 0, endColumn: 0 },
+  severity: "error",
+  message,
+});
 
 function explained(name: string): string {
   const draws = /^(mjr|mjui)_|^OSMesa|^gl[A-Z]/.test(name);

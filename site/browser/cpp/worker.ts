@@ -62,9 +62,10 @@ async function run({ id, program, stated }: Run): Promise<void> {
   output.end();
   if (!finished) return;
   const changes = stated.length > 0 ? await compiler!.compare(printed, stated) : undefined;
-  const { end, offsets, ...rest } = finished;
+  const { end, offsets, records, model, seconds } = finished;
   const line = compiler!.lineOf(offsets, program);
-  say({ kind: "ended", id, ...rest, end: line === undefined ? end : { ...end, line }, changes });
+  const placed = line === undefined ? end : { ...end, line };
+  say({ kind: "ended", id, end: placed, records, model, seconds, changes });
 }
 
 function fail(error: unknown): void {

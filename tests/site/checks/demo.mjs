@@ -36,9 +36,9 @@ async function lookAt(page, expect, width, media) {
     const that = (good, what) => expect(good, `at ${width} px "${demo.begins}" ${what}`);
     that(demo.labels === "In the lesson,In the page", `is labelled ${demo.labels}`);
     that(!demo.empty, "becomes nothing");
-    that(demo.apart, "becomes what is not below what is written");
+    that(demo.apart, "becomes something that does not stand below its source");
     that(!demo.clipped, "has a source that sticks out");
-    that(!demo.narrow, "becomes what has not the page's column");
+    that(!demo.narrow, "becomes something that does not fill the page's column");
     that(!demo.fences, "has a fence left in what it becomes");
   }
   return demos.length;

@@ -35,7 +35,7 @@ await testSite(async (visitor) => {
     await page.evaluate(() => globalThis.extension.restoreContext());
     await status.waitFor({ state: "hidden" });
     await lab.press("Back to the start");
-    expect((await lab.picture()) === first, "the view that came back is another");
+    expect((await lab.picture()) === first, "the view that came back differs");
     await lab.root.getByRole("combobox", { name: "Pole", exact: true }).selectOption("lies");
     expect((await lab.picture()) !== first, "the view that came back stands still");
   });

@@ -99,7 +99,7 @@ async function tryShown(visitor, lab) {
   visitor.expect((await lab.picture()) !== before, fourLabs, "Top looks as before");
   await lab.press("camera");
   await lab.press("Lesson’s view");
-  visitor.expect((await lab.picture()) === before, fourLabs, "the lesson’s view is another");
+  visitor.expect((await lab.picture()) === before, fourLabs, "the lesson’s view differs");
 }
 
 async function tryCurves(visitor, lab) {

@@ -156,7 +156,7 @@ async function tryLoss(page, expect) {
   expect(wasLost && !isLost, "the stage does not know that its context was lost, or is back");
   expect(events.join() === "lost,restored", `of a lost context it told ${events.join()}`);
   expect(kept === 0, "without a context the last picture does not stay");
-  expect(again < 0.01, `with a new context the picture is another by ${again}`);
+  expect(again < 0.01, `with a new context the picture differs by ${again}`);
 }
 
 const folder = await mkdtemp(path.join(tmpdir(), "mjcourse-stage-"));
