@@ -97,6 +97,9 @@ test("a test that looks at many files says how far it is", () => {
     "looks 5/8 files; about 4 min left",
   ]);
   assert.equal(status, 0);
+});
+
+test("on a terminal it says so, too", atTerminal, () => {
   assert.match(
     onTerminal("-R", "looks"),
     /CLEARED:0\/1 tests; about 4 min left; looks 5\/8 files\n/,
@@ -154,7 +157,7 @@ Total Tests: 2
   assert.deepEqual(run("-N", "-R", "brief|long"), [0, listed, ""]);
 });
 
-test("on a terminal there is one line that changes", () => {
+test("on a terminal there is one line that changes", atTerminal, () => {
   assert.equal(
     onTerminal("-R", "brief|long"),
     `

@@ -13,11 +13,13 @@ import { PageStamps } from "./page-stamps.mjs";
 import { serve } from "./server.mjs";
 import { Visit } from "./visit.mjs";
 
-// As most readers see a page, and with the fewest means. `source` is its HTML without a browser.
+// As most readers see a page, with the fewest means, and for one who saves data, as no lab goes live there
+// by itself. `source` is its HTML without a browser.
 const views = {
   source: undefined,
   light: { scheme: "light", width: 1440 },
   plain: { scheme: "dark", width: 1440, javaScript: false },
+  saver: { scheme: "light", width: 1440, savesData: true },
 };
 
 const patience = 120_000; // ms; the course as one document is long, and machines are busy

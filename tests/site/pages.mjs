@@ -21,8 +21,8 @@ import { join } from "node:path";
 import { Walk } from "./page-walk.mjs";
 import { folder } from "./browser.mjs";
 
-const order = ["markup", "references", "fonts", "links", "layout", "math", "questions", "demo"];
-order.push("accessibility");
+const order = ["markup", "references", "fonts", "links", "layout", "math", "questions", "quiz"];
+order.push("demo", "accessibility");
 
 async function checkOf(name) {
   if (!order.includes(name)) throw new Error(`there is no check ${name}, but ${order.join(", ")}`);

@@ -26,21 +26,21 @@ function read(question) {
 }
 
 export class Trial {
-  static async of(question, page, path, visitor) {
-    return new Trial(visitor, page, question, path, await read(question));
+  // It complains by `complain(good, what)`.
+  static async of(question, page, complain) {
+    return new Trial(complain, page, question, await read(question));
   }
 
-  constructor(visitor, page, question, path, { id, kind, key, tolerance, remarks }) {
-    Object.assign(this, { visitor, page, question, kind, key, remarks });
+  constructor(complain, page, question, { id, kind, key, tolerance, remarks }) {
+    Object.assign(this, { complain, page, question, id, kind, key, remarks });
     this.tolerance = Number(tolerance);
-    this.where = `${path} ${id}`;
     this.status = question.getByRole("status");
     this.explanation = question.locator(".explain");
     this.hint = question.locator("details.hint > div");
   }
 
   expect(good, what) {
-    this.visitor.expect(good, this.where, what);
+    this.complain(good, `${this.id}: ${what}`);
   }
 
   async says(words, after) {

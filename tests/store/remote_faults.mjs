@@ -2,14 +2,18 @@
 // without one, with one note.
 //
 //   node tests/store/remote_faults.mjs MJCOURSE [CASE]
+//
+// A third of the cases, which the commit chooses (sample.mjs), or those whose names have CASE in them.
 
 import { spawn, spawnSync } from "node:child_process";
 import { mkdirSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { setTimeout as pause } from "node:timers/promises";
 
+import { sampleOf } from "../sample.mjs";
 import {
   all,
+  asked,
   expect,
   expectRight,
   finish,
@@ -20,7 +24,10 @@ import {
 } from "./shared_machines.mjs";
 import { haproxy, lighttpd, nginx, nginxWithToken, strange } from "./servers.mjs";
 
-await test("no token", async () => {
+const sample = asked === "" ? sampleOf(3) : { has: () => true };
+const trial = async (name, run) => sample.has(name) && (await test(name, run));
+
+await trial("no token", async () => {
   const server = await nginxWithToken(join(home, "no-token"));
   const without = { ...server, environment: { ...server.environment, MJCOURSE_STORE_TOKEN: "x" } };
   const { notes, anew } = await expectRight("no token", machine(), without);
@@ -31,14 +38,14 @@ await test("no token", async () => {
   await server.stop();
 });
 
-await test("down", async () => {
+await trial("down", async () => {
   const server = await nginx(join(home, "down"));
   await server.stop();
   const { notes } = await expectRight("down", machine(), server);
   expect(notes.length === 1 && notes[0].includes("is not used from here on: "), `down: ${notes}`);
 });
 
-await test("killed", async () => {
+await trial("killed", async () => {
   const server = await nginx(join(home, "killed"));
   const running = expectRight("killed", machine(), server);
   await pause(300);
@@ -49,7 +56,7 @@ await test("killed", async () => {
 
 // Whatever lies there after a client was killed in the middle of what it put, nobody believes it.
 for (const start of [nginx, lighttpd]) {
-  await test(`killed client, ${start.name}`, async () => {
+  await trial(`killed client, ${start.name}`, async () => {
     const server = await start(join(home, `killed-client-${start.name}`));
     for (let i = 0; i < 50; ++i) {
       const { place, store } = machine();
@@ -67,7 +74,7 @@ for (const start of [nginx, lighttpd]) {
   });
 }
 
-await test("haproxy", async () => {
+await trial("haproxy", async () => {
   const behind = await nginx(join(home, "behind"));
   const proxy = await haproxy(join(home, "haproxy"), behind);
   for (let i = 0; i < 5; ++i) {
@@ -82,7 +89,7 @@ await test("haproxy", async () => {
 });
 
 // Of a server whose disk is full, which takes root to make.
-await test("full disk", async () => {
+await trial("full disk", async () => {
   const folder = join(home, "full-disk");
   mkdirSync(folder);
   const words = ["-t", "tmpfs", "-o", "size=4m", "tmpfs", folder];
@@ -156,7 +163,7 @@ const faults = {
   slow: { of: async ({ usual }) => (await pause(30_000), usual), says: "is not used from here on" },
 };
 for (const [name, { of, says }] of Object.entries(faults)) {
-  await test(name, async () => {
+  await trial(name, async () => {
     let broken = false;
     let answers = 0;
     const server = await strange((request) => (broken ? of(request, ++answers) : request.usual));
@@ -174,7 +181,7 @@ for (const [name, { of, says }] of Object.entries(faults)) {
 }
 
 // Three such answers can come one after the other, since many are asked for at once.
-await test("every third 500", async () => {
+await trial("every third 500", async () => {
   const server = await strange(({ usual }, n) => (n % 3 === 0 ? { status: 500 } : usual));
   for (let i = 0; i < 3; ++i) {
     const { notes } = await expectRight("every third 500", machine(), server);
@@ -191,7 +198,7 @@ for (const [status, why] of [
   [405, "it answers with 405"],
   [507, "it answers with 507"],
 ]) {
-  await test(`put ${status}`, async () => {
+  await trial(`put ${status}`, async () => {
     const server = await strange(({ method, usual }) => (method === "PUT" ? { status } : usual));
     const { notes, anew } = await expectRight(`put ${status}`, machine(), server);
     expect(anew.join() === all.join(), `put ${status}: works out ${anew}`);

@@ -13,7 +13,7 @@ import { fileURLToPath, pathToFileURL } from "node:url";
 const mjcourse = resolve(process.argv[2]);
 const wanted = process.argv.slice(3);
 const courses = join(import.meta.dirname, "../courses");
-const patience = 20_000;
+const patience = 180_000; // ms, on a busy machine
 
 // Not those that mean harm, which tests/system/hostile.mjs keeps watch over, nor those that are checked with
 // further arguments.
@@ -40,6 +40,12 @@ async function untilTrue(look, what) {
     if (Date.now() > end) throw new Error(`${what}:\n${last.said}`);
     await new Promise((waited) => setTimeout(waited, 50));
   }
+}
+
+// Until it has ended, and writes nothing more into the store.
+function ended(child) {
+  if (child.exitCode !== null || child.signalCode !== null) return undefined;
+  return new Promise((done) => child.on("exit", done));
 }
 
 function checked(course, store) {
@@ -72,6 +78,7 @@ async function previewed(course, store) {
     return state.diagnostics.map(said);
   } finally {
     child.kill("SIGINT");
+    await ended(child);
   }
 }
 
@@ -110,6 +117,7 @@ async function edited(course, store, expected) {
     }, "the editor says");
   } finally {
     child.stdin.end();
+    await ended(child);
   }
 }
 
