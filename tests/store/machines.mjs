@@ -2,7 +2,8 @@
 // zone, the language, the umask, the number of cores, the order of a folder's entries. Each has a
 // network of its own, and both have one store: what one has found out, the other finds there.
 //
-//   node tests/store/machines.mjs MJCOURSE     as root, who may make networks; skipped otherwise
+//   node tests/store/machines.mjs MJCOURSE     as root, who may make networks; skipped otherwise, and where
+//                                              other users cannot read the checkout
 
 import { spawnSync } from "node:child_process";
 import {
@@ -17,11 +18,11 @@ import {
   writeFileSync,
 } from "node:fs";
 import { tmpdir } from "node:os";
-import { dirname, join } from "node:path";
+import { dirname, join, resolve } from "node:path";
 
 import { nginxAt } from "./servers.mjs";
 
-const [mjcourse] = process.argv.slice(2);
+const mjcourse = resolve(process.argv[2]);
 const home = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
 chmodSync(home, 0o755);
 let failed = 0;
@@ -46,16 +47,7 @@ class Machine {
     this.name = `mjcourse-${process.pid}-${number}`;
     this.link = `mjc${process.pid % 10000}${number}`;
     this.server = `10.231.${number}.1`;
-    Object.assign(this, { user, umask, cores, environment });
-    ip("netns", "add", this.name);
-    ip("link", "add", `${this.link}a`, "type", "veth", "peer", "name", `${this.link}b`);
-    ip("link", "set", `${this.link}b`, "netns", this.name);
-    ip("address", "add", `${this.server}/24`, "dev", `${this.link}a`);
-    ip("link", "set", `${this.link}a`, "up");
-    ip("-n", this.name, "address", "add", `10.231.${number}.2/24`, "dev", `${this.link}b`);
-    ip("-n", this.name, "link", "set", `${this.link}b`, "up");
-    ip("-n", this.name, "link", "set", "lo", "up");
-
+    Object.assign(this, { number, user, umask, cores, environment });
     this.home = join(home, `home-${number}`);
     this.place = join(home, path);
     const files = globSync("**", { cwd: course, dot: true }).filter((file) =>
@@ -69,6 +61,20 @@ class Machine {
     for (const owned of [this.home, join(home, path.split("/")[0])]) {
       spawnSync("chown", ["-R", `${user}:${user}`, owned]);
     }
+  }
+
+  // Where that fails, remove() takes back what was made.
+  connect() {
+    ip("netns", "add", this.name);
+    ip("link", "add", `${this.link}a`, "type", "veth", "peer", "name", `${this.link}b`);
+    ip("link", "set", `${this.link}b`, "netns", this.name);
+    ip("address", "add", `${this.server}/24`, "dev", `${this.link}a`);
+    ip("link", "set", `${this.link}a`, "up");
+    ip("-n", this.name, "address", "add", `10.231.${this.number}.2/24`, "dev", `${this.link}b`);
+    ip("-n", this.name, "link", "set", `${this.link}b`, "up");
+    ip("-n", this.name, "link", "set", "lo", "up");
+    const open = spawnSync(mjcourse, ["--version"], { uid: this.user, gid: this.user, cwd: "/" });
+    if (open.error) throw open.error;
   }
 
   // The tasks that were worked out, and what was said.
@@ -134,9 +140,12 @@ const machines = [];
 let server;
 try {
   try {
-    for (const [i, kind] of kinds.entries()) machines.push(new Machine(i + 1, kind));
+    for (const [i, kind] of kinds.entries()) {
+      machines.push(new Machine(i + 1, kind));
+      machines[i].connect();
+    }
   } catch (error) {
-    console.log(`no networks of its own can be made here: ${error.message}`);
+    console.log(`no machines can be made here: ${error.message}`);
     process.exitCode = 77;
   }
   if (process.exitCode !== 77) {
