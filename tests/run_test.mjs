@@ -51,6 +51,10 @@ function run(...more) {
   return [status, withoutTimes(stdout), stderr];
 }
 
+// Not in a chroot without /dev/pts.
+const hasTerminals = spawnSync("script", ["-qec", "true", "/dev/null"]).status === 0;
+const atTerminal = { skip: hasTerminals ? false : "there are no pseudo-terminals" };
+
 // What it says on a terminal, with a word for what clears its last line.
 function onTerminal(...more) {
   const command = [process.execPath, ...words(...more)].map((word) => `'${word}'`).join(" ");
