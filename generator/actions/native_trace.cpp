@@ -1,6 +1,9 @@
 #include "actions/native_trace.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
+#include <iterator>
 
 #include "base/files.h"
 #include "process/sandbox.h"
@@ -38,16 +41,20 @@ bool asks_which_there_are(const fs::path& file) {
   return !text || text->find("__has_include") != std::string::npos;
 }
 
-// A header that is added may be read before one that was, `files`. Where the compiler missed one,
-// or the course asks which there are, any may be read.
-void trace_include_folders(const std::vector<std::string>& files, const Compiled& compiled,
-                           const fs::path& source, const IncludeFolders& include_folders,
-                           const fs::path& course, Trace& trace) {
-  const std::string root = fs::absolute(course).lexically_normal();
-  const bool any = compiled.refused() || asks_which_there_are(source) ||
-                   std::ranges::any_of(files, [&](const std::string& file) {
-                     return is_within(file, root) && asks_which_there_are(file);
-                   });
+// May it have files read that the compiler does not list? Assembly can (.incbin), and #embed. Where
+// somebody makes such a word of pieces, with ##, it is not seen.
+bool may_read_others(const fs::path& file) {
+  static const RE2 words(R"(\b(?:asm|__asm|__asm__|__has_embed)\b|(?:#|%:)[ \t]*embed\b)");
+  const auto text = read_file(file);
+  return !text || RE2::PartialMatch(*text, words);
+}
+
+// A header that is added may be read before one that was, `files`, of which `own` are the author's.
+// Where the compiler missed one, or the author asks which there are, any may be read.
+void trace_include_folders(const std::vector<std::string>& files,
+                           const std::vector<std::string>& own, const Compiled& compiled,
+                           const IncludeFolders& include_folders, Trace& trace) {
+  const bool any = compiled.refused() || std::ranges::any_of(own, asks_which_there_are);
   for (const fs::path& include : include_folders) {
     const fs::path folder = fs::absolute(include).lexically_normal();
     if (any) {
@@ -73,7 +80,12 @@ void trace_compilation(const Compiled& compiled, const fs::path& source,
     trace.files(entry->inputs);
     files.insert(files.end(), entry->inputs.begin(), entry->inputs.end());
   }
-  trace_include_folders(files, compiled, source, include, root, trace);
+  std::vector<std::string> own{source};
+  const std::string course = fs::absolute(root).lexically_normal();
+  std::ranges::copy_if(files, std::back_inserter(own),
+                       [&](const std::string& file) { return is_within(file, course); });
+  if (std::ranges::any_of(own, may_read_others)) trace.unknown();
+  trace_include_folders(files, own, compiled, include, trace);
 }
 
 void trace_run(const Outcome& outcome, const fs::path& folder, const fs::path& root, Trace& trace) {

@@ -23,10 +23,12 @@ class SiteBuild {
   explicit SiteBuild(const BuildOptions& options) : options_(options) {}
 
   int run() {
-    // A site that is there stays until all of the new one is proved. And solutions are taken out of
-    // what was found, which is wanted whole until all is known.
+    // A site that was proved stays until all of the new one is. And solutions are taken out of what
+    // was found, which is wanted whole until all is known.
     ShowNative show;
-    if (!options_.without_solutions && !std::filesystem::exists(site() / "index.html")) {
+    is_previewed_ = std::filesystem::exists(site() / kProvisional);
+    if (!options_.without_solutions &&
+        (is_previewed_ || !std::filesystem::exists(site() / "index.html"))) {
       show = [this](Course& course, const Evaluation& evaluation) { preview(course, evaluation); };
     }
     Verified verified = verify_course(options_, show);
@@ -96,7 +98,7 @@ class SiteBuild {
 
   const BuildOptions& options_;
   std::optional<History> history_;
-  bool is_previewed_ = false;
+  bool is_previewed_ = false;  // by this build, or by one that did not come to its end
 };
 
 }  // namespace

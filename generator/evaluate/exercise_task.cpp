@@ -53,7 +53,7 @@ bool ExerciseTask::is_compiled(WorkerContext& worker_context) const {
   return files_ && is_known(exercise(), *files_, lesson(), worker_context);
 }
 
-bool ExerciseTask::work_in_page(WorkerContext& worker_context, Finding& finding) {
+bool ExerciseTask::work_in_page(WorkerContext& worker_context, const Finding*, Finding& finding) {
   auto page =
       evaluate_exercise_in_page(exercise(), *files_, lesson(), worker_context, finding.diagnostics);
   if (!page) return false;

@@ -23,7 +23,8 @@ class ExerciseTask : public Task {
   bool prepare(WorkerContext& worker_context, Finding& finding) override;
   bool work(WorkerContext& worker_context, Finding& finding) override;
   bool is_compiled(WorkerContext& worker_context) const override;
-  bool work_in_page(WorkerContext& worker_context, Finding& finding) override;
+  bool work_in_page(WorkerContext& worker_context, const Finding* native,
+                    Finding& finding) override;
 
  private:
   static const Exercise& exercise_of(const Lesson& lesson, std::size_t block) {

@@ -27,8 +27,10 @@ bool PageTask::prepare(WorkerContext& worker_context, Finding&) {
   return native_->prepare(worker_context, known);
 }
 
+// What failed natively has nothing to be held against.
 bool PageTask::work(WorkerContext& worker_context, Finding& finding) {
-  return native_->work_in_page(worker_context, finding);
+  if (native_finding_ != nullptr && native_finding_->results.empty()) return false;
+  return native_->work_in_page(worker_context, native_finding_, finding);
 }
 
 // The lesson may state more of an output than the native run printed, and is edited without that

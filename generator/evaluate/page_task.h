@@ -30,12 +30,15 @@ class PageTask : public Task {
   bool is_in_page() const override { return true; }
   double effort() const override { return 2 * native_->effort(); }
   Dependencies recipe(const RunContext& run_context) const override;
+  std::string native_name() const override { return native_->name_in_course(); }
+  void take_native(const Finding& finding) override { native_finding_ = &finding; }
   bool prepare(WorkerContext& worker_context, Finding& finding) override;
   bool work(WorkerContext& worker_context, Finding& finding) override;
   void conclude(WorkerContext& worker_context, Finding& finding) override;
 
  private:
   std::unique_ptr<Task> native_;
+  const Finding* native_finding_ = nullptr;
 };
 
 }  // namespace mjcourse

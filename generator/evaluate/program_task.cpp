@@ -73,12 +73,20 @@ bool ProgramTask::is_compiled(WorkerContext& worker_context) const {
   return code_ && is_known(program_, code_->text, lesson(), worker_context);
 }
 
-bool ProgramTask::work_in_page(WorkerContext& worker_context, Finding& finding) {
+bool ProgramTask::work_in_page(WorkerContext& worker_context, const Finding* native,
+                               Finding& finding) {
   if (!program_.compiles) return true;
-  Diagnostics known;  // of the native run
-  const auto native = evaluate_example(program_, code_->text, lesson(), worker_context, known);
-  if (!native) return false;
-  if (auto page = run_in_page(program_, code_->text.text, *native, worker_context)) {
+  std::optional<ExampleResult> result;
+  if (native != nullptr && !is_compiled(worker_context)) {
+    // A run that is not kept, as of a program that warns, is held against as it was shown.
+    result = std::get<ExampleResult>(native->results.at(block()));
+    worker_context.trace().unknown();
+  } else {
+    Diagnostics known;  // of the native run
+    result = evaluate_example(program_, code_->text, lesson(), worker_context, known);
+  }
+  if (!result) return false;
+  if (auto page = run_in_page(program_, code_->text.text, *result, worker_context)) {
     finding.pages[block()] = *std::move(page);
   }
   return true;

@@ -27,7 +27,8 @@ class ProgramTask : public Task {
   bool work(WorkerContext& worker_context, Finding& finding) override;
   void conclude(WorkerContext& worker_context, Finding& finding) override;
   bool is_compiled(WorkerContext& worker_context) const override;
-  bool work_in_page(WorkerContext& worker_context, Finding& finding) override;
+  bool work_in_page(WorkerContext& worker_context, const Finding* native,
+                    Finding& finding) override;
 
  private:
   Example program_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "base/cancellation.h"
 #include "base/parallel.h"
 #include "evaluate/concurrency.h"
+#include "evaluate/program_task.h"
 #include "evaluate/shared_headers.h"
 #include "process/machine_memory.h"
 #include "script/script_bundles.h"
@@ -98,6 +100,21 @@ void Scheduler::attempt(Task& task, Tools& tools, TaskRecord& record) const {
   }
 }
 
+// What is in the page hears what was found natively of its program. All of these are done by now,
+// but not all exercises and snippets. A record that is open has nothing.
+void Scheduler::tell_natives(const Tasks& tasks, const TaskRecords& records) const {
+  std::map<std::string, const TaskRecord*> by_name;
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    const bool is_done = dynamic_cast<const ProgramTask*>(tasks[i].get()) && !records[i].open;
+    if (is_done) by_name[tasks[i]->name_in_course()] = &records[i];
+  }
+  for (const auto& task : tasks) {
+    if (!task->is_in_page()) continue;
+    const auto native = by_name.find(task->native_name());
+    if (native != by_name.end()) task->take_native(native->second->finding);
+  }
+}
+
 // What each thread would wait for one after the other, many wait for at once.
 void Scheduler::look_at_once(const Tasks& tasks, bool quoting, TaskRecords& records) const {
   const std::size_t askers = task_store_ == nullptr ? 1 : task_store_->at_once();
@@ -145,6 +162,7 @@ TaskRecords Scheduler::run(const Tasks& tasks, const Blocks& first,
   TaskRecords records(tasks.size());
   TaskQueue queue(tasks, first, [&] {
     publish(records);
+    tell_natives(tasks, records);
     look_at_once(tasks, true, records);
   });
   progress_.plan(tasks.size());

@@ -68,6 +68,7 @@ class Scheduler {
   bool is_worked_on(const Task& task) const;
   bool work(Task& task, Tools& tools, TaskRecord& record) const;
   void do_task(Task& task, Tools& tools, TaskRecord& record) const;
+  void tell_natives(const Tasks& tasks, const TaskRecords& records) const;
   void attempt(Task& task, Tools& tools, TaskRecord& record) const;
   void prepare_programs(const Tasks& tasks, WorkerContext& worker_context, TaskRecords& records,
                         TaskQueue& queue, const Stopwatch& stopwatch);

@@ -55,7 +55,7 @@ bool SnippetsTask::is_compiled(WorkerContext& worker_context) const {
   return are_known(lesson(), worker_context);
 }
 
-bool SnippetsTask::work_in_page(WorkerContext& worker_context, Finding& finding) {
+bool SnippetsTask::work_in_page(WorkerContext& worker_context, const Finding*, Finding& finding) {
   Diagnostics known;  // of the native runs
   for (const auto& [index, native] : evaluate_snippets(lesson(), worker_context, known)) {
     auto page = run_in_page(snippet_program(lesson(), index), native.code, native, worker_context);

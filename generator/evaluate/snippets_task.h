@@ -22,7 +22,8 @@ class SnippetsTask : public Task {
   bool work_apart(WorkerContext& worker_context, Finding& finding) override;
   bool work(WorkerContext& worker_context, Finding& finding) override;
   bool is_compiled(WorkerContext& worker_context) const override;
-  bool work_in_page(WorkerContext& worker_context, Finding& finding) override;
+  bool work_in_page(WorkerContext& worker_context, const Finding* native,
+                    Finding& finding) override;
 };
 
 }  // namespace mjcourse

@@ -74,8 +74,13 @@ class Task {
   virtual bool work(WorkerContext&, Finding&) { return true; }
   virtual void conclude(WorkerContext&, Finding&) {}
 
-  // After prepare(): what the programs of the same blocks are in the page (page_task.h).
-  virtual bool work_in_page(WorkerContext&, Finding&) { return true; }
+  // After prepare(): what the programs of the same blocks are in the page (page_task.h). `native`
+  // is what was found of them natively, where that is known of this run; else null.
+  virtual bool work_in_page(WorkerContext&, const Finding* /*native*/, Finding&) { return true; }
+  // Of such a task, the name in the course of the one that runs natively; and what that found,
+  // before work().
+  virtual std::string native_name() const { return ""; }
+  virtual void take_native(const Finding&) {}
 
  private:
   const Lesson& lesson_;

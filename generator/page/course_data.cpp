@@ -109,7 +109,7 @@ json pages_data(const Course& course, const Evaluation& evaluation, bool asks,
   return pages;
 }
 
-json verified_data(const Tally& tally, const std::string& mujoco, const std::string& href) {
+json verified_data(const Tally& tally, const Evaluation& evaluation, const std::string& href) {
   return {{"programs", tally.programs},
           {"in_page", tally.in_page},
           {"exercises", tally.exercises},
@@ -125,7 +125,8 @@ json verified_data(const Tally& tally, const std::string& mujoco, const std::str
           {"pictures", tally.pictures},
           {"plots", tally.plots},
           {"formulas", tally.formulas},
-          {"mujoco", mujoco},
+          {"provisional", evaluation.open_in_page > 0},
+          {"mujoco", evaluation.versions.mujoco},
           {"href", href}};
 }
 

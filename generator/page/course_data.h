@@ -31,7 +31,7 @@ nlohmann::json levels_data(const Course& course, const Lesson* current);
 nlohmann::json pages_data(const Course& course, const Evaluation& evaluation, bool asks,
                           const std::string& kind);
 // `href` leads to the same on the verification page.
-nlohmann::json verified_data(const Tally& tally, const std::string& mujoco,
+nlohmann::json verified_data(const Tally& tally, const Evaluation& evaluation,
                              const std::string& href);
 
 }  // namespace mjcourse

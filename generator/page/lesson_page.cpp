@@ -63,7 +63,7 @@ LessonPage lesson_page(const SiteData& site, const Lesson& lesson, std::size_t i
        {"body", placeholder("prose")},
        {"answers", answers},
        {"verified",
-        verified_data(results.tally, evaluation.versions.mujoco,
+        verified_data(results.tally, evaluation,
                       "../" + std::string(kVerificationPage) + "#" + lesson_anchor(lesson))},
        {"previous", neighbour(std::size_t(0) - 1)},
        {"next", neighbour(1)},

@@ -67,14 +67,14 @@ void write_home(const SiteData& site, const std::vector<LessonParts>& parts, Pag
                       {"title", level.title},
                       {"cards", of_level.mark}});
   }
-  const std::string body = render_template(
-      renderer.templates(), "home",
-      {{"course", {{"title", course.title}, {"description", course.description}}},
-       {"root", ""},
-       {"script", site.manifest.at("home.js")},
-       {"print", site.prints ? kPrintPage : ""},
-       {"levels", std::move(levels)},
-       {"verified", verified_data(total, site.evaluation.versions.mujoco, kVerificationPage)}});
+  const std::string body =
+      render_template(renderer.templates(), "home",
+                      {{"course", {{"title", course.title}, {"description", course.description}}},
+                       {"root", ""},
+                       {"script", site.manifest.at("home.js")},
+                       {"print", site.prints ? kPrintPage : ""},
+                       {"levels", std::move(levels)},
+                       {"verified", verified_data(total, site.evaluation, kVerificationPage)}});
   renderer.write_long("index.html",
                       {"home", course.title, course.description, "", nullptr, std::move(picture)},
                       body, cards, spool);

@@ -51,6 +51,7 @@ void write_site(const Course& course, const Evaluation& evaluation, const SitePa
   copy_assets(paths.assets / "public", unused_assets(evaluation, assets), directory);
   write_edition(directory.folder(), course, assets, paths.threads);
   if (paths.compress) precompress(directory.folder(), paths.threads);
+  if (evaluation.open_in_page > 0) directory.write(kProvisional, "");
   directory.commit();
 }
 

@@ -18,6 +18,9 @@
 
 namespace mjcourse {
 
+// The file in a site of whose programs some have still to run as its pages run them.
+inline constexpr const char* kProvisional = "assets/provisional.txt";
+
 struct SitePaths {
   std::filesystem::path course;  // the course's folder
   std::filesystem::path assets;  // what site/bundle/build.mjs made

@@ -134,7 +134,10 @@ void Compiler::make_header(const std::vector<std::string>& roots, Warmth warmth)
 Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& header,
                            const WarmObjects::Entry& handlers, bool fast) const {
   std::vector<std::string> beside;
-  if (!program.beside.empty()) append(beside, "-iquote", program.beside.string());
+  if (!program.beside.empty()) {
+    append(beside, "-iquote", program.beside.string(),
+           file_names_in(program.beside, program.beside.filename().string()));
+  }
   std::vector<std::string> plain = toolchain_.command(program.optimize, include_);
   plain.insert(plain.end(), beside.begin(), beside.end());
   std::vector<std::string> command = plain, link;

@@ -55,10 +55,13 @@ std::vector<std::string> Toolchain::command(bool optimize, const IncludeFolders&
   words.insert(words.end(), kFlags.begin(), kFlags.end());
   for (const std::filesystem::path& folder : include) {
     words.push_back("-I" + folder.string());
-    // What __FILE__ is in a header depends neither on where a course lies nor on a warm header.
-    words.push_back("-fmacro-prefix-map=" + folder.string() + "=examples/include");
+    words.push_back(file_names_in(folder, "examples/include"));
   }
   return words;
+}
+
+std::string file_names_in(const std::filesystem::path& folder, const std::string& name) {
+  return "-fmacro-prefix-map=" + folder.string() + "=" + name;
 }
 
 std::string compile_flags(bool optimize) {

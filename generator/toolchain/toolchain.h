@@ -28,6 +28,10 @@ struct Toolchain {
   std::vector<std::string> command(bool optimize, const IncludeFolders& include) const;
 };
 
+// The flag that makes `name` what __FILE__ says of `folder`: it is to depend neither on where a
+// course lies nor on a warm header.
+std::string file_names_in(const std::filesystem::path& folder, const std::string& name);
+
 // The flags in their order, without those that hold a path of the course.
 std::string compile_flags(bool optimize);
 

@@ -74,7 +74,7 @@ function addTheRest(moved) {
   const users = join(cache, "mjcourse", "store");
   const isOfItsPlace = (name) => {
     const text = readFileSync(join(store, name), "utf8");
-    return text.includes(` ${moved}/content/`) || /^.*\n\{"content\/[^"]*":"ac\//.test(text);
+    return text.includes(` ${moved}/`) || /^.*\n\{"content\/[^"]*":"ac\//.test(text);
   };
   const found = globSync("ac/*/*", { cwd: store }).filter((name) => !isOfItsPlace(name));
   const strange = found.filter((name) => !existsSync(join(users, name)));

@@ -12,9 +12,14 @@
 namespace mjcourse {
 namespace {
 
-constexpr const char* kCure =
+constexpr const char* kCureOfOutput =
     "print what depends on no last digit, no size of a type and no C library; or say in the fence "
     "that no page runs it, and why: `native because=\"…\"`";
+
+constexpr const char* kCureOfEnd =
+    "do what a page can do as well (A.12 says what it cannot); or say in the fence that no page "
+    "runs "
+    "it, and why: `native because=\"…\"`";
 
 // Is the page's text one that the lesson states?
 bool is_stated(const Example& example, const std::string& page, const Lesson& lesson) {
@@ -42,13 +47,13 @@ void compare_page_run(const Example& example, const PageRun& page, const Lesson&
                       Diagnostics& diagnostics) {
   if (!page.why_not.empty()) return;
   const std::string kind = is_snippet_program(example) ? "snippet" : "program";
-  const auto report = [&](const std::string& what) -> Diagnostic& {
+  const auto report = [&](const std::string& what, const char* cure) -> Diagnostic& {
     return diagnostics.emplace_back(error_at(place_of(*lesson.source, example.span),
                                              "E-page-output",
-                                             "in the page, the " + kind + " " + what, kCure));
+                                             "in the page, the " + kind + " " + what, cure));
   };
   if (!page.otherwise.empty()) {
-    report(page.otherwise);
+    report(page.otherwise, kCureOfEnd);
     return;
   }
   if (!page.outputs || is_stated(example, page.outputs->page, lesson)) return;
@@ -58,8 +63,9 @@ void compare_page_run(const Example& example, const PageRun& page, const Lesson&
       output_changes(page.outputs->native, page.outputs->page, tolerance, retrials);
   if (changes.empty()) return;
   report("prints something else: " + first_line(changes, DiffLine::Kind::come) + " instead of " +
-         first_line(changes, DiffLine::Kind::gone) + ", in line " +
-         std::to_string(changes.front().line))
+             first_line(changes, DiffLine::Kind::gone) + ", in line " +
+             std::to_string(changes.front().line),
+         kCureOfOutput)
       .detail = diff_text(changes, [&](std::string_view native, std::string_view there) {
     return lines_agree(native, there, tolerance, retrials);
   });

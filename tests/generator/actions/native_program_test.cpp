@@ -188,6 +188,35 @@ TEST_F(NativeProgramTest, IsKeptOnlyWhereItRepeats) {
   EXPECT_EQ(found("int main() { return 3; }\n", {.seconds = 0, .exit_code = 3}), "nothing");
 }
 
+TEST_F(NativeProgramTest, IsNotKeptWhereTheCompilerMayHaveReadAFileThatItDoesNotList) {
+  write("examples/include/blob.txt", "first");
+  const std::string reads =
+      "#include <cstdio>\nasm(\".data\\nblob: .incbin \\\"blob.txt\\\"\\n.byte 0\\n.text\");\n"
+      "extern const char blob[] asm(\"blob\");\nint main() { std::puts(blob); }\n";
+  Run run(*this);
+  NativeProgram one = program(run, reads);
+  ASSERT_TRUE(one.compile().succeeded) << one.compile().raw;
+  EXPECT_EQ(one.run({}).outcome.out, "first\n");
+  EXPECT_EQ(found(reads), "nothing");
+  // Nor where a header of the course's may.
+  write("examples/include/asks.h", "#ifdef __has_embed\n#endif\n");
+  const std::string includes = "#include <asks.h>\nint main() {}\n";
+  compile_and_run(includes);
+  EXPECT_EQ(found(includes), "nothing");
+  // But a word in which these letters stand means nothing.
+  compile_and_run("int main() { int plasma = 0, embedded = plasma; return embedded; }\n");
+  EXPECT_EQ(found("int main() { int plasma = 0, embedded = plasma; return embedded; }\n"), "");
+}
+
+TEST_F(NativeProgramTest, HearsOfAHeaderBesideItNoPathOfThisMachine) {
+  write("examples/beside.h", "inline const char* file_of_header() { return __FILE__; }\n");
+  const std::string text =
+      "#include \"beside.h\"\n#include <cstdio>\n"
+      "int main() { std::printf(\"%s %s\\n\", __FILE__, file_of_header()); }\n";
+  compile_and_run(text);
+  EXPECT_EQ(found(text), "examples/a.cpp examples/beside.h\n");
+}
+
 TEST_F(NativeProgramTest, OfAStrangerIsNeverKept) {
   compile_and_run(kProgram, {.handed_in = true});
   EXPECT_EQ(found(), "nothing");

@@ -5,6 +5,8 @@
 #include <stdexcept>
 
 #include "evaluate/evaluation_of.h"
+#include "evaluate/page_task.h"
+#include "evaluate/program_task.h"
 
 namespace mjcourse {
 namespace {
@@ -72,6 +74,57 @@ TEST(Scheduler, GoesOnBehindAFault) {
       EXPECT_EQ(records[i].finding.results.size(), 1u);
     }
   }
+}
+
+// The page's half of a program, which says what it is told of the native one.
+class Told : public Task {
+ public:
+  Told(const Lesson& lesson, std::size_t block, const std::string& what, std::string& told)
+      : Task(lesson, 0, block, what), told_(told) {}
+  Dependencies recipe(const RunContext&) const override { return {}; }
+  bool work_in_page(WorkerContext&, const Finding* native, Finding&) override {
+    told_ =
+        native == nullptr ? "nothing" : std::get<ExampleResult>(native->results.at(block())).output;
+    return true;
+  }
+
+ private:
+  std::string& told_;
+};
+
+TEST(Scheduler, TellsThePageWhatWasFoundOfAProgram) {
+  const DiskFiles assets(MJCOURSE_ASSETS);
+  const TemporaryFolder folder;
+  const std::string right = "#include <cstdio>\nint main() { std::puts(\"right\"); }\n";
+  const std::string wrong = "int main() { return none; }\n";
+  write_file(folder.path() / "examples/right.cpp", right);
+  write_file(folder.path() / "examples/wrong.cpp", wrong);
+  ReadingOf reading = reading_of("```cpp file=examples/right.cpp\n" + right +
+                                 "```\n\n```cpp file=examples/wrong.cpp\n" + wrong + "```\n");
+  Course course;
+  course.lessons.push_back(std::move(*reading.lesson));
+  const Lesson& lesson = course.lessons[0];
+  const RunContext run_context(course, folder.path(), assets, {}, std::nullopt,
+                               std::make_shared<ScriptBundles>());
+  if (!run_context.compiler()) GTEST_SKIP() << "no compiler is installed";
+  std::string of_right = "not asked", of_wrong = "not asked", alone = "not asked";
+  Tasks tasks;
+  const auto add_page = [&](std::size_t block, const std::string& what, std::string& told) {
+    tasks.push_back(std::make_unique<PageTask>(std::make_unique<Told>(lesson, block, what, told)));
+  };
+  add_page(0, "compile and run right", of_right);
+  for (const std::size_t block : {1u, 0u}) {
+    const auto& program = std::get<Example>(lesson.blocks[block]);
+    tasks.push_back(std::make_unique<ProgramTask>(lesson, 0, block, program));
+  }
+  add_page(1, "compile and run wrong", of_wrong);
+  add_page(0, "what another machine runs", alone);
+  NoProgress progress;
+  Scheduler scheduler(run_context, nullptr, progress, 2);
+  scheduler.run(tasks, {}, [](const TaskRecords&) {});
+  EXPECT_EQ(of_right, "right\n");
+  EXPECT_EQ(of_wrong, "not asked");  // what fails natively is not compiled for the page
+  EXPECT_EQ(alone, "nothing");
 }
 
 }  // namespace
