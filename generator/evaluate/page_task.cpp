@@ -27,7 +27,7 @@ bool PageTask::prepare(WorkerContext& worker_context, Finding&) {
   return native_->prepare(worker_context, known);
 }
 
-// What failed natively has nothing to be held against.
+// A program that failed natively gives nothing to compare with.
 bool PageTask::work(WorkerContext& worker_context, Finding& finding) {
   if (native_finding_ != nullptr && native_finding_->results.empty()) return false;
   return native_->work_in_page(worker_context, native_finding_, finding);

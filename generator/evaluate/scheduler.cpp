@@ -100,8 +100,8 @@ void Scheduler::attempt(Task& task, Tools& tools, TaskRecord& record) const {
   }
 }
 
-// What is in the page hears what was found natively of its program. All of these are done by now,
-// but not all exercises and snippets. A record that is open has nothing.
+// A program's page task gets the native finding of the program. All programs are done by now, but
+// not all exercises and snippets. An open record has no finding.
 void Scheduler::tell_natives(const Tasks& tasks, const TaskRecords& records) const {
   std::map<std::string, const TaskRecord*> by_name;
   for (std::size_t i = 0; i < tasks.size(); ++i) {

@@ -77,8 +77,8 @@ class Task {
   // After prepare(): what the programs of the same blocks are in the page (page_task.h). `native`
   // is what was found of them natively, where that is known of this run; else null.
   virtual bool work_in_page(WorkerContext&, const Finding* /*native*/, Finding&) { return true; }
-  // Of such a task, the name in the course of the one that runs natively; and what that found,
-  // before work().
+  // The name in the course of the task that runs the same natively; and, before work(), the finding
+  // of that task.
   virtual std::string native_name() const { return ""; }
   virtual void take_native(const Finding&) {}
 
