@@ -63,7 +63,7 @@ class Machine {
     }
   }
 
-  // Where that fails, remove() takes back what was made.
+  // After a failure, remove() takes back what was made.
   connect() {
     ip("netns", "add", this.name);
     ip("link", "add", `${this.link}a`, "type", "veth", "peer", "name", `${this.link}b`);
