@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "actions/lent_headers.h"
 #include "actions/native_trace.h"
 #include "actions/program_files.h"
 #include "base/arithmetic.h"
@@ -12,6 +13,7 @@
 #include "base/files.h"
 #include "base/out_folder.h"
 #include "base/plain_name.h"
+#include "base/sha256.h"
 #include "base/stopwatch.h"
 #include "cache/cbor.h"
 #include "process/loaded_libraries.h"
@@ -95,9 +97,16 @@ Dependencies NativeProgram::recipe(const std::string& kind,
   return recipe;
 }
 
+Dependencies NativeProgram::recipe_of(const NativeRequest& request) const {
+  Dependencies all = recipe("native run", request.arguments);
+  if (!request.seed.empty()) all.push_back({"seed", request.seed});
+  if (request.listener) all.push_back({"listener", sha256(request.listener->key)});
+  return all;
+}
+
 std::optional<NativeRun> NativeProgram::find(const NativeRequest& request) const {
-  if (request.handed_in) return std::nullopt;
-  const auto bytes = context_.store.find(recipe("native run", request.arguments), context_.trace);
+  if (!request.is_kept) return std::nullopt;
+  const auto bytes = context_.store.find(recipe_of(request), context_.trace);
   auto run = bytes ? run_of(*bytes) : std::nullopt;
   const bool is_it =
       run && run->outcome.code == request.exit_code && run->seconds < request.seconds;
@@ -115,8 +124,18 @@ const Compiled& NativeProgram::compile() {
   const fs::path source = folder_->path() / (source_.name + ".cpp");
   binary_ = folder_->path() / source_.name;
   write_file(source, "#line 1 \"" + source_.file + "\"\n" + source_.text);
-  compiled_ =
-      context_.compiler.compile(source, binary_, folder_->path(), source_.optimize, beside_);
+  const auto compile = [&](const fs::path& beside) {
+    return context_.compiler.compile(source, binary_, folder_->path(), source_.optimize, beside,
+                                     !source_.handed_in);
+  };
+  if (source_.handed_in && !beside_.empty()) {
+    const LentHeaders headers(beside_, folder_->path() / ".headers" / beside_.filename(),
+                              source_.text);
+    compiled_ = compile(headers.folder());
+    headers.name_originals(*compiled_);
+  } else {
+    compiled_ = compile(beside_);
+  }
   IncludeFolders looked_in = context_.compiler.include_folders();
   if (!beside_.empty()) looked_in.push_back(beside_);
   trace_compilation(*compiled_, source, looked_in, context_.root, compiling_);
@@ -132,7 +151,7 @@ std::string NativeProgram::refusal() {
 }
 
 // The command line that runs the program in an empty folder of its own; what it reports goes into
-// the file `records`.
+// the file `records`, where it is none of "".
 Command NativeProgram::command_of(const NativeRequest& request, const fs::path& own,
                                   const fs::path& records) const {
   const fs::path& root = context_.root;
@@ -141,11 +160,13 @@ Command NativeProgram::command_of(const NativeRequest& request, const fs::path& 
   command.arguments.insert(command.arguments.end(), request.arguments.begin(),
                            request.arguments.end());
   command.folder = own;
-  command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string(),
-                         "MJCOURSE_RECORDS=" + fs::absolute(records).string()};
+  command.environment = {"MJCOURSE_MODELS=" + fs::absolute(root / "models").string()};
+  if (!records.empty()) {
+    command.environment.push_back("MJCOURSE_RECORDS=" + fs::absolute(records).string());
+  }
+  if (!request.seed.empty()) command.environment.push_back("MJCOURSE_SEED=" + request.seed);
   command.seconds = request.seconds;
   command.sandbox = program_sandbox(binary_, command.folder, records, root);
-  if (request.handed_in) command.sandbox->add = fs::absolute(records);
   command.record_opened = true;
   if (!draws(source_.text)) return command;
   const OutFolder folder = OutFolder(folder_->path()).inner(own.filename().string() + ".shaders");
@@ -165,26 +186,36 @@ NativeRun NativeProgram::run(const NativeRequest& request) {
   // Hidden, because a program may have any other name; and none has been there before, so what a
   // former run left behind lies elsewhere.
   const std::string run_name = ".run-" + std::to_string(++runs_);
-  const fs::path records = folder / (run_name + ".records");
+  const fs::path records = request.listener ? "" : folder / (run_name + ".records");
   const OutFolder out(folder);
   out.inner(run_name);
-  out.write(records.filename(), "");
+  if (!records.empty()) out.write(records.filename(), "");
   NativeRun run;
+  Command command = command_of(request, folder / run_name, records);
+  std::string heard;
+  if (request.listener) {
+    command.hears = [&](std::string_view line) {
+      heard.append(line).append("\n");
+      return request.listener->answer(line);
+    };
+  }
   const Stopwatch stopwatch;
-  run.outcome = mjcourse::run(command_of(request, folder / run_name, records));
+  run.outcome = mjcourse::run(command);
   run.seconds = stopwatch.seconds();
   Trace all = compiling_;
   trace_run(run.outcome, folder, context_.root, all);
   context_.trace.add(all);
   run.files =
       program_files(*compiled_, run.outcome, context_.compiler.include_folders(), context_.root);
-  if (fs::file_size(records) <= kMostRecords) {
+  if (request.listener) {
+    run.records = std::move(heard);
+  } else if (fs::file_size(records) <= kMostRecords) {
     run.records = DiskFiles(folder).read(records.filename()).value();
   }
   const bool repeats = compiled_->raw.empty() && run.outcome.end == Outcome::End::exited &&
                        run.outcome.code == request.exit_code;
-  if (repeats && run.records && !request.handed_in) {
-    context_.store.keep(recipe("native run", request.arguments), all, begin_, bytes_of(run));
+  if (repeats && run.records && request.is_kept) {
+    context_.store.keep(recipe_of(request), all, begin_, bytes_of(run));
   }
   return run;
 }

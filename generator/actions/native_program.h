@@ -11,9 +11,11 @@
 
 #include <chrono>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "actions/action_store.h"
@@ -38,19 +40,30 @@ struct NativeSource {
   std::string file;  // as the course has it: "examples/l0_1_parabola.cpp"
   std::string text;
   bool optimize = false;
+  // A stranger may have written a part of it: of what lies beside it, it can include the headers
+  // that it names, and nothing else is in reach of its compiler.
+  bool handed_in = false;
+};
+
+// Who hears what a program reports, in place of the file of its records.
+struct RunListener {
+  std::string key;                                      // all that its answers depend on
+  std::function<std::string(std::string_view)> answer;  // to a line, as Command::hears
 };
 
 struct NativeRequest {
   std::vector<std::string> arguments = {};
-  double seconds = 10;  // wall clock
-  int exit_code = 0;    // with which it is to end
-  bool handed_in =
-      false;  // by a stranger: it can add to its records, and neither read nor cut them
+  double seconds = 10;    // wall clock
+  int exit_code = 0;      // with which it is to end
+  std::string seed = "";  // what the helper header's seed() gives; "" for its own
+  std::optional<RunListener> listener = {};
+  bool is_kept = true;  // may its run be found another time?
 };
 
 struct NativeRun {
   Outcome outcome;
-  // Its records for the lesson; nothing where they are more than 16 MiB.
+  // Its records for the lesson, or what its listener heard; nothing where they are more than 16
+  // MiB.
   std::optional<std::string> records;
   double seconds = 0;  // measured, without compiling
   // The files that a reader needs beside it, by the course's names (program_files.h).
@@ -81,6 +94,7 @@ class NativeProgram {
  private:
   Dependencies recipe(const std::string& kind,
                       const std::vector<std::string>& arguments = {}) const;
+  Dependencies recipe_of(const NativeRequest& request) const;
   Command command_of(const NativeRequest& request, const std::filesystem::path& own,
                      const std::filesystem::path& records) const;
 

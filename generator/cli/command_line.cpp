@@ -72,11 +72,19 @@ void CommandLine::take_word(const std::string& word) const {
   words_->push_back(word);
 }
 
+// A shell that writes out `*` does not ask how the names begin.
+bool CommandLine::names_a_file(const std::string& argument) const {
+  std::error_code none;
+  const std::string name = argument.substr(0, argument.find('='));
+  return words_ != nullptr && argument.size() > 2 && !has(name) && name != "--help" &&
+         std::filesystem::exists(argument, none);
+}
+
 bool CommandLine::read(const std::vector<std::string>& arguments) {
   bool in_options = true;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string& argument = arguments[i];
-    if (!in_options || !argument.starts_with('-')) {
+    if (!in_options || !argument.starts_with('-') || names_a_file(argument)) {
       take_word(argument);
       continue;
     }

@@ -60,6 +60,7 @@ class CommandLine {
   };
 
   const Option& option_called(const std::string& name) const;
+  bool names_a_file(const std::string& argument) const;
   static void take_value(const Option& option, const std::string& value);
   void take_word(const std::string& word) const;
 

@@ -1,8 +1,11 @@
 #include "cli/command_options.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <ctime>
 #include <string_view>
 #include <utility>
 
@@ -28,6 +31,40 @@ bool take_number(const std::string& text, Number last, Number& to) {
   const char* end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, to);
   return read.ec == std::errc() && read.ptr == end && to > 0 && to <= last;
+}
+
+// "2026-11-30T23:59", of this machine's time zone, or with "Z" of none; a day alone ends with its
+// last minute.
+std::optional<std::chrono::sys_seconds> time_of(const std::string& text) {
+  static const RE2 form(R"((\d{4})-(\d\d)-(\d\d)(?:[T ](\d\d):(\d\d)(?::(\d\d))?)?(Z?))");
+  int year = 0, month = 0, day = 0, hour = 23, minute = 59, second = 59;
+  std::string hours, minutes, seconds, zone;
+  if (!RE2::FullMatch(text, form, &year, &month, &day, &hours, &minutes, &seconds, &zone))
+    return {};
+  if (!hours.empty()) {
+    hour = std::stoi(hours);
+    minute = std::stoi(minutes);
+    second = seconds.empty() ? 0 : std::stoi(seconds);
+  }
+  const std::chrono::year_month_day date{std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day))};
+  if (!date.ok() || hour > 23 || minute > 59 || second > 59) return {};
+  std::tm fields{};
+  fields.tm_year = year - 1900;
+  fields.tm_mon = month - 1;
+  fields.tm_mday = day;
+  fields.tm_hour = hour;
+  fields.tm_min = minute;
+  fields.tm_sec = second;
+  fields.tm_isdst = -1;
+  const std::time_t time = zone.empty() ? std::mktime(&fields) : timegm(&fields);
+  return std::chrono::sys_seconds(std::chrono::seconds(time));
+}
+
+bool is_seed(const std::string& text) {
+  static const RE2 form(R"([1-9]\d{0,8})");
+  return RE2::FullMatch(text, form);
 }
 
 // The first is for people, the others for another tool.
@@ -178,7 +215,7 @@ void declare(CommandLine& line, ExplainOptions& options) {
 }
 
 void declare(CommandLine& line, GradeOptions& options) {
-  line.words("DIR...", "the folder of each hand-in, with NAME.cpp or NAME/NAME.cpp of an exercise",
+  line.words("DIR...", "the folder of each student, with NAME.cpp or NAME/NAME.cpp of an exercise",
              options.hand_ins);
   line.path("--against", kFolder, "the course, with its solutions (default: .)", options.course);
   line.value("--exercise", {"NAME", "an exercise, or a lesson's number"},
@@ -197,6 +234,21 @@ void declare(CommandLine& line, GradeOptions& options) {
         return named != names.end();
       },
       names);
+  line.path("--out", kFolder,
+            "keep each verdict in DIR as it comes, and at the end tables and a letter for each "
+            "student; a second run goes on from there",
+            options.results);
+  line.value("--due", {"TIME", "a time, such as 2026-11-30T23:59 (here) or 2026-11-30T23:59Z"},
+             "say how late a file was that was changed after TIME", [&](const std::string& value) {
+               options.due = time_of(value);
+               return options.due.has_value();
+             });
+  line.value("--seed", {"N", "a whole number from 1 on"},
+             "draw the inputs of the checks from N, as an earlier run (default: a new one)",
+             [&](const std::string& value) {
+               options.seed = value;
+               return is_seed(value);
+             });
   add_evaluation(line, options);
 }
 

@@ -1,6 +1,7 @@
 // The commands: each takes its own options and gives the exit code.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -67,6 +68,9 @@ struct GradeOptions : CourseOptions {
   std::vector<std::string> hand_ins;   // folders
   std::vector<std::string> exercises;  // by name or lesson; none: those that somebody handed in
   GradeFormat format = GradeFormat::text;
+  std::filesystem::path results;                // where all is kept; "" for nowhere
+  std::optional<std::chrono::sys_seconds> due;  // what is changed later is late
+  std::string seed;                             // of the checks' inputs; "" for a new one
 };
 
 struct InitOptions {

@@ -1,18 +1,30 @@
 // `mjcourse grade DIR...`: hand-ins, judged side by side.
 //
-// Steps: find the exercises that were handed in; run their solutions; judge each text of each
-// hand-in, of which nothing but its regions is read; tell what came of them.
-// Tested by tests/system/grade.mjs.
+// Steps: find the hand-ins, and the exercises that were handed in; run their solutions; judge each
+// text once, whoever handed it in, and keep what came of it; tell it.
+// Tested by tests/system/grade_class.mjs.
+#include <unistd.h>
+
 #include <algorithm>
+#include <cmath>
 #include <iostream>
-#include <set>
+#include <map>
+#include <mutex>
 #include <string>
 #include <utility>
 
+#include "base/beneath.h"
+#include "base/counted.h"
 #include "base/nearest.h"
+#include "base/out_folder.h"
 #include "base/parallel.h"
+#include "base/sha256.h"
+#include "base/stopwatch.h"
+#include "base/utf8.h"
 #include "cli/commands.h"
+#include "cli/exercise_list.h"
 #include "cli/grades.h"
+#include "cli/hand_ins.h"
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "evaluate/hand_in.h"
@@ -22,31 +34,96 @@ namespace mjcourse {
 namespace {
 
 namespace fs = std::filesystem;
+using nlohmann::json;
 
-constexpr std::uintmax_t kMostBytes = 1 << 20;  // of a program that was handed in
+// How often somebody who reads a log is told how far it is.
+constexpr double kTellSeconds = 15;
 
-// The text of the exercise in the hand-in `folder`; nothing where it was not handed in, or why it
-// is not read.
-struct HandedIn {
-  std::optional<std::string> text;
-  std::string fault;
+void note(const std::string& text) {
+  std::cerr << "note: " << text << '\n';
+}
+
+// How far the work is, and how long it will take.
+class GradeProgress {
+ public:
+  explicit GradeProgress(std::size_t all) : all_(all) {}
+  ~GradeProgress() {
+    if (is_terminal_) std::cerr << "\r\033[K" << std::flush;
+  }
+  GradeProgress(const GradeProgress&) = delete;
+  GradeProgress& operator=(const GradeProgress&) = delete;
+
+  // From any thread.
+  void count() {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    const double seconds = stopwatch_.seconds();
+    if (!is_terminal_ && seconds < told_ + kTellSeconds) return;
+    told_ = seconds;
+    const double left = seconds / static_cast<double>(done_) * static_cast<double>(all_ - done_);
+    const std::string text = std::to_string(done_) + " of " + counted(all_, "text") + " judged, " +
+                             (left < 90 ? std::to_string(std::lround(left)) + " s"
+                                        : std::to_string(std::lround(left / 60)) + " min") +
+                             " to go";
+    std::cerr << (is_terminal_ ? "\r" + text + "\033[K" : text + "\n") << std::flush;
+  }
+
+ private:
+  const bool is_terminal_ = isatty(STDERR_FILENO) != 0;
+  std::mutex mutex_;
+  Stopwatch stopwatch_;
+  std::size_t all_, done_ = 0;
+  double told_ = 0;
 };
 
-HandedIn handed_in(const fs::path& folder, const std::string& name) {
-  const DiskFiles files(folder);
-  for (const std::string& path : {name + ".cpp", name + "/" + name + ".cpp"}) {
-    if (const auto refusal = files.refusal(path)) return {std::nullopt, "it is no plain file"};
-    if (!files.exists(path)) continue;
-    std::error_code none;
-    if (fs::file_size(folder / path, none) > kMostBytes || none) {
-      return {std::nullopt, "it has more than 1 MiB"};
-    }
-    auto text = files.read(path);
-    if (!text) return {std::nullopt, "it cannot be read"};
-    return {*std::move(text), ""};
+// Verdicts that were kept, by what they depend on; none where no folder is given.
+class KeptVerdicts {
+ public:
+  explicit KeptVerdicts(const fs::path& out, const fs::path& course) {
+    if (!out.empty()) place_.emplace(open_out_place(out, course));
+    if (place_) folder_.emplace(place_->folder.inner(place_->name));
   }
-  return {};
-}
+
+  const std::optional<OutFolder>& folder() const { return folder_; }
+
+  // The seed of an earlier run, or `seed`, which is kept.
+  std::string seed(const std::string& seed, bool is_wanted) const {
+    if (!folder_) return seed;
+    const auto kept = DiskFiles(folder_->path()).read("seed");
+    if (kept && !is_wanted) return kept->substr(0, kept->find('\n'));
+    folder_->write("seed", seed + "\n");
+    return seed;
+  }
+
+  std::optional<Grade> find(const std::string& key) const {
+    if (!folder_) return std::nullopt;
+    const auto bytes = DiskFiles(folder_->path()).read("verdicts/" + key + ".json");
+    return bytes ? grade_of_json(json::parse(*bytes, nullptr, false)) : std::nullopt;
+  }
+
+  void keep(const std::string& key, const Grade& grade) const {
+    if (!folder_) return;
+    folder_->write(
+        "verdicts/" + key + ".json",
+        judgement_json(grade).dump(1, ' ', false, json::error_handler_t::replace) + "\n");
+  }
+
+ private:
+  std::optional<OutPlace> place_;
+  std::optional<OutFolder> folder_;
+};
+
+struct Task {
+  ListedExercise listed;
+  JudgedExercise judged;
+  std::string key;  // of what a verdict depends on beside the text
+};
+
+// One text, to be judged once.
+struct Text {
+  const Task* task;
+  std::string code;
+};
 
 bool is_named(const GradeOptions& options, const ListedExercise& listed) {
   const std::vector<std::string>& names = options.exercises;
@@ -55,13 +132,13 @@ bool is_named(const GradeOptions& options, const ListedExercise& listed) {
 }
 
 // Those that are meant; where none is named, those that somebody handed in.
-std::vector<ListedExercise> wanted(const GradeOptions& options, const Course& course) {
+std::vector<ListedExercise> wanted(const GradeOptions& options, const Course& course,
+                                   const HandIns& hand_ins) {
   std::vector<ListedExercise> all = exercises_of(course);
   std::erase_if(all, [&](const ListedExercise& listed) {
     if (!options.exercises.empty()) return !is_named(options, listed);
-    return std::ranges::none_of(options.hand_ins, [&](const std::string& folder) {
-      const HandedIn found = handed_in(folder, listed.name);
-      return found.text || !found.fault.empty();
+    return std::ranges::none_of(hand_ins.all, [&](const HandIn& hand_in) {
+      return read_handed_in(hand_in, listed.name).is_there();
     });
   });
   return all;
@@ -78,78 +155,195 @@ std::optional<Refusal> unknown(const GradeOptions& options, const Course& course
     if (std::ranges::count(known, name) > 0) continue;
     return Refusal{kWrongUsage, "the course has no exercise " + name, suggest(name, known)};
   }
-  for (const std::string& folder : options.hand_ins) {
-    if (fs::is_directory(folder)) continue;
-    return Refusal{kWrongUsage, "there is no folder " + folder, "name the folders of the hand-ins"};
-  }
   if (options.hand_ins.empty()) {
-    return Refusal{kWrongUsage, "which hand-ins?", "name their folders, one for each"};
+    return Refusal{kWrongUsage, "which hand-ins?", "name their folders, one for each student"};
   }
   return std::nullopt;
 }
 
-Grade grade_of(const std::string& folder, const JudgedExercise& exercise,
-               const ExerciseJudge& judge) {
-  const std::string name = exercise.exercise->program.name();
-  const HandedIn found = handed_in(folder, name);
-  Grade grade{name, exercise.lesson->number, found.text || !found.fault.empty(),
-              nothing_made(exercise), points_of(exercise.shown) + points_of(exercise.hidden)};
-  const auto refuse = [&](const std::string& why) {
-    Place place;
-    place.file = name + ".cpp";
-    grade.verdict.faults.push_back(error_at(std::move(place), "E-hand-in", why));
+// All that the verdict on a text depends on, beside the text.
+std::string key_of(const JudgedExercise& judged, const fs::path& course) {
+  const DiskFiles files(course);
+  std::string all = std::string(judged.files.text.file().text()) +
+                    judged.files.hidden.value_or("") + judged.shown.key() + judged.hidden.key();
+  for (const std::string& source : judged.sources) {
+    all += source + sha256(files.read(source).value_or(""));
+  }
+  return sha256(all);
+}
+
+class Grading {
+ public:
+  Grading(const GradeOptions& options, const HandIns& hand_ins, const ExerciseJudge& judge,
+          const KeptVerdicts& kept, std::vector<Task> tasks)
+      : options_(options),
+        hand_ins_(hand_ins),
+        judge_(judge),
+        kept_(kept),
+        tasks_(std::move(tasks)) {}
+
+  std::vector<GradedHandIn> run() {
+    for (const HandIn& hand_in : hand_ins_.all) {
+      GradedHandIn& graded = graded_.emplace_back(
+          GradedHandIn{hand_in.student, hand_in.folder.string(), hand_in.fault, {}});
+      for (const Task& task : tasks_) graded.grades.push_back(read(hand_in, task));
+    }
+    judge_texts();
+    for (auto& [grade, key] : waiting_) {
+      const Grade& made = made_.at(key);
+      grade->checks = made.checks;
+      grade->faults = made.faults;
+    }
+    return std::move(graded_);
+  }
+
+ private:
+  Grade read(const HandIn& hand_in, const Task& task) {
+    const HandedIn found = read_handed_in(hand_in, task.listed.name);
+    const std::string name = task.listed.name + ".cpp";
+    Verdict verdict = nothing_made(task.judged);
+    const auto refuse = [&](const std::string& why) {
+      Place place;
+      place.file = name;
+      verdict.faults.push_back(error_at(std::move(place), "E-hand-in", why));
+    };
+    const std::string& region = task.judged.exercise->program.region->text;
+    const auto code = found.text ? code_in_region(*found.text, region) : std::nullopt;
+    if (!found.fault.empty()) refuse(found.fault);
+    if (found.text && !code) refuse("it has no region `" + region + "`");
+    Grade grade = grade_of(task.judged, task.listed.title, verdict);
+    grade.handed_in = found.is_there();
+    if (options_.due && found.changed && *found.changed > *options_.due) {
+      const auto late = std::chrono::ceil<std::chrono::minutes>(*found.changed - *options_.due);
+      grade.minutes_late = static_cast<int>(late.count());
+    }
+    if (code) {
+      const std::string key = sha256(task.key + *code);
+      texts_.emplace(key, Text{&task, *code});
+      keys_.push_back(key);
+    } else {
+      keys_.emplace_back();
+    }
     return grade;
-  };
-  if (!found.fault.empty()) return refuse(found.fault);
-  if (!found.text) return grade;
-  const std::string& region = exercise.exercise->program.region->text;
-  const auto code = code_in_region(*found.text, region);
-  if (!code) return refuse("it has no region `" + region + "`");
-  grade.verdict = judge.judge(exercise, *code, name + ".cpp", true);
-  return grade;
+  }
+
+  void judge_texts() {
+    std::size_t next = 0;
+    for (GradedHandIn& hand_in : graded_) {
+      for (Grade& grade : hand_in.grades) {
+        if (const std::string& key = keys_[next++]; !key.empty())
+          waiting_.emplace_back(&grade, key);
+      }
+    }
+    std::vector<std::string> left;
+    for (const auto& [key, text] : texts_) {
+      auto known = kept_.find(key);
+      if (known) made_[key] = *std::move(known);
+      if (!made_.contains(key)) left.push_back(key);
+    }
+    if (left.size() < texts_.size()) {
+      note(counted(texts_.size() - left.size(), "verdict") + " of an earlier run " +
+           (texts_.size() - left.size() == 1 ? "is" : "are") + " taken up again");
+    }
+    GradeProgress progress(left.size());
+    std::mutex mutex;
+    for_each_index(left.size(), options_.jobs, [&](std::size_t i, std::size_t) {
+      const Text& text = texts_.at(left[i]);
+      const Task& task = *text.task;
+      Grade grade = grade_of(task.judged, task.listed.title,
+                             judge_.judge(task.judged, text.code, task.listed.name + ".cpp", true));
+      kept_.keep(left[i], grade);
+      progress.count();
+      const std::lock_guard lock(mutex);
+      made_[left[i]] = std::move(grade);
+    });
+  }
+
+  const GradeOptions& options_;
+  const HandIns& hand_ins_;
+  const ExerciseJudge& judge_;
+  const KeptVerdicts& kept_;
+  std::vector<Task> tasks_;
+  std::vector<GradedHandIn> graded_;
+  std::vector<std::string> keys_;  // of each grade, in their order
+  std::map<std::string, Text> texts_;
+  std::map<std::string, Grade> made_;
+  std::vector<std::pair<Grade*, std::string>> waiting_;
+};
+
+// The name of a student's letter: a folder's, so that of a file too.
+std::string letter_name(const GradedHandIn& hand_in) {
+  std::string name = hand_in.student;
+  std::ranges::replace(name, '/', '_');
+  return "letters/" + name + ".md";
+}
+
+void write_all(const OutFolder& folder, const std::vector<GradedHandIn>& graded) {
+  folder.write("students.csv", students_csv(graded));
+  folder.write("checks.csv", grades_text(graded, GradeFormat::csv));
+  folder.write("grades.json", grades_text(graded, GradeFormat::json));
+  for (const GradedHandIn& hand_in : graded) folder.write(letter_name(hand_in), letter(hand_in));
+  note("tables, and a letter for each student, are in " + readable(folder.path().string()));
+}
+
+int grade_all(const GradeOptions& options, const Verified& verified, const HandIns& hand_ins,
+              const KeptVerdicts& kept) {
+  const Course& course = *verified.course;
+  JudgeKey key = JudgeKey::random();
+  key.seed = kept.seed(options.seed.empty() ? key.seed : options.seed, !options.seed.empty());
+  const DiskFiles assets(assets_folder());
+  const ExerciseJudge judge(course, evaluation_settings(options, assets, verified.store.get()),
+                            key);
+  Diagnostics diagnostics;
+  if (auto why = judge.why_nothing_runs()) diagnostics.push_back(*std::move(why));
+  std::vector<Task> tasks;
+  for (const ListedExercise& listed : wanted(options, course, hand_ins)) {
+    auto judged = diagnostics.empty() ? judge.prepare(*listed.lesson, *listed.exercise, diagnostics)
+                                      : std::nullopt;
+    if (!judged) continue;
+    tasks.push_back({listed, *std::move(judged), ""});
+    tasks.back().key = key_of(tasks.back().judged, options.course);
+  }
+  if (!diagnostics.empty()) {
+    print_diagnostics(diagnostics);
+    return kCourseErrors;
+  }
+  std::vector<std::string> names;
+  for (const ListedExercise& listed : exercises_of(course)) {
+    if (options.exercises.empty() || is_named(options, listed)) names.push_back(listed.name);
+  }
+  for (const std::string& one : hand_ins.notes) note(one);
+  for (const HandIn& hand_in : hand_ins.all) {
+    for (const std::string& one : notes_on(hand_in, names)) note(one);
+  }
+  if (tasks.empty()) {
+    return tell(Refusal{kWrongUsage, "nothing was handed in here",
+                        "name the folder of each student, with NAME.cpp or NAME/NAME.cpp of an "
+                        "exercise of the course"});
+  }
+  const std::vector<GradedHandIn> graded =
+      Grading(options, hand_ins, judge, kept, std::move(tasks)).run();
+  if (kept.folder()) write_all(*kept.folder(), graded);
+  std::cout << grades_text(graded, options.format);
+  note("the inputs of checks were drawn from --seed " + key.seed);
+  return kClean;
 }
 
 }  // namespace
 
 int grade(const GradeOptions& options) {
   const Verified verified = read_course_of(options);
-  Diagnostics diagnostics = verified.evaluation.diagnostics;
   if (!verified.course) {
-    print_diagnostics(diagnostics);
+    print_diagnostics(verified.evaluation.diagnostics);
     return kCourseErrors;
   }
-  const Course& course = *verified.course;
-  if (const auto refused = unknown(options, course)) return tell(*refused);
-  const DiskFiles assets(assets_folder());
-  const ExerciseJudge judge(course, evaluation_settings(options, assets, verified.store.get()));
-  diagnostics.clear();  // of lessons that are none of these
-  if (auto why = judge.why_nothing_runs()) diagnostics.push_back(*std::move(why));
-  std::vector<JudgedExercise> exercises;
-  for (const ListedExercise& listed : wanted(options, course)) {
-    auto judged = diagnostics.empty() ? judge.prepare(*listed.lesson, *listed.exercise, diagnostics)
-                                      : std::nullopt;
-    if (judged) exercises.push_back(*std::move(judged));
+  if (const auto refused = unknown(options, *verified.course)) return tell(*refused);
+  const HandIns hand_ins = find_hand_ins(options.hand_ins);
+  try {
+    return grade_all(options, verified, hand_ins, KeptVerdicts(options.results, options.course));
+  } catch (const RefusedPath& refused) {
+    return tell({kCourseErrors, refused.what(), "remove it, or name another folder: `--out DIR`"});
   }
-  if (!diagnostics.empty()) {
-    print_diagnostics(diagnostics);
-    return kCourseErrors;
-  }
-  if (exercises.empty()) {
-    return tell(Refusal{kWrongUsage, "nothing was handed in here",
-                        "name the folder of each hand-in, with NAME.cpp or NAME/NAME.cpp of an "
-                        "exercise of the course"});
-  }
-  std::vector<GradedHandIn> graded;
-  for (const std::string& folder : options.hand_ins) {
-    graded.push_back({folder, std::vector<Grade>(exercises.size())});
-  }
-  for_each_index(graded.size() * exercises.size(), options.jobs, [&](std::size_t i, std::size_t) {
-    const std::size_t exercise = i % exercises.size();
-    GradedHandIn& hand_in = graded[i / exercises.size()];
-    hand_in.grades[exercise] = grade_of(hand_in.folder, exercises[exercise], judge);
-  });
-  std::cout << grades_text(graded, options.format);
-  return kClean;
 }
 
 }  // namespace mjcourse

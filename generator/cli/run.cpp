@@ -50,6 +50,7 @@ OutPlaces out_places(const Options& options) {
   if constexpr (requires { options.report; }) places.report = options.report;
   if constexpr (requires { options.trace; }) places.trace = options.trace;
   if constexpr (requires { options.folder; }) places.exercise = options.folder;
+  if constexpr (requires { options.results; }) places.exercise = options.results;
   return places;
 }
 

@@ -157,7 +157,10 @@ int try_exercise(const TryOptions& options) {
     return tell(link_in_the_way(folder.string() + " is a link, so nothing is written there"));
   }
   const DiskFiles assets(assets_folder()), files(options.course);
-  const ExerciseJudge judge(course, evaluation_settings(options, assets, verified.store.get()));
+  JudgeKey key = JudgeKey::random();
+  key.seed = "";  // as the page has it
+  const ExerciseJudge judge(course, evaluation_settings(options, assets, verified.store.get()),
+                            key);
   Diagnostics diagnostics;
   if (auto why = judge.why_nothing_runs()) diagnostics.push_back(*std::move(why));
   const auto judged = diagnostics.empty()

@@ -2,96 +2,49 @@
 
 #include <algorithm>
 #include <numeric>
-#include <random>
-#include <string_view>
 #include <utility>
 
-#include "evaluate/programs/example.h"
-#include "evaluate/programs/hand_in_text.h"
+#include "evaluate/programs/version_runs.h"
+#include "toolchain/warm_header.h"
 
 namespace mjcourse {
 namespace {
 
-// From which line on the rest of a program is counted where its solution runs; in a run of a
-// hand-in it is a number that nobody knows before.
-constexpr int kRestLine = 2'000'000;
-
-int random_line() {
-  std::random_device device;
-  return std::uniform_int_distribution(2 * kRestLine, 500 * kRestLine)(device);
-}
-
-// Was it made by the program's own lines? These are the ones behind the region, and before it, that
-// on which the solution's run made it.
-bool is_own(const Check& made, const Check& known, int rest, int lines) {
-  return (made.line >= rest && made.line < rest + lines) ||
-         (made.line < kRestLine && made.line == known.line);
-}
-
-// `program`, of which a compiler counts what stands behind its region from `rest` on.
-std::string with_rest_at(const std::string& program, const std::string& region, int rest) {
-  const std::size_t end = behind_region(program, region).value();
-  return program.substr(0, end) + "#line " + std::to_string(rest) + "\n" + program.substr(end);
-}
-
-// As if none had been made.
-std::vector<Check> none_of(std::vector<Check> checks) {
-  for (Check& check : checks) {
-    check = {check.what, false, "it was not reached", "", check.points, check.line};
-  }
-  return checks;
-}
-
-// Runs the programs of an exercise with a text in their region.
-class Judging {
- public:
-  Judging(const JudgedExercise& exercise, WorkerContext& worker_context)
-      : exercise_(exercise), worker_context_(worker_context) {}
-
-  // Each of `known` with what the run of `program`, whose text is `text`, made of it.
-  std::vector<Check> run(const Example& program, const std::string& text,
-                         const std::vector<Check>& known, Verdict& verdict) const {
-    const int rest = random_line();
-    Diagnostics found;
-    Example strange = program;
-    strange.handed_in = true;
-    const auto result =
-        evaluate_example(strange, {with_rest_at(text, program.region->text, rest), {}},
-                         *exercise_.lesson, worker_context_, found);
-    std::vector<Check> checks = none_of(known);
-    const auto lines = static_cast<int>(std::ranges::count(text, '\n'));
-    if (!result) {
-      std::erase_if(found, [](const Diagnostic& one) { return one.severity != Severity::error; });
-      verdict.faults.insert(verdict.faults.end(), found.begin(), found.end());
-      return checks;
-    }
-    if (verdict.output.empty()) verdict.output = result->output;
-    for (const Check& made : result->records.checks) {
-      const auto is = std::ranges::find(checks, made.what, &Check::what);
-      if (is == checks.end()) continue;
-      if (!is_own(made, *is, rest, lines)) {
-        verdict.faults.push_back(
-            error_at({}, "E-hand-in", "a check was not made by the program itself"));
-        return none_of(known);
-      }
-      is->holds = made.holds;
-      is->meaning = made.meaning;
-      is->found = made.found;
-    }
-    return checks;
-  }
-
- private:
-  const JudgedExercise& exercise_;
-  WorkerContext& worker_context_;
+// One of the programs of an exercise, which a hand-in's text goes into.
+struct Program {
+  Example example;
+  std::string text;  // with the text in it
+  const Answers& answers;
 };
+
+Program shown_program(const JudgedExercise& judged, const std::string& code) {
+  return {judged.exercise->program, judged.files.text.program(code), judged.shown};
+}
+
+std::optional<Program> program_with_hidden(const JudgedExercise& judged, const std::string& code) {
+  if (!judged.exercise->hidden) return std::nullopt;
+  return Program{hidden_program(*judged.exercise),
+                 hidden_text(*judged.exercise, judged.files, code), judged.hidden};
+}
+
+void keep_errors(Diagnostics& diagnostics) {
+  std::erase_if(diagnostics, [](const Diagnostic& one) { return one.severity != Severity::error; });
+}
+
+double points_of(const std::vector<JudgedCheck>& checks) {
+  return std::accumulate(
+      checks.begin(), checks.end(), 0.0,
+      [](double sum, const JudgedCheck& check) { return sum + (check.holds ? check.points : 0); });
+}
 
 }  // namespace
 
-double points_of(const std::vector<Check>& checks) {
-  return std::accumulate(checks.begin(), checks.end(), 0.0, [](double sum, const Check& check) {
-    return sum + (check.holds ? check.points : 0);
-  });
+double JudgedExercise::points() const {
+  double all = 0;
+  for (const Answers* answers : {&shown, &hidden}) {
+    for (const auto& known : answers->checks) all += known.check.points;
+  }
+  return all;
 }
 
 double Verdict::points() const {
@@ -99,21 +52,30 @@ double Verdict::points() const {
 }
 
 bool Verdict::holds() const {
-  return faults.empty() && std::ranges::all_of(shown, &Check::holds) &&
-         std::ranges::all_of(hidden, &Check::holds);
+  return faults.empty() && std::ranges::all_of(shown, &JudgedCheck::holds) &&
+         std::ranges::all_of(hidden, &JudgedCheck::holds);
 }
 
 Verdict nothing_made(const JudgedExercise& exercise) {
-  return {none_of(exercise.shown), none_of(exercise.hidden), {}};
+  return {exercise.shown.not_reached(), exercise.hidden.not_reached(), {}};
 }
 
-ExerciseJudge::ExerciseJudge(const Course& course, const EvaluationSettings& settings)
+ExerciseJudge::ExerciseJudge(const Course& course, const EvaluationSettings& settings, JudgeKey key)
     : run_context_(course, settings.root, settings.assets, settings.helper, settings.prepared,
-                   settings.script_bundles, settings.without_landlock) {}
+                   settings.script_bundles, settings.without_landlock),
+      key_(std::move(key)) {}
 
 std::optional<Diagnostic> ExerciseJudge::why_nothing_runs() const {
   if (auto why = run_context_.why_nothing_runs()) return why;
   return run_context_.compiler() ? std::nullopt : std::optional(no_compiler());
+}
+
+// Many programs that include the same are to be compiled.
+void ExerciseJudge::warm_up(const std::string& program, bool optimize) const {
+  const Compiler& compiler = *run_context_.compiler();
+  const auto roots = warm_roots(program, run_context_.include_folders());
+  if (optimize || !compiler.makes_headers() || compiler.has_header(roots)) return;
+  compiler.make_header(roots, Warmth::quick);
 }
 
 std::optional<JudgedExercise> ExerciseJudge::prepare(const Lesson& lesson, const Exercise& exercise,
@@ -121,23 +83,40 @@ std::optional<JudgedExercise> ExerciseJudge::prepare(const Lesson& lesson, const
   WorkerContext worker_context(run_context_);
   auto files = read_exercise_files(exercise, lesson, worker_context, diagnostics);
   if (!files) return std::nullopt;
-  JudgedExercise judged{&lesson, &exercise, *std::move(files), {}, {}, {}};
-  const auto run = [&](const Example& program, const std::string& text,
-                       std::vector<Check>& checks) {
-    const std::string placed = with_rest_at(text, program.region->text, kRestLine);
-    auto result = evaluate_example(program, {placed, {}}, lesson, worker_context, diagnostics);
-    if (!result) return false;
-    checks = std::move(result->records.checks);
-    judged.sources.insert(judged.sources.end(), result->files.begin(), result->files.end());
-    report_failing_checks(program, {placed, {}}, checks, lesson, diagnostics);
-    return std::ranges::all_of(checks, &Check::holds);
-  };
-  const ExerciseText& text = judged.files.text;
-  if (!run(exercise.program, text.program(text.solution()), judged.shown)) return std::nullopt;
-  if (exercise.hidden &&
-      !run(hidden_program(exercise), hidden_text(exercise, judged.files, text.solution()),
-           judged.hidden)) {
+  const Place place = place_of(*lesson.source, exercise.span);
+  auto rules = hand_in_rules(files->text, run_context_.compiler()->toolchain());
+  if (!rules) {
+    diagnostics.push_back(error_at(place, "E-exercise-hand-in",
+                                   "the exercise cannot be handed in: " + rules.error()));
     return std::nullopt;
+  }
+  JudgedExercise judged{&lesson, &exercise, *std::move(files), std::move(rules->rules)};
+  const std::string& solution = judged.files.text.solution();
+  warm_up(judged.files.text.program(solution), exercise.program.optimize);
+  const auto run = [&](const Program& program, Answers& into) {
+    VersionRuns runs(program.example, {program.text}, lesson, worker_context, key_);
+    auto answers = runs.answers(diagnostics);
+    if (!answers) return false;
+    into = *std::move(answers);
+    std::vector<Check> own;
+    for (const auto& known : into.checks) own.push_back(known.check);
+    report_failing_checks(program.example, {program.text, {}}, own, lesson, diagnostics);
+    if (!into.hold()) return false;
+    const auto handed_in = runs.run(0, into, diagnostics);
+    if (!handed_in) return false;
+    const std::vector<std::string>& files = handed_in->result.files;
+    judged.sources.insert(judged.sources.end(), files.begin(), files.end());
+    const auto fails = std::ranges::find(handed_in->verdict, false, &JudgedCheck::holds);
+    if (fails == handed_in->verdict.end()) return true;
+    diagnostics.push_back(error_at(place, "E-exercise-hand-in",
+                                   "the solution, handed in, fails the check `" + fails->what + "`",
+                                   "what is expected must not change from run to run"));
+    diagnostics.back().detail = fails->found;
+    return false;
+  };
+  if (!run(shown_program(judged, solution), judged.shown)) return std::nullopt;
+  if (const auto hidden = program_with_hidden(judged, solution)) {
+    if (!run(*hidden, judged.hidden)) return std::nullopt;
   }
   // Those of both programs.
   std::ranges::sort(judged.sources);
@@ -151,20 +130,34 @@ Verdict ExerciseJudge::judge(const JudgedExercise& exercise, const std::string& 
   WorkerContext worker_context(run_context_);
   Verdict verdict = nothing_made(exercise);
   if (!hidden) verdict.hidden.clear();
-  const ExerciseText& text = exercise.files.text;
-  if (const std::string why = refusal(code, text, exercise.exercise->program.region->text);
-      !why.empty()) {
-    verdict.faults.push_back(error_at({}, "E-hand-in", why));
-  } else {
-    const Judging judging(exercise, worker_context);
-    verdict.shown =
-        judging.run(exercise.exercise->program, text.program(code), exercise.shown, verdict);
-    if (hidden && exercise.exercise->hidden && verdict.faults.empty()) {
-      verdict.hidden = judging.run(hidden_program(*exercise.exercise),
-                                   hidden_text(*exercise.exercise, exercise.files, code),
-                                   exercise.hidden, verdict);
-    }
+  const auto refuse = [&](const std::string& why, Place place) {
+    place.file = name;
+    verdict.faults.push_back(error_at(std::move(place), "E-hand-in", why));
+    return verdict;
+  };
+  const auto found = hand_in_faults({code}, exercise.rules, run_context_.compiler()->toolchain());
+  if (!found) return refuse(found.error(), {});
+  if (const auto& fault = found->front()) {
+    const ExerciseText& text = exercise.files.text;
+    const std::size_t begin = text.code_begin();
+    return refuse(fault->why, place_of(SourceText(name, text.program(code)),
+                                       {begin + fault->span.begin, begin + fault->span.end}));
   }
+  const auto run = [&](const Program& program, std::vector<JudgedCheck>& into) {
+    Diagnostics all;
+    auto ran = run_handed_in(program.example, program.text, program.answers, *exercise.lesson,
+                             worker_context, key_, all);
+    if (!ran) {
+      keep_errors(all);
+      verdict.faults = std::move(all);
+      return;
+    }
+    into = std::move(ran->verdict);
+    if (verdict.output.empty()) verdict.output = std::move(ran->result.output);
+  };
+  run(shown_program(exercise, code), verdict.shown);
+  const auto more = hidden ? program_with_hidden(exercise, code) : std::nullopt;
+  if (more && verdict.faults.empty()) run(*more, verdict.hidden);
   // The hand-in's reader knows nothing of the lesson's text.
   for (Diagnostic& fault : verdict.faults) {
     fault.notes.clear();

@@ -1,10 +1,9 @@
 // Hand-ins: what somebody wrote into the region of an exercise, compiled, run and judged.
 //
 // It is a stranger's: of all that was handed in, only the region's text is taken, and it runs as
-// confined as a lesson's program. It shares a process with the checks, so it is refused where it
-// names what belongs to them. What stands behind the region has lines that begin at another random
-// number in each run, and a check counts only from its own line. So a forged one would have to find
-// that number in the machine code; the file of reports cannot be read.
+// confined as a lesson's program. What it finds is judged outside of its process, which does not
+// know the answers (evaluate/programs/judge.h). Where a check says itself whether it holds, the
+// verdict says that it does.
 // Enter at ExerciseJudge.
 // Tested by tests/system/grade.mjs.
 #pragma once
@@ -16,6 +15,9 @@
 #include "evaluate/context/run_context.h"
 #include "evaluate/evaluate.h"
 #include "evaluate/programs/exercise.h"
+#include "evaluate/programs/hand_in_text.h"
+#include "evaluate/programs/judge.h"
+#include "evaluate/programs/judged_text.h"
 
 namespace mjcourse {
 
@@ -24,13 +26,17 @@ struct JudgedExercise {
   const Lesson* lesson;
   const Exercise* exercise;
   ExerciseFiles files;
-  std::vector<Check> shown, hidden;  // those of the solution, in their order
-  std::vector<std::string> sources;  // what its programs are made of (ExampleResult::files)
+  HandInRules rules;
+  Answers shown = {}, hidden = {};
+  std::vector<std::string> sources = {};  // what its programs are made of (ExampleResult::files)
+
+  // What can be had.
+  double points() const;
 };
 
 struct Verdict {
   // As the exercise has them, each with what this text made of it. One that was not made fails.
-  std::vector<Check> shown, hidden;
+  std::vector<JudgedCheck> shown, hidden;
   // Why the text has no checks, or none that count: it does not compile, does not end …
   Diagnostics faults;
   std::string output = {};  // of the program that its reader knows
@@ -39,21 +45,18 @@ struct Verdict {
   double points() const;
 };
 
-// Of those that hold.
-double points_of(const std::vector<Check>& checks);
-
 // Of a hand-in that has nothing to be run.
 Verdict nothing_made(const JudgedExercise& exercise);
 
 class ExerciseJudge {
  public:
   // Both outlive it.
-  ExerciseJudge(const Course& course, const EvaluationSettings& settings);
+  ExerciseJudge(const Course& course, const EvaluationSettings& settings, JudgeKey key);
 
   // Why nothing can be run here; nothing where it can.
   std::optional<Diagnostic> why_nothing_runs() const;
 
-  // Runs the solution. Nothing (reported) where that is not as it should be.
+  // Runs the solution, and hands it in. Nothing (reported) where either fails.
   std::optional<JudgedExercise> prepare(const Lesson& lesson, const Exercise& exercise,
                                         Diagnostics& diagnostics) const;
 
@@ -63,7 +66,10 @@ class ExerciseJudge {
                 bool hidden) const;
 
  private:
+  void warm_up(const std::string& program, bool optimize) const;
+
   RunContext run_context_;
+  JudgeKey key_;
 };
 
 }  // namespace mjcourse

@@ -42,7 +42,8 @@ Pair make_sockets(int type) {
 
 ChildProcess::ChildProcess(const Command& command) {
   Pair outs = make_pipe(), errs = make_pipe(), sockets = make_sockets(SOCK_SEQPACKET);
-  Pair ins = command.answers ? make_sockets(SOCK_STREAM) : Pair{Descriptor(), Descriptor()};
+  const bool talks = command.answers || command.hears;
+  Pair ins = talks ? make_sockets(SOCK_STREAM) : Pair{Descriptor(), Descriptor()};
   Launch launch(command, {std::move(ins.read), std::move(outs.write), std::move(errs.write),
                           std::move(sockets.write)});
   // What loses its parent becomes our child, so that it can be waited for.

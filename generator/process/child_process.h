@@ -29,7 +29,7 @@ class ChildProcess {
 
   // Its stdout and stderr, and what is readable when it has ended (-1 on a kernel without).
   Descriptor out, err, ended;
-  // Its stdin, where it answers: a socket, to which is written without waiting.
+  // Its stdin, where it answers or is heard: a socket, to which is written without waiting.
   Descriptor in;
   // What it tells before it becomes the program: somebody must read it.
   Descriptor news;

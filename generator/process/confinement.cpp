@@ -54,9 +54,7 @@ Confinement::Confinement(const Sandbox* sandbox, bool watch, double seconds)
              {RLIMIT_CORE, 0, 0}};
   using Access = LandlockRule::Access;
   const auto allow = [&](const std::vector<std::string>& paths, Access access) {
-    for (const std::string& path : paths) {
-      rules_.push_back({path, path == sandbox->add ? Access::add : access});
-    }
+    for (const std::string& path : paths) rules_.push_back({path, access});
   };
   allow(readable_system_paths(), Access::read);
   allow(writable_system_paths(), Access::write);

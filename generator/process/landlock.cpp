@@ -54,7 +54,6 @@ constexpr Rights kRead = kExecute | kReadFile | kReadFolder;
 constexpr Rights kOfFile = kExecute | kWriteFile | kReadFile | kTruncate | kDeviceControl;
 
 Rights rights_of(LandlockRule::Access access) {
-  if (access == LandlockRule::Access::add) return kWriteFile;
   return access == LandlockRule::Access::write ? kChange : kRead;
 }
 

@@ -11,8 +11,8 @@
 namespace mjcourse {
 
 struct LandlockRule {
-  std::string path;  // a file or a folder; passed over where there is none
-  enum class Access { read, add, write } access;  // `read` is to execute as well
+  std::string path;                          // a file or a folder; passed over where there is none
+  enum class Access { read, write } access;  // `read` is to execute as well
 };
 
 // The ABI from which on signals stay among those that are confined together.

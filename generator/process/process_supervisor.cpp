@@ -44,6 +44,8 @@ bool drain(int descriptor, std::string& into) {
   return count > 0 || (count < 0 && errno == EINTR);
 }
 
+constexpr std::size_t kMostHeard = 16 << 20;  // bytes
+
 // Of a question, and of an answer.
 constexpr std::size_t kSizeBytes = sizeof(std::uint64_t);
 
@@ -53,14 +55,17 @@ ProcessSupervisor::ProcessSupervisor(const Command& command)
     : command_(command),
       child_(command),
       next_count_(Clock::now() + between_counts(command)),
-      next_use_(Clock::now() + kCountUse) {
+      next_use_(Clock::now() + kCountUse),
+      hears_(command.hears != nullptr) {
   outcome_.end = End::exited;
   if (command.sandbox) watcher_.emplace(child_.id(), *command.sandbox);
 }
 
 Outcome ProcessSupervisor::run() {
   allow(command_.seconds);
-  while (!over_ && (!ended_ || child_.out.is_open() || child_.err.is_open())) wait_and_serve();
+  while (!over_ && (!ended_ || child_.out.is_open() || child_.err.is_open() || hears_)) {
+    wait_and_serve();
+  }
   return conclude();
 }
 
@@ -114,6 +119,18 @@ void ProcessSupervisor::say() {
   if (count < 0 && errno != EAGAIN && errno != EINTR) to_say_.clear();  // it will have ended
 }
 
+void ProcessSupervisor::hear() {
+  const std::size_t before = heard_.size();
+  if (!drain(child_.in.get(), heard_)) hears_ = false;
+  heard_bytes_ += heard_.size() - before;
+  std::size_t begin = 0;
+  for (std::size_t end; (end = heard_.find('\n', begin)) != heard_.npos; begin = end + 1) {
+    to_say_ += command_.hears(std::string_view(heard_).substr(begin, end - begin));
+  }
+  heard_.erase(0, begin);
+  if (heard_bytes_ > kMostHeard) stop(End::flooded);
+}
+
 void ProcessSupervisor::stop(End end) {
   outcome_.end = end;
   over_ = true;
@@ -129,13 +146,15 @@ int ProcessSupervisor::patience() const {
 }
 
 void ProcessSupervisor::wait_and_serve() {
+  const bool talks = hears_ || !to_say_.empty();
+  const auto talk = static_cast<short>((hears_ ? POLLIN : 0) | (to_say_.empty() ? 0 : POLLOUT));
   // A closed one is -1, which poll passes over.
   std::array<pollfd, 6> open{{{child_.news.get(), POLLIN, 0},
                               {listener_.get(), POLLIN, 0},
                               {child_.out.get(), POLLIN, 0},
                               {child_.err.get(), POLLIN, 0},
                               {ended_ ? -1 : child_.ended.get(), POLLIN, 0},
-                              {to_say_.empty() ? -1 : child_.in.get(), POLLOUT, 0}}};
+                              {talks ? child_.in.get() : -1, talk, 0}}};
   const bool ready = poll(open.data(), open.size(), patience()) > 0;
   end_if_cancelled();  // which kills the child
   if (Clock::now() >= deadline_) return stop(End::timed_out);
@@ -143,7 +162,8 @@ void ProcessSupervisor::wait_and_serve() {
   if (ready && open[1].revents != 0) answer(open[1].revents);
   if (ready && open[2].revents != 0) collect(child_.out, outcome_.out);
   if (ready && open[3].revents != 0) collect(child_.err, outcome_.err);
-  if (ready && open[5].revents != 0) say();
+  if (ready && hears_ && (open[5].revents & ~POLLOUT) != 0) hear();
+  if (ready && !to_say_.empty() && open[5].revents != 0) say();
   if (command_.sandbox && Clock::now() >= next_count_) count_files();
   if (command_.sandbox && !over_ && Clock::now() >= next_use_) count_use();
   const bool may_have_ended = open[4].revents != 0 || !child_.ended.is_open();

@@ -45,6 +45,7 @@ class ProcessSupervisor {
   void hear_news();
   void answer(short events);
   void say();
+  void hear();
   void collect(Descriptor& stream, std::string& text);
   void count_use();
   void count_files();
@@ -57,8 +58,10 @@ class ProcessSupervisor {
   std::optional<Watcher> watcher_;  // only where there is a sandbox
   Descriptor listener_;
   Clock::time_point next_count_, next_use_;
-  std::uint64_t removed_ = 0;  // bytes of files that no folder has
-  std::string to_say_;
+  std::uint64_t removed_ = 0;   // bytes of files that no folder has
+  std::string to_say_, heard_;  // heard_ is the beginning of a line
+  std::size_t heard_bytes_ = 0;
+  bool hears_ = false;  // somebody does, and may hear more
   Outcome outcome_;
   int status_ = 0;
   bool watched_ = false, ended_ = false, over_ = false;

@@ -18,8 +18,6 @@ namespace mjcourse {
 struct Sandbox {
   std::vector<std::string> read;   // files and folders it may read and execute
   std::vector<std::string> write;  // files and folders it may change; must exist, and be ours
-  std::string add =
-      {};  // of these, a file that it may neither read nor cut, where Landlock knows how
   // May it, as the unprivileged user that it becomes where we are root, read what its mode keeps
   // from that user? It then does so in the system's folders too, so only a run that cannot do
   // without is given it.

@@ -1,15 +1,17 @@
 // Run a program that may do anything: fail, hang, flood its output, leave children behind.
 //
-// The program reads an empty stdin (but see process/process_supervisor.h), and has a process group
-// of its own. It is killed with the whole group when its wall clock or its output runs over the
+// The program reads an empty stdin, but where it `answers` or is heard, and has a process group of
+// its own. It is killed with the whole group when its wall clock or its output runs over the
 // limit. When it ends, what it left behind goes with it. It is killed as well when the work of this
 // thread is cancelled (base/cancellation.h). A sandbox says what else it may, and `record_opened`
 // has the files noted that it asks for (process/watcher.h tells how).
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "process/sandbox.h"
@@ -26,6 +28,9 @@ struct Command {
   std::optional<Sandbox> sandbox = {};
   bool record_opened = false;  // where there is a sandbox
   bool answers = false;        // it reads questions from its stdin: see ProcessSupervisor::ask
+  // Where there is one, its stdin is a socket: this gets each line that the program writes there,
+  // without the line's end, and gives what it then reads there. Of all lines, 16 MiB are heard.
+  std::function<std::string(std::string_view)> hears = {};
 };
 
 struct Outcome {
@@ -33,7 +38,7 @@ struct Outcome {
     exited,
     killed_by_signal,
     timed_out,
-    flooded,
+    flooded,  // it printed too much, or said too much to who hears it
     not_started,
     refused,     // it tried what its sandbox does not allow, and was stopped
     overfilled,  // it wrote more files than its sandbox allows, and was stopped

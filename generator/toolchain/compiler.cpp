@@ -99,7 +99,7 @@ void leave_out(const WarmObjects::Entry& entry, Compiled& compiled) {
 struct Compiler::Program {
   fs::path source, binary, folder, beside;
   std::vector<std::string> libraries;
-  bool optimize = false;
+  bool optimize = false, ours = true;
 };
 
 bool Compiled::refused() const {
@@ -160,7 +160,7 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
     append(link, "-fuse-ld=mold", "-Wl,--gc-sections", "-Wl,--no-build-id", "-Wl,--thread-count=1");
   }
 
-  WorkFolder at{program.folder, read_for(include_), {}};
+  WorkFolder at{program.folder, program.ours ? read_for(include_) : include_, {}};
   for (const WarmObjects::Entry& entry : {header, handlers}) {
     if (entry) at.reads.push_back(entry->folder.parent_path());
   }
@@ -196,11 +196,11 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
 }
 
 Compiled Compiler::compile(const fs::path& source, const fs::path& binary, const fs::path& folder,
-                           bool optimize, const fs::path& beside) const {
+                           bool optimize, const fs::path& beside, bool ours) const {
   // What cannot be read, the compiler will say.
   const std::string text =
       DiskFiles(source.parent_path()).read(source.filename().string()).value_or("");
-  const Program program{source, binary, folder, beside, linked_libraries(text), optimize};
+  const Program program{source, binary, folder, beside, linked_libraries(text), optimize, ours};
   const WarmObjects::Entry handlers = warm_->handlers();
   WarmObjects::Entry header;
   if (!optimize) header = warm_->header(warm_roots(text, include_));

@@ -67,10 +67,11 @@ class Compiler {
 
   // Compile the program `source` against MuJoCo, Eigen and the helper header into `binary`;
   // `folder` is for files in between, and `beside`, where it is none of "", has the headers that
-  // stand beside the program. Safe to call from several threads.
+  // stand beside the program. Where it is not `ours`, none of the course's examples is in reach,
+  // but for what these two folders and the include folders have. Safe to call from several threads.
   Compiled compile(const std::filesystem::path& source, const std::filesystem::path& binary,
                    const std::filesystem::path& folder, bool optimize = false,
-                   const std::filesystem::path& beside = {}) const;
+                   const std::filesystem::path& beside = {}, bool ours = true) const;
 
  private:
   struct Program;

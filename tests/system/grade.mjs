@@ -67,21 +67,15 @@ code("leaves-early", 0, "", "  std::exit(0);\n  return t;");
 
 const all = (words) => `  ${words}\n${right}`;
 const own = "which no hand-in may";
+const braces = "closes each bracket that it opens, and no other";
 code("endless", 0, "still ran after 10 s", all("while (t >= 0) mju_sin(t);"));
 code("prints", 0, "1 MiB", all('while (t >= 0) std::puts("x");'));
 code("passwords", 0, "/etc/passwd", all('if (!std::ifstream("/etc/passwd")) return 0;'));
-// It finds the file of reports, and cannot read it; nor does it know the lines.
+// It writes what the checks would, and does not know the number in front.
 const forged = `
-  std::ifstream file("/proc/self/environ");
-  std::string all(std::istreambuf_iterator<char>(file), {});
-  const std::string name = std::string("MJCOURSE") + "_RECORDS=";
-  const std::string path = all.substr(all.find(name) + name.size()).c_str();
-  std::ofstream out(path, std::ios::app);
-  for (const char* what : {"it falls 4.9 m in the first second", "it falls 5 cm in 0.1 s",
-                           "twice the time is four times the way"})
-    out << "{\\"check\\": \\"" << what << "\\", \\"value\\": {\\"holds\\": true, \\"meaning\\": "
-        << "\\"\\", \\"found\\": \\"\\", \\"points\\": 1, \\"line\\": 13}}" << std::endl;
-  std::_Exit(std::ifstream(path) ? 3 : 0);
+  const char* report = "0123456789abcdef{\\"what\\": \\"it falls 4.9 m in the first second\\", "
+      "\\"meaning\\": \\"\\", \\"points\\": 2, \\"line\\": 20, \\"value\\": \\"4.905\\"}\\n";
+  (void)!::write(0, report, std::strlen(report));
   return t;`;
 code("forged", 0, "not made by the program itself", forged);
 code("writes", 0, "/tmp/mjcourse-was-here", all('std::ofstream("/tmp/mjcourse-was-here") << 1;'));
@@ -90,20 +84,17 @@ code("crashes", 0, "Segmentation fault", all("*reinterpret_cast<volatile int*>(8
 code("recursion", 0, "Segmentation fault", all("volatile double x = fallen(t + 1); (void)x;"));
 code("kills", 0, "", all("::raise(9);"));
 code("checks-itself", 0, own, all('expect(true, "it falls 4.9 m in the first second");'));
-code("by-another-name", 0, own, all("auto* f = &add_check; (void)f;"));
-code("own-main", 0, own, `  return 0;\n}\nint main() {\n  return 0;`);
-code("spliced", 0, own, all("exp\\\nect(true, std::string());"));
-code("reads-its-name", 0, own, all('getenv("MJCOURSE_RECORDS");'));
+code("own-main", 0, braces, `  return 0;\n}\nint main() {\n  return 0;`);
+code("spliced", 0, "ends with a backslash", all("exp\\\nect(true, std::string());"));
 code("assembler", 0, own, all('asm("nop");'));
 code("includes", 0, "no preprocessor directives", `#include "/etc/passwd"\n${right}`);
 code("digraph", 0, "no preprocessor directives", `%:define double int\n${right}`);
 code("form-feed", 0, "no control characters", `  return 0;\n%\\\f\n:define exp\\\f\nect 1\n`);
 code("behind-a-comment", 0, "no preprocessor directives", `/* */ #define double int\n${right}`);
 code("behind-a-quote", 0, own, all("int n = 1'0; expect(n, std::string()); n = 2'0;"));
-code("raw-utf8", 0, "no raw strings", `  auto s = u8R"(\n)"; (void)s;\n${right}`);
-code("raw", 0, "no raw strings", `  const char* s = R"(\n)"; (void)s;\n${right}`);
-code("open-comment", 0, "unterminated", `${right} /*`);
-const braces = "closes each brace that it opens, and no other";
+code("raw-utf8", 4, "", `  auto s = u8R"(\n)"; (void)s;\n${right}`);
+code("raw", 4, "", `  const char* s = R"(\n)"; (void)s;\n${right}`);
+code("open-comment", 0, "opened and not closed", `${right} /*`);
 code("open-brace", 0, braces, `${right} {`);
 code(
   "template-bomb",
@@ -123,6 +114,50 @@ code(
 code("digraph-brace", 0, braces, `  return 0;\n%>\nvoid other() <%`);
 code("overload", 0, own, `  {\n    namespace m = mjcourse;\n    (void)m::id_of;\n  }\n  return 0;`);
 code("another-function", 4, "", `  const double fallen(9.81 * t * t / 2);\n  return fallen;`);
+// What compilers read in another way than it looks.
+code(
+  "lone-return",
+  0,
+  "a carriage return stands alone",
+  `  // a comment\r  expect(true, "");\n${right}`,
+);
+code(
+  "spliced-prefix",
+  4,
+  "",
+  `  const char* s = u8\\\nR"x(\n)" } int main() { )x"; (void)s;\n${right}`.replace(
+    "const char*",
+    "auto",
+  ),
+);
+code("letter-and-digits", 0, "opened and not closed", `  int ä1'0; }\nint other() { return '1;`);
+code("assembler-by-macro", 0, own, all('__asm__(".incbin \\"fall.cpp\\"");'));
+code("pragma", 0, own, all('_Pragma("comment(lib, \\"m\\")");'));
+code("attribute", 0, own, all("[[gnu::noinline]] int n = 0; (void)n;"));
+code("includes-itself", 0, "no preprocessor directives", `#include "fall.cpp"\n${right}`);
+code(
+  "includes-hidden",
+  0,
+  "no preprocessor directives",
+  `#include "examples/fall_hidden.cpp"\n${right}`,
+);
+// It overloads what is called behind it; numbers do not become right by that.
+code(
+  "own-verdict",
+  0,
+  "",
+  `  struct Near {\n    double x;\n    operator double() const { return x; }\n  };\n  return Near{1};`,
+);
+// It is right once, and then ends the program as if all were well.
+code("leaves-after-one", 0, own, all("static int n = 0; if (++n > 1) std::exit(0);"));
+code("leaves-by-a-thread", 0, own, all("static int n = 0; if (++n > 1) ::pthread_exit(nullptr);"));
+// What earlier reports left in memory, and what others write into it.
+code(
+  "reads-memory",
+  0,
+  "",
+  `  std::string left(400, 0);\n  char* freed = new char[400];\n  for (int i = 0; i < 400; ++i) left[i] = freed[i];\n  std::puts(left.c_str());\n  return 0;`,
+);
 handIn("no-marks", solution.replaceAll(/.*#(region|endregion).*\n/g, ""));
 expectOf("no-marks", 0, "it has no region `answer`");
 handIn("unclosed", program(right).replace("// #endregion", ""));
@@ -137,7 +172,12 @@ writeFileSync(
 expectOf("bytes", 0, "");
 mkdirSync(join(folder, "link"));
 symlinkSync("/etc/passwd", join(folder, "link/fall.cpp"));
-expectOf("link", 0, "it is no plain file");
+expectOf("link", 0, "it is a link");
+symlinkSync("right-0", join(folder, "linked-folder"));
+expectOf("linked-folder", 0, "");
+mkdirSync(join(folder, "linked-inside"));
+symlinkSync("../in-a-folder/fall", join(folder, "linked-inside/fall"));
+expectOf("linked-inside", 0, "it is a link");
 mkdirSync(join(folder, "pipe"));
 execFileSync("mkfifo", [join(folder, "pipe/fall.cpp")]);
 expectOf("pipe", 0, "it is no plain file");
@@ -169,7 +209,8 @@ for (const { hand_in, points, of, exercises } of graded) {
   expect(of === 4, `${hand_in}: ${of} points can be had`);
   expect(points === due, `${hand_in} gets ${points} and not ${due}: ${said}`);
   expect(said.includes(remark), `${hand_in} is told: ${said}`);
-  expect(handed_in === (hand_in !== "nothing"), `${hand_in}: handed in is ${handed_in}`);
+  const is_there = !["nothing", "linked-folder"].includes(hand_in);
+  expect(handed_in === is_there, `${hand_in}: handed in is ${handed_in}`);
   expect(!JSON.stringify(exercises).includes("root:"), `${hand_in} has read /etc/passwd`);
 }
 expect(!existsSync("/tmp/mjcourse-was-here"), "a hand-in has written a file");
@@ -189,6 +230,16 @@ half-0
 escapes
   fall: 0 of 4 points; `),
   text,
+);
+// What the course's own solution does, is right: it calls what stands behind it, and its lines end
+// as Windows ends them.
+mkdirSync(join(folder, "author"));
+const own_solution = readFileSync(join(course, "examples/root.cpp"), "utf8");
+writeFileSync(join(folder, "author/root.cpp"), own_solution.replaceAll("\n", "\r\n"));
+const author = grade("text", "author");
+expect(
+  author.stdout === "author\n  root: 4 of 4 points, 2 of them at its own word\n1 hand-in\n",
+  author.stdout + author.stderr,
 );
 const refused = grade("text", "gone");
 expect(refused.status === 2 && refused.stderr.includes("there is no folder gone"), refused.stderr);

@@ -409,7 +409,8 @@ inline std::string how_far(const Eigen::Ref<const Eigen::VectorXd>& value,
          to_text(expected, 6) + text;
 }
 
-// `value` should be at most `tolerance` away from `expected`, and finite.
+// `value` should be at most `tolerance` away from `expected`, and finite. What
+// is expected does not depend on what the reader wrote (see expect_alike).
 inline bool expect_near(double value, double expected, double tolerance,
                         const std::string& what,
                         const std::string& meaning = "", double points = 1,
@@ -431,6 +432,24 @@ inline bool expect_near(const Eigen::Ref<const Eigen::VectorXd>& value,
   return add_check(
       {what, near, meaning, near ? "" : how_far(value, expected, tolerance)},
       points, line);
+}
+
+// The same of two values that both depend on what the reader wrote, where many
+// answers are right: a period, and twice that of another length.
+template <typename A, typename B>
+bool expect_alike(const A& value, const B& other, double tolerance,
+                  const std::string& what, const std::string& meaning = "",
+                  double points = 1, int line = __builtin_LINE()) {
+  return expect_near(value, other, tolerance, what, meaning, points, line);
+}
+
+// A number for std::mt19937 and its like, of which checks draw their inputs: 1,
+// unless `mjcourse grade` runs the program, which gives another each time.
+inline unsigned seed() {
+  const char* number = std::getenv("MJCOURSE_SEED");
+  return number == nullptr
+             ? 1
+             : static_cast<unsigned>(std::strtoul(number, nullptr, 10));
 }
 
 }  // namespace mjcourse

@@ -57,8 +57,8 @@ Diagnostic& place_at(const Example& example, const Lesson& lesson, Diagnostic wr
   return diagnostics.emplace_back(std::move(wrong));
 }
 
-NativeRequest request_of(const Example& example) {
-  return {example.arguments, example.seconds, example.exit_code, example.handed_in};
+NativeRequest request_of(const Example& example, const RunAs& as) {
+  return {example.arguments, example.seconds, example.exit_code, as.seed, as.listener, as.is_kept};
 }
 
 ExampleResult refused_result(const LocatedText& code, std::string words) {
@@ -69,14 +69,14 @@ ExampleResult refused_result(const LocatedText& code, std::string words) {
 
 std::optional<NativeProgram> native_program(const Example& example, const LocatedText& code,
                                             const Lesson& lesson, WorkerContext& worker_context,
-                                            Diagnostics& diagnostics) {
+                                            Diagnostics& diagnostics, bool handed_in) {
   const auto report = [&](Diagnostic wrong) {
     place_at(example, lesson, std::move(wrong), diagnostics);
     return std::nullopt;
   };
   if (auto why = worker_context.run_context().why_nothing_runs()) return report(*std::move(why));
   if (!worker_context.run_context().compiler()) return report(no_compiler());
-  NativeProgram program({example.name(), example.file.text, code.text, example.optimize},
+  NativeProgram program({example.name(), example.file.text, code.text, example.optimize, handed_in},
                         worker_context.action_context());
   if (!program.beside().empty()) {
     if (auto refused = refused_beside(example, worker_context.root())) {
@@ -86,12 +86,21 @@ std::optional<NativeProgram> native_program(const Example& example, const Locate
   return program;
 }
 
-std::optional<NativeRun> known_run(const Example& example, const NativeProgram& program) {
-  return program.find(request_of(example));
+std::optional<NativeRun> known_run(const Example& example, const NativeProgram& program,
+                                   const RunAs& as) {
+  return program.find(request_of(example, as));
 }
 
-NativeRun new_run(const Example& example, NativeProgram& program) {
-  return program.run(request_of(example));
+std::optional<NativeRun> compiled_run(const Example& example, const LocatedText& code,
+                                      NativeProgram& program, const Lesson& lesson,
+                                      WorkerContext& worker_context, Diagnostics& diagnostics,
+                                      const RunAs& as) {
+  if (auto run = known_run(example, program, as)) return run;
+  const Compiled& compiled = program.compile();
+  report_compile_messages(compiled, {code, example.file.text, example.span}, lesson,
+                          worker_context.root(), diagnostics);
+  if (!compiled.succeeded) return std::nullopt;
+  return program.run(request_of(example, as));
 }
 
 std::optional<ExampleResult> judge_native(const Example& example, const LocatedText& code,
@@ -120,25 +129,23 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
                                               Diagnostics& diagnostics) {
   auto program = native_program(example, code, lesson, worker_context, diagnostics);
   if (!program) return std::nullopt;
-  if (!example.compiles) {
-    if (auto words = program->find_refusal()) return refused_result(code, *std::move(words));
-  } else if (auto run = known_run(example, *program)) {
+  if (example.compiles) {
+    auto run = compiled_run(example, code, *program, lesson, worker_context, diagnostics);
+    if (!run) return std::nullopt;
     return judge_native(example, code, *std::move(run), lesson, diagnostics);
   }
+  if (auto words = program->find_refusal()) return refused_result(code, *std::move(words));
   const Compiled& compiled = program->compile();
-  if (!example.compiles && compiled.refused()) return refused_result(code, program->refusal());
+  if (compiled.refused()) return refused_result(code, program->refusal());
   report_compile_messages(compiled, {code, example.file.text, example.span}, lesson,
                           worker_context.root(), diagnostics);
   if (!compiled.succeeded) return std::nullopt;
-  if (!example.compiles) {
-    place_at(example, lesson,
-             error_at({}, "E-example-compiles",
-                      "the program compiles, but the lesson says that it does not",
-                      "remove `expect=compile-error`, or correct what the lesson says"),
-             diagnostics);
-    return std::nullopt;
-  }
-  return judge_native(example, code, new_run(example, *program), lesson, diagnostics);
+  place_at(example, lesson,
+           error_at({}, "E-example-compiles",
+                    "the program compiles, but the lesson says that it does not",
+                    "remove `expect=compile-error`, or correct what the lesson says"),
+           diagnostics);
+  return std::nullopt;
 }
 
 }  // namespace mjcourse

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "actions/native_program.h"
 #include "evaluate/context/worker_context.h"
@@ -14,6 +15,14 @@
 #include "report/diagnostic.h"
 
 namespace mjcourse {
+
+// How a program is run, beside what its fence says.
+struct RunAs {
+  bool handed_in = false;  // a stranger may have written a part of it
+  std::string seed = {};
+  std::optional<RunListener> listener = {};
+  bool is_kept = true;
+};
 
 // `code` is all of the program (evaluate/programs/example_code.h).
 std::optional<ExampleResult> evaluate_example(const Example& example, const LocatedText& code,
@@ -24,11 +33,15 @@ std::optional<ExampleResult> evaluate_example(const Example& example, const Loca
 // where nothing can be.
 std::optional<NativeProgram> native_program(const Example& example, const LocatedText& code,
                                             const Lesson& lesson, WorkerContext& worker_context,
-                                            Diagnostics& diagnostics);
-// One run of it, where that was found, or else with `program` compiled. Nothing where it has to be
-// compiled first.
-std::optional<NativeRun> known_run(const Example& example, const NativeProgram& program);
-NativeRun new_run(const Example& example, NativeProgram& program);
+                                            Diagnostics& diagnostics, bool handed_in = false);
+// One run of it, where that was found. Nothing where it has to be compiled first.
+std::optional<NativeRun> known_run(const Example& example, const NativeProgram& program,
+                                   const RunAs& as = {});
+// The same, compiled where it has to be. Nothing (reported) where it does not compile.
+std::optional<NativeRun> compiled_run(const Example& example, const LocatedText& code,
+                                      NativeProgram& program, const Lesson& lesson,
+                                      WorkerContext& worker_context, Diagnostics& diagnostics,
+                                      const RunAs& as = {});
 // What such a run gives; nothing (reported) where it went wrong.
 std::optional<ExampleResult> judge_native(const Example& example, const LocatedText& code,
                                           NativeRun run, const Lesson& lesson,

@@ -6,6 +6,7 @@
 
 #include "base/files.h"
 #include "base/nearest.h"
+#include "evaluate/programs/hand_in_text.h"
 #include "evaluate/programs/version_runs.h"
 #include "report/refused_file.h"
 
@@ -78,8 +79,9 @@ Example not_quoted(Example program) {
   return program;
 }
 
+// Whole programs: that of the solution, and those of the variants.
 std::vector<std::string> shown_versions(const ExerciseText& text) {
-  std::vector<std::string> versions;
+  std::vector<std::string> versions{std::string(text.file().text())};
   for (const Variant& variant : text.variants()) versions.push_back(text.in_place(variant));
   return versions;
 }
@@ -92,6 +94,24 @@ std::vector<std::string> hidden_versions(const Exercise& exercise, const Exercis
   return versions;
 }
 
+Checks checks_of(const Answers& answers) {
+  Checks checks;
+  for (const Answers::Known& known : answers.checks) checks.push_back(known.check);
+  return checks;
+}
+
+std::size_t version_of(std::size_t variant) {
+  return variant + 1;  // behind the solution
+}
+
+// A program of the exercise, with all that is to stand in its region.
+struct TriedProgram {
+  Example program;
+  LocatedText text;  // with the solution
+  VersionRuns runs;
+  Answers answers = {};
+};
+
 class Trials {
  public:
   Trials(const Exercise& exercise, const ExerciseFiles& files, const Lesson& lesson,
@@ -99,21 +119,31 @@ class Trials {
       : exercise_(exercise),
         files_(files),
         lesson_(lesson),
+        worker_context_(worker_context),
         diagnostics_(diagnostics),
-        shown_(not_quoted(exercise.program), shown_versions(files.text), lesson, worker_context) {
+        shown_{not_quoted(exercise.program),
+               {std::string(files.text.file().text()), {}},
+               {not_quoted(exercise.program), shown_versions(files.text), lesson, worker_context}} {
     if (!files.hidden) return;
-    hidden_.emplace(hidden_program(exercise), hidden_versions(exercise, files), lesson,
-                    worker_context);
+    const Example program = hidden_program(exercise);
+    hidden_.emplace(
+        TriedProgram{program,
+                     {*files.hidden, {}},
+                     {program, hidden_versions(exercise, files), lesson, worker_context}});
   }
 
   std::optional<ExerciseResult> run() {
     const ExerciseText& text = files_.text;
     ExerciseResult result{text.program(text.starter().code), {}, {}};
-    if (hidden_ && !try_hidden_solution(result.hidden)) return std::nullopt;
+    if (!read_texts() || !try_solution(shown_)) return std::nullopt;
+    if (hidden_ && !try_solution(*hidden_)) return std::nullopt;
+    if (hidden_) {
+      for (const Check& check : checks_of(hidden_->answers)) result.hidden.push_back(check.what);
+    }
     bool is_whole = true;
     for (std::size_t i = 0; i < text.variants().size(); ++i) {
       const Variant& variant = text.variants()[i];
-      const std::optional<Made> made = checks_of(i);
+      const std::optional<Made> made = made_by(i);
       if (made && made->shown.empty()) {
         fail(variant, "E-exercise-check", "the program makes no check",
              "check what its reader is to write: `expect(CONDITION, \"what should hold\")`");
@@ -133,42 +163,105 @@ class Trials {
   }
 
  private:
-  // What the hidden checks say of themselves; false (reported) where the solution fails one.
-  bool try_hidden_solution(std::vector<std::string>& names) {
-    const auto ran = run(*hidden_, 0, nullptr);
+  // May each of them be handed in? False (reported) where one may not.
+  bool read_texts() {
+    const RunContext& run_context = worker_context_.run_context();
+    auto why = run_context.why_nothing_runs();
+    if (!why && !run_context.compiler()) why = no_compiler();
+    if (why) {
+      why->place = place_of(*lesson_.source, exercise_.span);
+      diagnostics_.push_back(*std::move(why));
+      return false;
+    }
+    const auto own = hand_in_rules(files_.text, run_context.compiler()->toolchain());
+    if (!own) return refuse("the exercise cannot be handed in: " + own.error(), "");
+    for (std::size_t i = 0; i < own->faults.size(); ++i) {
+      const auto& fault = own->faults[i];
+      if (!fault) continue;
+      const Variant* variant = i == 0 ? nullptr : &files_.text.variants()[i - 1];
+      const std::string text = variant == nullptr ? files_.text.solution() : variant->code;
+      const auto end = text.begin() + static_cast<std::ptrdiff_t>(fault->span.begin);
+      const int line = static_cast<int>(std::count(text.begin(), end, '\n')) +
+                       (variant == nullptr ? files_.text.solution_line() : variant->mark + 1);
+      return refuse((variant == nullptr ? "the solution" : name_of(*variant)) +
+                        " cannot be handed in: " + fault->why,
+                    "write it without that: `grade` refuses such a text",
+                    place_of_line(files_.text.file(), line));
+    }
+    return true;
+  }
+
+  // What is reported of it says of which text it is. Warnings are of its program.
+  template <typename Run>
+  auto run_solution(const Run& run) {
+    Diagnostics found;
+    auto result = run(found);
+    std::erase_if(found, [](const Diagnostic& one) { return one.severity == Severity::warning; });
+    if (found.empty()) return result;
+    // What follows from a macro that was misread is of no help.
+    Diagnostic& first = diagnostics_.emplace_back(std::move(found.front()));
+    first.notes.push_back(
+        {"so it is with the solution, handed in", place_of(*lesson_.source, exercise_.span)});
+    if (first.id == "E-example-compile") {
+      first.cure =
+          "handed in, expect_near() is a macro: put an argument that has a comma in braces or <> "
+          "into parentheses";
+    }
+    return result;
+  }
+
+  // The answers, and whether they accept the solution; false (reported) where it fails a check.
+  bool try_solution(TriedProgram& tried) {
+    auto answers = run_solution([&](Diagnostics& found) { return tried.runs.answers(found); });
+    if (!answers) return false;
+    tried.answers = *std::move(answers);
+    if (!tried.answers.hold()) return report_failing(tried);
+    const auto ran =
+        run_solution([&](Diagnostics& found) { return tried.runs.run(0, tried.answers, found); });
     if (!ran) return false;
-    const Checks& checks = ran->records.checks;
-    for (const Check& check : checks) names.push_back(check.what);
-    report_failing_checks(hidden_program(exercise_), {*files_.hidden, {}}, checks, lesson_,
+    const auto fails = std::ranges::find(ran->verdict, false, &JudgedCheck::holds);
+    if (fails == ran->verdict.end()) return true;
+    refuse("the solution, handed in, fails the check `" + fails->what + "`",
+           "what is expected must not change from run to run");
+    diagnostics_.back().detail = fails->found;
+    return false;
+  }
+
+  // Gives false. What the solution's own program fails, is told where that is run.
+  bool report_failing(const TriedProgram& tried) {
+    Diagnostics none;
+    if (&tried == &shown_) {
+      const auto plain =
+          evaluate_example(tried.program, tried.text, lesson_, worker_context_, none);
+      if (!plain || !failing(plain->records.checks).empty()) return false;
+    }
+    report_failing_checks(tried.program, tried.text, checks_of(tried.answers), lesson_,
                           diagnostics_);
-    return failing(checks).empty();
+    return false;
   }
 
   // With the variant in the solution's place.
-  std::optional<Made> checks_of(std::size_t index) {
+  std::optional<Made> made_by(std::size_t index) {
     const Variant& variant = files_.text.variants()[index];
-    auto ran = run(shown_, index, &variant);
+    auto ran = run(shown_, index, variant);
     if (!ran) return std::nullopt;
-    Made made{std::move(ran->records.checks), {}};
+    Made made{std::move(ran->result.records.checks), {}};
     if (!hidden_) return made;
-    auto more = run(*hidden_, index + 1, &variant);
+    auto more = run(*hidden_, index, variant);
     if (!more) return std::nullopt;
-    made.hidden = std::move(more->records.checks);
+    made.hidden = std::move(more->result.records.checks);
     return made;
   }
 
   // What is reported says of which variant it is.
-  std::optional<ExampleResult> run(VersionRuns& versions, std::size_t index,
-                                   const Variant* variant) {
+  std::optional<JudgedRun> run(TriedProgram& tried, std::size_t index, const Variant& variant) {
     Diagnostics found;
-    auto result = versions.run(index, found);
+    auto result = tried.runs.run(version_of(index), tried.answers, found);
     for (Diagnostic& one : found) {
       // What is left to be written uses not all that is there for it.
       if (one.severity == Severity::warning) continue;
-      if (variant != nullptr) {
-        one.notes.push_back({"with " + name_of(*variant) + " in the place of the solution",
-                             place_of_line(files_.text.file(), variant->mark)});
-      }
+      one.notes.push_back({"with " + name_of(variant) + " in the place of the solution",
+                           place_of_line(files_.text.file(), variant.mark)});
       diagnostics_.push_back(std::move(one));
     }
     return result;
@@ -212,6 +305,15 @@ class Trials {
   }
 
   // Gives false.
+  bool refuse(std::string message, std::string cure, std::optional<Place> place = {}) {
+    const Place lessons = place_of(*lesson_.source, exercise_.span);
+    Diagnostic& wrong = diagnostics_.emplace_back(error_at(
+        place.value_or(lessons), "E-exercise-hand-in", std::move(message), std::move(cure)));
+    if (place) wrong.notes.push_back({"the lesson has this exercise", lessons});
+    return false;
+  }
+
+  // Gives false.
   bool fail(const Variant& variant, std::string id, std::string message, std::string cure) {
     diagnostics_.push_back(at_variant(variant, files_.text, exercise_, lesson_, std::move(id),
                                       std::move(message), std::move(cure)));
@@ -226,9 +328,10 @@ class Trials {
   const Exercise& exercise_;
   const ExerciseFiles& files_;
   const Lesson& lesson_;
+  WorkerContext& worker_context_;
   Diagnostics& diagnostics_;
-  VersionRuns shown_;                  // of the variants
-  std::optional<VersionRuns> hidden_;  // of the solution, and then of the variants
+  TriedProgram shown_;
+  std::optional<TriedProgram> hidden_;
 };
 
 std::optional<std::string> read_program(const LocatedText& path, const std::string& cure,
@@ -304,18 +407,21 @@ std::optional<PageRun> evaluate_exercise_in_page(const Exercise& exercise,
   VersionRuns versions(not_quoted(exercise.program), shown_versions(files.text), lesson,
                        worker_context);
   PageRun exercise_page;
+  Diagnostics known;  // of the native runs
+  const auto answers = versions.answers(known);
+  if (!answers) return std::nullopt;
   const std::vector<Variant>& variants = files.text.variants();
   for (std::size_t i = 0; i < variants.size(); ++i) {
-    Diagnostics known;  // of the native run
-    const auto native = versions.run(i, known);
-    auto page = native ? versions.run_in_page(i, *native) : std::nullopt;
+    const auto native = versions.run(version_of(i), *answers, known);
+    auto page = native ? versions.run_in_page(version_of(i), native->result) : std::nullopt;
     if (!page) return std::nullopt;
     if (!page->otherwise.empty()) {
       diagnostics.push_back(at_variant(
           variants[i], files.text, exercise, lesson, "E-page-output",
           "in the page, " + name_of(variants[i]) + " " + page->otherwise,
-          "check what depends on no last digit, no size of a type and no C library; or say in "
-          "the fence that no page runs it, and why: `native because=\"…\"`"));
+          "check what depends on no last digit, no size of a type and no C library; take "
+          "expect_alike() where both numbers depend on what the reader writes; or say in the fence "
+          "that no page runs it, and why: `native because=\"…\"`"));
       return std::nullopt;
     }
     // A reader begins with the starter.

@@ -1,8 +1,9 @@
 // Exercises: what a reader is to write, proved both ways.
 //
-// The solution is a program like any other, and runs as one (evaluate/program_task.h). Here its
-// place is taken by the starter, which compiles and fails a check; and by the mistakes, each of
-// which fails the check that is to refuse it, and no other.
+// The solution is a program like any other, and runs as one (evaluate/program_task.h). Here it is
+// handed in as a student would (version_runs.h), and passes; so are the starter, which fails a
+// check, and the mistakes, each of which fails the check that is to refuse it, and no other.
+//
 // Tested by tests/courses/exercise.
 #pragma once
 

@@ -1,100 +1,248 @@
 #include "evaluate/programs/hand_in_text.h"
 
-#include <re2/re2.h>
-
-#include <optional>
+#include <algorithm>
+#include <array>
 #include <string_view>
-#include <vector>
+#include <utility>
+
+#include "base/text_lines.h"
 
 namespace mjcourse {
 namespace {
 
-// What a region has no use for, and what could report checks in the program's place.
-constexpr const char* kForging =
-    R"(\b(expect|expect_near|add_check|checks|Checks|record|main|getenv|secure_getenv|environ|)"
-    R"(asm|__asm|__asm__|__LINE__|__builtin_LINE|source_location|__builtin_source_location|)"
-    R"(namespace|fork|vfork|execve|ptrace|syscall|MJCOURSE_\w*)\b)";
+// What a region has no use for: the checks, and ways to end the program before it makes them all.
+// Reserved names (__asm__, _Pragma, __builtin_trap) are refused as a kind.
+constexpr std::array<std::string_view, 16> kRefused{
+    "expect",     "expect_near",  "expect_alike", "main",    "asm",   "extern", "exit",   "_exit",
+    "quick_exit", "pthread_exit", "thrd_exit",    "syscall", "dlsym", "dlvsym", "dlopen", "vfork"};
 
-// The text as the compiler takes it: a line that ends with a backslash goes on in the next; without
-// numbers, in which a quote may stand, comments, and what stands between quotes.
-std::string code_alone(std::string code) {
-  RE2::GlobalReplace(&code, R"(\\[ \t\r]*\n)", "");
-  static const RE2 words(R"((\b[0-9][\w.']*|//[^\n]*|/\*(?s:.*?)\*/|)"
-                         R"("(?:[^"\\\n]|\\.)*"|'(?:[^'\\\n]|\\.)*'))");
-  RE2::GlobalReplace(&code, words, " ");
-  static const RE2 opening("<%"), closing("%>"), using_all(R"(\busing\s+namespace\b)");
-  RE2::GlobalReplace(&code, opening, "{");
-  RE2::GlobalReplace(&code, closing, "}");
-  RE2::GlobalReplace(&code, using_all, " ");
+bool is_blank(std::string_view text) {
+  return text.find_first_not_of(" \t\n") == text.npos;
+}
+
+bool is_code(const RawToken& token, std::string_view text) {
+  return token.kind != "comment" && !(token.kind == "unknown" && is_blank(token.in(text)));
+}
+
+bool is_reserved(std::string_view word) {
+  return word.starts_with("__") || word.starts_with("MJCOURSE") ||
+         (word.size() > 1 && word[0] == '_' && word[1] >= 'A' && word[1] <= 'Z');
+}
+
+// Those that are code, one after the other.
+RawTokens code_of(const RawTokens& tokens, std::string_view text) {
+  RawTokens code;
+  std::ranges::copy_if(tokens, std::back_inserter(code),
+                       [&](const RawToken& token) { return is_code(token, text); });
   return code;
 }
 
-bool has_word(const std::string& code, const std::string& word) {
-  return RE2::PartialMatch(code, "\\b" + RE2::QuoteMeta(word) + "\\b");
+// Is it the first of its line?
+bool begins_line(const RawTokens& tokens, std::size_t index, std::string_view text) {
+  for (std::size_t i = index; i-- > 0;) {
+    const std::string_view before = tokens[i].in(text);
+    if (is_code(tokens[i], text)) return false;
+    if (tokens[i].kind != "comment" && before.find('\n') != before.npos) return true;
+  }
+  return true;
 }
 
-// How many more braces it opens than it closes; nothing where it closes one that it did not open.
-std::optional<int> depth_of(std::string_view code) {
-  int depth = 0;
-  for (const char c : code) {
-    depth += (c == '{' ? 1 : 0) - (c == '}' ? 1 : 0);
-    if (depth < 0) return std::nullopt;
+// The directives of a text, each with its place; blanks between the words are one.
+std::vector<std::pair<std::string, Span>> directives_in(const std::string& text,
+                                                        const RawTokens& tokens) {
+  std::vector<std::pair<std::string, Span>> all;
+  for (std::size_t i = 0; i < tokens.size(); ++i) {
+    if (tokens[i].kind != "hash" || !begins_line(tokens, i, text)) continue;
+    std::string words;
+    std::size_t end = tokens[i].end;
+    for (std::size_t k = i; k < tokens.size(); ++k) {
+      const std::string_view word = tokens[k].in(text);
+      if (is_code(tokens[k], text)) {
+        words.append(words.empty() ? "" : " ").append(word);
+        end = tokens[k].end;
+      } else if (tokens[k].kind != "comment" && word.find('\n') != word.npos) {
+        break;
+      }
+    }
+    all.emplace_back(std::move(words), Span{tokens[i].begin, end});
   }
-  return depth;
+  return all;
 }
 
-// The functions that are defined in `code`, which begins within `depth` braces.
-std::vector<std::string> functions_in(const std::string& code, int depth) {
-  static const RE2 piece(R"((\w+)\s*(\()|([{}()]))");
-  std::vector<std::string> names;
-  re2::StringPiece rest(code);
-  std::string name, call, mark;
-  for (int parentheses = 0; RE2::FindAndConsume(&rest, piece, &name, &call, &mark);) {
-    if (!call.empty() && depth == 0 && parentheses == 0) names.push_back(name);
-    depth += (mark == "{" ? 1 : 0) - (mark == "}" ? 1 : 0);
-    parentheses += (!call.empty() || mark == "(" ? 1 : 0) - (mark == ")" ? 1 : 0);
+int depth_change(const RawToken& token) {
+  for (const char* kind : {"l_brace", "l_paren", "l_square"}) {
+    if (token.kind == kind) return 1;
   }
-  return names;
+  for (const char* kind : {"r_brace", "r_paren", "r_square"}) {
+    if (token.kind == kind) return -1;
+  }
+  return 0;
 }
 
-// A function of those behind the region that `code` declares or calls; "" where it does not.
-std::string function_behind(const std::string& code, const std::string& program,
-                            const std::string& region) {
-  const std::string mark = "// #region " + region;
-  const std::size_t begin = program.find(mark), end = behind_region(program, region).value();
-  const int depth = depth_of(code_alone(program.substr(0, begin))).value_or(0);
-  for (const std::string& name : functions_in(code_alone(program.substr(end)), depth)) {
-    if (RE2::PartialMatch(code, "\\b" + name + R"(\s*\()")) return name;
+// The first bracket that closes none of the text's own, or opens what it does not close.
+std::optional<Span> open_bracket(const RawTokens& code) {
+  std::vector<Span> open;
+  for (const RawToken& token : code) {
+    const int change = depth_change(token);
+    if (change > 0) open.push_back({token.begin, token.end});
+    if (change < 0 && open.empty()) return Span{token.begin, token.end};
+    if (change < 0) open.pop_back();
   }
-  return "";
+  return open.empty() ? std::nullopt : std::optional(open.back());
+}
+
+// A line that ends with a backslash goes on in the next one; blanks may stand behind it.
+std::optional<Span> splice_in(std::string_view text, std::size_t begin, std::size_t end) {
+  for (std::size_t at = begin; (at = text.find('\\', at)) < end; ++at) {
+    const std::size_t behind = text.find_first_not_of(" \t", at + 1);
+    if (behind != text.npos && behind < text.size() && text[behind] == '\n') {
+      return Span{at, at + 1};
+    }
+  }
+  return std::nullopt;
+}
+
+bool is_raw_string(const RawToken& token, std::string_view text) {
+  const std::string_view words = token.in(text);
+  const std::size_t quote = words.find('"');
+  return token.kind.ends_with("string_literal") && quote != words.npos && quote > 0 &&
+         words[quote - 1] == 'R';
+}
+
+// What is no C++ outside of strings and comments.
+std::optional<TextFault> token_fault(const std::string& text, const RawTokens& tokens) {
+  for (const RawToken& token : tokens) {
+    const std::string_view words = token.in(text);
+    const bool is_long = token.kind == "comment" && words.starts_with("/*");
+    const auto splice = is_long || is_raw_string(token, text)
+                            ? std::nullopt
+                            : splice_in(text, token.begin, token.end);
+    if (splice) {
+      return TextFault{"a line ends with a backslash, so the next one belongs to it", *splice};
+    }
+    const bool is_foreign = token.kind == "unknown" && !is_blank(words);
+    const bool is_odd_name =
+        token.kind == "raw_identifier" && words.find_first_of("\\$") != words.npos;
+    if (!is_foreign && !is_odd_name) continue;
+    const std::size_t begin =
+        token.begin + std::min(words.find_first_not_of(" \t\n"), words.size());
+    return TextFault{is_foreign && (words.find_first_of("\"'/") != words.npos)
+                         ? "a quote or a comment is opened and not closed"
+                         : "C++ has no such character here",
+                     {begin, std::min(token.end, begin + 1)}};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::string refusal(const std::string& text, const ExerciseText& exercise,
-                    const std::string& region) {
-  // A compiler takes some for blanks, where this does not.
-  static const RE2 control(R"([\x00-\x08\x0b\x0c\x0e-\x1f\x7f])");
-  if (RE2::PartialMatch(text, control)) return "a region has no control characters";
-  const std::string code = code_alone(text), known = code_alone(exercise.solution());
-  static const RE2 directive(R"((?m)^\s*(?:#|%:|\?\?=))"), raw(R"(\b(?:u8|[uUL])?R")");
-  if (RE2::PartialMatch(code, directive) && !RE2::PartialMatch(known, directive)) {
-    return "a region of this exercise has no preprocessor directives";
+HandInRules::HandInRules(const std::vector<std::string>& texts,
+                         const std::vector<RawTokens>& tokens) {
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    for (const RawToken& token : tokens[i]) {
+      if (token.kind == "raw_identifier") words_.emplace(token.in(texts[i]));
+    }
+    for (auto& [words, span] : directives_in(texts[i], tokens[i])) {
+      directives_.insert(std::move(words));
+    }
   }
-  if (RE2::PartialMatch(text, raw)) return "a region has no raw strings";
-  static const RE2 forging(kForging);
-  std::string word;
-  if (RE2::PartialMatch(code, forging, &word) && !has_word(known, word)) {
-    return "what is written uses `" + word + "`, which no hand-in may";
+  is_closed_ = !open_bracket(code_of(tokens[0], texts[0]));
+}
+
+std::optional<TextFault> HandInRules::word_fault(const std::string& text,
+                                                 const RawTokens& tokens) const {
+  const RawTokens code = code_of(tokens, text);
+  const auto word = [&](std::size_t i) { return i < code.size() ? code[i].in(text) : ""; };
+  for (std::size_t i = 0; i < code.size(); ++i) {
+    if (code[i].kind != "raw_identifier" || words_.contains(word(i))) continue;
+    const bool replaces =
+        word(i) == "operator" && (word(i + 1) == "new" || word(i + 1) == "delete");
+    const bool opens = word(i) == "namespace" && (i == 0 || word(i - 1) != "using");
+    const bool is_attribute =
+        (word(i) == "gnu" || word(i) == "clang") && word(i + 1).starts_with(':');
+    if (std::ranges::count(kRefused, word(i)) == 0 && !is_reserved(word(i)) && !replaces &&
+        !opens && !is_attribute) {
+      continue;
+    }
+    return TextFault{"what is written uses `" + std::string(word(i)) + "`, which no hand-in may",
+                     {code[i].begin, code[i].end}};
   }
-  if (depth_of(known) == 0 && depth_of(code) != 0) {
-    return "a region closes each brace that it opens, and no other";
+  return std::nullopt;
+}
+
+std::optional<TextFault> HandInRules::scope_fault(const std::string& text,
+                                                  const RawTokens& tokens) const {
+  for (const auto& [words, span] : directives_in(text, tokens)) {
+    if (directives_.contains(words)) continue;
+    return TextFault{directives_.empty()
+                         ? "a region of this exercise has no preprocessor directives"
+                         : "a region has no other preprocessor directives than its solution",
+                     span};
   }
-  const std::string behind = function_behind(code, exercise.program(exercise.solution()), region);
-  if (!behind.empty()) {
-    return "what is written calls `" + behind + "`, which stands behind the region";
+  const auto open = is_closed_ ? open_bracket(code_of(tokens, text)) : std::nullopt;
+  if (!open) return std::nullopt;
+  return TextFault{"a region closes each bracket that it opens, and no other", *open};
+}
+
+std::optional<TextFault> HandInRules::fault(const std::string& text,
+                                            const RawTokens& tokens) const {
+  if (auto found = token_fault(text, tokens)) return found;
+  if (auto found = scope_fault(text, tokens)) return found;
+  return word_fault(text, tokens);
+}
+
+std::optional<TextFault> character_fault(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
+    if (text[i] == '\r') {
+      return TextFault{"a carriage return stands alone, which ends a line for some", {i, i + 1}};
+    }
+    if ((byte < ' ' && text[i] != '\t' && text[i] != '\n') || byte == 0x7f) {
+      return TextFault{"a region has no control characters", {i, i + 1}};
+    }
   }
-  return "";
+  return std::nullopt;
+}
+
+namespace {
+
+// Those without a fault of their characters, which a lexer can read.
+std::vector<std::string> readable_ones(const std::vector<std::string>& texts) {
+  std::vector<std::string> all;
+  for (const std::string& text : texts) all.push_back(character_fault(text) ? "" : text);
+  return all;
+}
+
+std::vector<std::optional<TextFault>> faults_of(const std::vector<std::string>& texts,
+                                                const std::vector<RawTokens>& tokens,
+                                                const HandInRules& rules) {
+  std::vector<std::optional<TextFault>> faults;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    auto fault = character_fault(texts[i]);
+    faults.push_back(fault ? std::move(fault) : rules.fault(texts[i], tokens[i]));
+  }
+  return faults;
+}
+
+}  // namespace
+
+tl::expected<OwnRules, std::string> hand_in_rules(const ExerciseText& exercise,
+                                                  const Toolchain& toolchain) {
+  std::vector<std::string> texts{exercise.solution()};
+  for (const ExerciseText::Variant& variant : exercise.variants()) texts.push_back(variant.code);
+  const std::vector<std::string> asked = readable_ones(texts);
+  return raw_tokens(asked, toolchain).map([&](const std::vector<RawTokens>& tokens) {
+    HandInRules rules(asked, tokens);
+    auto faults = faults_of(texts, tokens, rules);
+    return OwnRules{std::move(rules), std::move(faults)};
+  });
+}
+
+tl::expected<std::vector<std::optional<TextFault>>, std::string> hand_in_faults(
+    const std::vector<std::string>& texts, const HandInRules& rules, const Toolchain& toolchain) {
+  return raw_tokens(readable_ones(texts), toolchain).map([&](const std::vector<RawTokens>& tokens) {
+    return faults_of(texts, tokens, rules);
+  });
 }
 
 }  // namespace mjcourse

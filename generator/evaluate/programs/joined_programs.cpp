@@ -26,6 +26,11 @@ int main(int count, char** words) {
   words[1] = words[0];
 )";
 
+// So that the line behind it is the one behind `lines` lines of `path`.
+std::string line_mark(std::size_t lines, const std::string& path) {
+  return "#line " + std::to_string(lines + 1) + " \"" + path + "\"\n";
+}
+
 std::string name_of(std::size_t index) {
   return "version_" + std::to_string(index);
 }
@@ -69,6 +74,8 @@ std::optional<std::string> body_of(const std::vector<std::string_view>& lines, s
       if (place != before || line.ends_with('}')) return std::nullopt;
       place = inside;
       text.append("int main_of_version(").append(line.substr(kMain.size()));
+    } else if (place == inside && words.starts_with("// #region ")) {
+      return std::nullopt;
     } else if (place == inside && line == "}") {
       place = behind;
       text += "return 0; }";
@@ -82,22 +89,30 @@ std::optional<std::string> body_of(const std::vector<std::string_view>& lines, s
 
 }  // namespace
 
-std::optional<std::string> joined_programs(const std::vector<std::string>& versions,
-                                           const std::string& path) {
+std::optional<std::string> joined_programs(const std::vector<Version>& versions,
+                                           const std::string& path, const std::string& shared) {
   std::string includes, bodies, choice;
   for (std::size_t i = 0; i < versions.size(); ++i) {
-    const std::vector<std::string_view> lines = lines_of(versions[i]);
+    const std::vector<std::string_view> lines = lines_of(versions[i].text);
     const std::size_t begin = include_lines(lines);
     const std::string own = joined_lines(lines, 0, begin);
     if (i == 0) includes = own;
     const std::optional<std::string> body = body_of(lines, begin);
     if (!body || own != includes) return std::nullopt;
-    bodies += "namespace " + name_of(i) + " {\n#line " + std::to_string(begin + 1) + " \"" + path +
-              "\"\n" + *body + "}\n";
+    bodies += versions[i].before + "namespace " + name_of(i) + " {\n" + line_mark(begin, path) +
+              *body + "}\n";
     choice += "  if (index == " + std::to_string(i) + ") return call(" + name_of(i) +
               "::main_of_version, count - 1, words + 1);\n";
   }
-  return includes + kNoWarnings + bodies + kSwitch + choice + "  return 1;\n}\n";
+  return includes + kNoWarnings + shared + bodies + kSwitch + choice + "  return 1;\n}\n";
+}
+
+std::string with_behind_includes(const std::string& program, const std::string& inserted,
+                                 const std::string& path) {
+  const std::vector<std::string_view> lines = lines_of(program);
+  const std::size_t begin = include_lines(lines);
+  return joined_lines(lines, 0, begin) + kNoWarnings + inserted + line_mark(begin, path) +
+         joined_lines(lines, begin, lines.size());
 }
 
 std::vector<std::string> joined_arguments(std::size_t index, std::vector<std::string> arguments) {

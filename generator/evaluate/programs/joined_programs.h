@@ -13,11 +13,21 @@
 
 namespace mjcourse {
 
-// The lines of `versions` keep their numbers in the file `path`, as a compiler counts them. Nothing
-// where the versions cannot be joined: they include otherwise, have other directives behind that,
-// or a main() that is not found.
-std::optional<std::string> joined_programs(const std::vector<std::string>& versions,
-                                           const std::string& path);
+struct Version {
+  std::string text;         // of the program
+  std::string before = {};  // directives in front of its own lines
+};
+
+// The lines of `versions` keep their numbers in the file `path`, as a compiler counts them;
+// `shared` stands behind the includes. Nothing where the versions cannot be joined: they include
+// otherwise, have other directives behind that, or a main() that is not found or has a region of an
+// exercise, in which anything may stand.
+std::optional<std::string> joined_programs(const std::vector<Version>& versions,
+                                           const std::string& path, const std::string& shared = "");
+
+// One program, with `inserted` behind its leading includes.
+std::string with_behind_includes(const std::string& program, const std::string& inserted,
+                                 const std::string& path);
 
 // The arguments of the version `index` that is run with `arguments`.
 std::vector<std::string> joined_arguments(std::size_t index, std::vector<std::string> arguments);

@@ -2,58 +2,181 @@
 
 #include <utility>
 
+#include "base/text_lines.h"
 #include "evaluate/programs/joined_programs.h"
 #include "evaluate/programs/page_run.h"
 
 namespace mjcourse {
+namespace {
+
+// Of the joined program: in place 0 the solution as its author runs it, and behind it each version
+// as a stranger's.
+constexpr std::size_t kAuthors = 0;
+
+std::size_t place_of_version(std::size_t index) {
+  return index + 1;
+}
+
+std::optional<std::string> joined(const std::vector<std::string>& versions, const JudgeKey& key,
+                                  const std::string& path) {
+  std::vector<Version> all{{versions[0], tell_answers(key)}};
+  for (const std::string& version : versions) all.push_back({version, tell_findings(key)});
+  return joined_programs(all, path, reporting_checks(key));
+}
+
+// All but the solution, which its page compiles as a program of its own.
+std::optional<std::string> joined_for_page(const std::vector<std::string>& versions,
+                                           const std::string& path) {
+  if (versions.size() < 3) return std::nullopt;
+  std::vector<Version> all;
+  for (std::size_t i = 1; i < versions.size(); ++i) all.push_back({versions[i]});
+  return joined_programs(all, path);
+}
+
+// The run of a program, and what that reported.
+struct Heard {
+  ExampleResult result;
+  std::string reports;
+
+  Judge told_to(Judge judge) const {
+    for (const std::string_view line : lines_of(reports)) judge.hear(line);
+    return judge;
+  }
+};
+
+struct Judged {
+  const Example& program;
+  const Lesson& lesson;
+  WorkerContext& worker_context;
+  const JudgeKey& key;
+  Diagnostics& diagnostics;
+
+  // `judge` hears the run, and `answers` is all that its answers depend on.
+  RunAs as(Judge& judge, const std::string& answers) const {
+    const auto answer = [&judge](std::string_view line) { return judge.hear(line); };
+    return {true, key.seed, RunListener{answers, answer}, key.is_kept};
+  }
+
+  std::optional<Heard> heard(const LocatedText& text, NativeRun run) const {
+    std::string reports = std::exchange(run.records, "").value_or("");
+    auto result = judge_native(program, text, std::move(run), lesson, diagnostics);
+    if (!result) return std::nullopt;
+    return Heard{*std::move(result), std::move(reports)};
+  }
+
+  // `told` stands behind the includes of `text`, which messages quote.
+  std::optional<Heard> run_alone(const std::string& text, const std::string& told,
+                                 const RunAs& as) const {
+    const LocatedText quoted{text, {}};
+    const LocatedText whole{
+        with_behind_includes(text, reporting_checks(key) + told, program.file.text), {}};
+    auto alone = native_program(program, whole, lesson, worker_context, diagnostics, true);
+    if (!alone) return std::nullopt;
+    auto run = compiled_run(program, quoted, *alone, lesson, worker_context, diagnostics, as);
+    if (!run) return std::nullopt;
+    return heard(quoted, *std::move(run));
+  }
+
+  std::optional<JudgedRun> judged(std::optional<Heard> heard, const Answers& answers) const {
+    if (!heard) return std::nullopt;
+    const Judge judge = heard->told_to(Judge(answers, key.mark));
+    if (judge.is_forged()) {
+      diagnostics.push_back(error_at(place_of(*lesson.source, program.span), "E-hand-in",
+                                     "a check was not made by the program itself"));
+      return std::nullopt;
+    }
+    JudgedRun run{std::move(heard->result), judge.verdict()};
+    for (const JudgedCheck& check : run.verdict) {
+      if (check.calls > 0) run.result.records.checks.push_back(check);
+    }
+    return run;
+  }
+};
+
+}  // namespace
+
+std::optional<JudgedRun> run_handed_in(const Example& program, const std::string& text,
+                                       const Answers& answers, const Lesson& lesson,
+                                       WorkerContext& worker_context, const JudgeKey& key,
+                                       Diagnostics& diagnostics) {
+  const Judged judged{program, lesson, worker_context, key, diagnostics};
+  Judge judge(answers, key.mark);
+  return judged.judged(judged.run_alone(text, tell_findings(key), judged.as(judge, answers.key())),
+                       answers);
+}
 
 VersionRuns::VersionRuns(Example program, std::vector<std::string> versions, const Lesson& lesson,
-                         WorkerContext& worker_context)
+                         WorkerContext& worker_context, JudgeKey key)
     : program_(std::move(program)),
       versions_(std::move(versions)),
       lesson_(lesson),
-      worker_context_(worker_context) {
-  if (versions_.size() < 2) return;
-  auto text = joined_programs(versions_, program_.file.text);
+      worker_context_(worker_context),
+      key_(std::move(key)) {
+  auto text = joined(versions_, key_, program_.file.text);
   if (!text) return;
   text_ = {*std::move(text), {}};
   Diagnostics none;  // each version alone says what is wrong with it
-  auto joined = native_program(program_, *text_, lesson_, worker_context_, none);
+  auto joined = native_program(program_, *text_, lesson_, worker_context_, none, true);
   if (joined) joined_.emplace(*std::move(joined));
 }
 
-Example VersionRuns::version(std::size_t index) const {
-  Example version = program_;
-  version.arguments = joined_arguments(index, program_.arguments);
-  return version;
+Example VersionRuns::at(std::size_t place) const {
+  Example program = program_;
+  program.arguments = joined_arguments(place, program_.arguments);
+  return program;
 }
 
-std::optional<NativeRun> VersionRuns::run_joined(std::size_t index) {
+std::optional<NativeRun> VersionRuns::run_joined(std::size_t place, const RunAs& as) {
   if (!joined_) return std::nullopt;
-  if (auto run = known_run(version(index), *joined_)) return run;
+  if (auto run = known_run(at(place), *joined_, as)) return run;
   if (!joined_->find_refusal()) {
-    const Compiled& compiled = joined_->compile();
-    if (compiled.succeeded) return new_run(version(index), *joined_);
-    if (compiled.refused()) joined_->refusal();  // so that nobody compiles it again
+    Diagnostics none;
+    if (auto run = compiled_run(at(place), *text_, *joined_, lesson_, worker_context_, none, as)) {
+      return run;
+    }
+    // So that nobody compiles it again.
+    if (key_.is_kept && joined_->compile().refused()) joined_->refusal();
   }
   joined_.reset();
   return std::nullopt;
 }
 
-bool VersionRuns::is_known() const {
-  if (joined_ && known_run(version(0), *joined_)) return true;
-  return mjcourse::is_known(program_, {versions_[0], {}}, lesson_, worker_context_);
+std::optional<Answers> VersionRuns::answers(Diagnostics& diagnostics) {
+  const Judged judged{program_, lesson_, worker_context_, key_, diagnostics};
+  Judge author(key_.mark);
+  const RunAs as = judged.as(author, "");
+  auto run = run_joined(kAuthors, as);
+  const auto heard = run ? judged.heard(*text_, *std::move(run))
+                         : judged.run_alone(versions_[0], tell_answers(key_), as);
+  if (!heard) return std::nullopt;
+  return heard->told_to(Judge(key_.mark)).answers();
 }
 
-std::optional<ExampleResult> VersionRuns::run(std::size_t index, Diagnostics& diagnostics) {
-  auto run = run_joined(index);
-  if (run) return judge_native(program_, *text_, *std::move(run), lesson_, diagnostics);
-  return evaluate_example(program_, {versions_[index], {}}, lesson_, worker_context_, diagnostics);
+std::optional<JudgedRun> VersionRuns::run(std::size_t index, const Answers& answers,
+                                          Diagnostics& diagnostics) {
+  const Judged judged{program_, lesson_, worker_context_, key_, diagnostics};
+  Judge judge(answers, key_.mark);
+  const RunAs as = judged.as(judge, answers.key());
+  const std::size_t place = place_of_version(index);
+  auto run = run_joined(place, as);
+  return judged.judged(run ? judged.heard(*text_, *std::move(run))
+                           : judged.run_alone(versions_[index], tell_findings(key_), as),
+                       answers);
+}
+
+bool VersionRuns::is_known() {
+  if (!joined_) return false;
+  Diagnostics none;
+  const Judged judged{program_, lesson_, worker_context_, key_, none};
+  Judge author(key_.mark);
+  return known_run(at(kAuthors), *joined_, judged.as(author, "")).has_value();
 }
 
 std::optional<PageRun> VersionRuns::run_in_page(std::size_t index, const ExampleResult& native) {
-  if (joined_) {
-    auto page = mjcourse::run_in_page(version(index), text_->text, native, worker_context_);
+  if (const auto text = joined_for_page(versions_, program_.file.text)) {
+    Example version = program_;
+    version.arguments = joined_arguments(index - 1, program_.arguments);
+    auto page = mjcourse::run_in_page(version, *text, native, worker_context_);
     // What the page's compiler refuses, it may take one by one.
     if (!page || !page->why_not.starts_with(kPageRefuses)) return page;
   }

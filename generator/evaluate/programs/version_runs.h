@@ -1,5 +1,8 @@
-// Runs of several versions of a program, which are compiled once where they can be joined
-// (joined_programs.h), and one by one where they cannot.
+// Runs of an exercise's program with each of several texts in its region, as `grade` runs a
+// hand-in: judged from outside (judge.h). The first is the solution.
+//
+// They are compiled once where they can be joined (joined_programs.h), and one by one where they
+// cannot. A page runs the same texts with checks that judge for themselves.
 // Tested by tests/courses/exercise.
 #pragma once
 
@@ -9,31 +12,48 @@
 #include <vector>
 
 #include "evaluate/programs/example.h"
+#include "evaluate/programs/judge.h"
+#include "evaluate/programs/judged_text.h"
 
 namespace mjcourse {
+
+struct JudgedRun {
+  ExampleResult result;  // its checks are those that were made
+  std::vector<JudgedCheck> verdict;
+};
+
+// `text` is the whole of `program` with what was handed in. Nothing (reported) where its run went
+// wrong, or it was forged.
+std::optional<JudgedRun> run_handed_in(const Example& program, const std::string& text,
+                                       const Answers& answers, const Lesson& lesson,
+                                       WorkerContext& worker_context, const JudgeKey& key,
+                                       Diagnostics& diagnostics);
 
 class VersionRuns {
  public:
   // `versions` are whole texts of `program`. All but these outlive it.
   VersionRuns(Example program, std::vector<std::string> versions, const Lesson& lesson,
-              WorkerContext& worker_context);
+              WorkerContext& worker_context, JudgeKey key = {});
 
-  // As evaluate_example() of that version.
-  std::optional<ExampleResult> run(std::size_t index, Diagnostics& diagnostics);
-  // Is the first of them known without compiling anything?
-  bool is_known() const;
-  // What it is in the page, after run(), which gave `native`.
+  // Of the solution's run, which knows what it expects. Nothing (reported) where that fails.
+  std::optional<Answers> answers(Diagnostics& diagnostics);
+  // The version, as run_handed_in().
+  std::optional<JudgedRun> run(std::size_t index, const Answers& answers, Diagnostics& diagnostics);
+  // Is it likely that nothing has to be compiled?
+  bool is_known();
+  // What another version than the solution is in the page, after run(), which gave `native`.
   std::optional<PageRun> run_in_page(std::size_t index, const ExampleResult& native);
 
  private:
-  std::optional<NativeRun> run_joined(std::size_t index);
-  Example version(std::size_t index) const;
+  std::optional<NativeRun> run_joined(std::size_t place, const RunAs& as);
+  Example at(std::size_t place) const;
 
   Example program_;
   std::vector<std::string> versions_;
   const Lesson& lesson_;
   WorkerContext& worker_context_;
-  std::optional<LocatedText> text_;      // all versions as one program
+  JudgeKey key_;
+  std::optional<LocatedText> text_;      // of all places as one program
   std::optional<NativeProgram> joined_;  // nothing where that does not work, for whatever reason
 };
 

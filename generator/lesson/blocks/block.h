@@ -54,7 +54,6 @@ struct Example {
   Span span{};                           // the opening fence
   std::vector<std::size_t> outputs{};    // the blocks that state its output
   bool quoted = true;                    // may a lesson quote what it reports?
-  bool handed_in = false;  // then it can add to what it reports, and read nothing of it
 
   std::string name() const;  // "x" of "examples/x.cpp"
 };

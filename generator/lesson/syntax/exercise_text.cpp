@@ -95,6 +95,15 @@ std::string ExerciseText::program(std::string_view code) const {
   return with_the_end_of(file_.text(), std::move(text));
 }
 
+std::size_t ExerciseText::code_begin() const {
+  const std::string without = program("");
+  const SourceText text(file_.path(), without);
+  for (int line = 1; line <= text.line_count(); ++line) {
+    if (text.line(line) == file_.line(begin_)) return text.line_start(line + 1);
+  }
+  return without.size();
+}
+
 std::string ExerciseText::in_place(const Variant& variant) const {
   std::string text;
   for (int line = 1; line <= file_.line_count(); ++line) {
@@ -201,7 +210,7 @@ class ExerciseReader {
       fail(exercise_.begin_, "the region has no solution",
            "write it as code, before `// #starter`");
     }
-    static const RE2 checks(R"(\bexpect(?:_near)?\s*\()");
+    static const RE2 checks(R"(\bexpect(?:_near|_alike)?\s*\()");
     if (RE2::PartialMatch(exercise_.solution_, checks)) {
       fail(exercise_.begin_, "the solution makes a check, which nobody else would make",
            "make the checks outside of the region");
@@ -249,19 +258,6 @@ std::optional<std::string> code_in_region(std::string_view program, std::string_
     } else {
       code.append(line).append("\n");
     }
-  }
-  return std::nullopt;
-}
-
-std::optional<std::size_t> behind_region(std::string_view program, std::string_view region) {
-  bool inside = false;
-  for (const std::string_view line : lines_of(program)) {
-    const auto mark = mark_in(line);
-    if (inside && mark && mark->word == "endregion") {
-      const auto begin = static_cast<std::size_t>(line.data() - program.data());
-      return std::min(program.find('\n', begin), program.size() - 1) + 1;
-    }
-    inside = inside || opens(line, region);
   }
   return std::nullopt;
 }

@@ -37,6 +37,7 @@ class ExerciseText {
   const SourceText& file() const { return file_; }
   // The lines between the region's mark and the starter's.
   const std::string& solution() const { return solution_; }
+  int solution_line() const { return begin_ + 1; }
   const Variant& starter() const { return variants_.front(); }
   // The starter, and then the mistakes.
   const std::vector<Variant>& variants() const { return variants_; }
@@ -44,6 +45,8 @@ class ExerciseText {
   // The file with `code` in the region, whose marks stay, as a reader has it: other regions' are
   // left out.
   std::string program(std::string_view code) const;
+  // Where the code begins in there.
+  std::size_t code_begin() const;
   // The file with the variant in the solution's place. Each of its words is in the same line as
   // in the file, so the words of a compiler lead there.
   std::string in_place(const Variant& variant) const;
@@ -69,9 +72,6 @@ bool begins_variant(std::string_view line);
 // What stands between the marks of a region, in a text that a reader wrote; nothing where a mark is
 // gone.
 std::optional<std::string> code_in_region(std::string_view program, std::string_view region);
-
-// Where the line behind the region's last mark begins; nothing where a mark is gone.
-std::optional<std::size_t> behind_region(std::string_view program, std::string_view region);
 
 // `program` with `code` between these marks; nothing where one is gone. A compiler counts its lines
 // from kCodeLine on, and those behind it as in `program`, which it is told is `path`.

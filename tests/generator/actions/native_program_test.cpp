@@ -217,11 +217,60 @@ TEST_F(NativeProgramTest, HearsOfAHeaderBesideItNoPathOfThisMachine) {
   EXPECT_EQ(found(text), "examples/a.cpp examples/beside.h\n");
 }
 
-TEST_F(NativeProgramTest, OfAStrangerIsNeverKept) {
-  compile_and_run(kProgram, {.handed_in = true});
+TEST_F(NativeProgramTest, IsNotKeptWhereThatIsNotWanted) {
+  compile_and_run(kProgram, {.is_kept = false});
   EXPECT_EQ(found(), "nothing");
   compile_and_run();
-  EXPECT_EQ(found(kProgram, {.handed_in = true}), "nothing");
+  EXPECT_EQ(found(kProgram, {.is_kept = false}), "nothing");
+}
+
+TEST_F(NativeProgramTest, TellsItsListenerInPlaceOfItsRecords) {
+  const std::string text =
+      "#include <unistd.h>\n#include <cstdio>\n#include <cstdlib>\n"
+      "int main() {\n  char answer = '-';\n"
+      "  if (write(0, \"found\\n\", 6) != 6 || read(0, &answer, 1) != 1) return 1;\n"
+      "  std::printf(\"%c %d %s\", answer, std::getenv(\"MJCOURSE_RECORDS\") != nullptr,\n"
+      "              std::getenv(\"MJCOURSE_SEED\"));\n}\n";
+  const auto request = [](const std::string& key, const std::string& answer) {
+    return NativeRequest{.seed = "5", .listener = RunListener{key, [answer](std::string_view line) {
+                                                                EXPECT_EQ(line, "found");
+                                                                return answer;
+                                                              }}};
+  };
+  {
+    Run run(*this);
+    NativeProgram one = program(run, text);
+    ASSERT_TRUE(one.compile().succeeded) << one.compile().raw;
+    const NativeRun ran = one.run(request("one", "1"));
+    EXPECT_EQ(ran.outcome.out, "1 0 5");
+    EXPECT_EQ(ran.records, "found\n");
+  }
+  EXPECT_EQ(found(text, request("one", "1")), "1 0 5");
+  EXPECT_EQ(found(text, request("another", "0")), "nothing") << "it may be answered otherwise";
+  EXPECT_EQ(found(text), "nothing");
+}
+
+TEST_F(NativeProgramTest, OfAStrangerIsCompiledWithTheHeadersThatItNamesAlone) {
+  write("examples/beside.h", "#pragma once\ninline int beside() { return 8; }\n");
+  write("examples/solution.h", "inline int secret() { return 9; }\n");
+  const auto compiled = [&](const std::string& text) {
+    Run run(*this);
+    return NativeProgram({"a", "examples/a.cpp", text, false, true},
+                         {root_, compiler_, run.actions, run.trace})
+        .compile();
+  };
+  const std::string beside = "#include \"beside.h\"\n";
+  EXPECT_TRUE(compiled(beside + "int main() { return beside(); }\n").succeeded);
+  // A name that no reader of this text sees, as it is made by a macro.
+  const Compiled other = compiled(beside + "#define A <solution.h>\n#include A\nint main() {}\n");
+  EXPECT_NE(other.raw.find("'solution.h' file not found"), other.raw.npos) << other.raw;
+  for (const char* way : {"../examples/solution.h", "../../examples/solution.h"}) {
+    const std::string path = (root_ / "examples" / way).lexically_normal();
+    const std::string text =
+        beside + "asm(\".incbin \\\"" + path + "\\\"\");\nint main() { return 0; }\n";
+    const Compiled included = compiled(text);
+    EXPECT_FALSE(included.succeeded) << path;
+  }
 }
 
 TEST_F(NativeProgramTest, ThatIsRefusedHasTheCompilersWords) {

@@ -2,73 +2,136 @@
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 namespace mjcourse {
 namespace {
 
+GradedCheck check(const Check& made, bool is_its_word = false, bool is_hidden = false) {
+  GradedCheck all;
+  static_cast<Check&>(all) = made;
+  all.is_its_word = is_its_word;
+  all.is_hidden = is_hidden;
+  return all;
+}
+
 // A hand-in with a check that holds, one that does not, and a hidden one; another that does not
-// compile; and one that is not there.
+// compile, and is late; and one that is not there.
 std::vector<GradedHandIn> graded() {
-  const Check falls{"it falls", true, "", "", 2};
-  const Check rests{"it rests", false, "it is pushed", "it is 1, and should be 0"};
-  const Check hidden{"it, \"too\"", false, "", ""};
-  const std::vector<Check> none{{"it falls", false, "", "", 2}, {"it rests", false, "", ""}};
-  Grade whole{"fall", "1.1", true, {{falls, rests}, {hidden}, {}}, 4};
-  Grade broken{"fall", "1.1", true, {none, {hidden}, {}}, 4};
-  Place place;
-  place.file = "fall.cpp";
-  place.line = 7;
-  broken.verdict.faults.push_back(error_at(place, "E-example-compile", "expected ';'"));
-  Grade missing{"fall", "1.1", false, {none, {hidden}, {}}, 4};
-  return {{"ann", {whole}}, {"=cmd", {broken}}, {"cid", {missing}}};
+  const GradedCheck falls = check({"it falls", true, "", "", 2}, true);
+  const GradedCheck rests =
+      check({"it rests", false, "it is pushed", "it is 1, and should be 0 ± 1e-09"});
+  const GradedCheck hidden = check({"it, \"too\"", false, "secret", "secret"}, false, true);
+  const GradedCheck no_fall = check({"it falls", false, "", "", 2}, true);
+  const GradedCheck no_rest = check({"it rests", false, "", ""});
+  Grade whole{"fall", "A *fall*", "1.1", true, {falls, rests, hidden}};
+  Grade broken{"fall", "A *fall*", "1.1", true, {no_fall, no_rest, hidden}};
+  broken.minutes_late = 65;
+  broken.faults = {{{"message", "expected ';'"}, {"place", {{"line", 7}}}}};
+  Grade missing{"fall", "", "1.1", false, {no_fall, no_rest, hidden}};
+  return {{"ann", "in/ann", "", {whole}},
+          {"=cmd", "in/=cmd", "", {broken}},
+          {"cid", "in/cid", "it is a link", {missing}}};
 }
 
 TEST(Grades, AreAListForPeople) {
   EXPECT_EQ(grades_text(graded(), GradeFormat::text), R"(ann
-  fall: 2 of 4 points
+  fall: 2 of 4 points, 2 of them at its own word
     [ ] it rests
       it is pushed
-      it is 1, and should be 0
+      it is 1, and should be 0 ± 1e-09
     [ ] it, "too"
+      secret
+      secret
 =cmd
-  fall: 0 of 4 points; expected ';' in line 7
-cid
+  fall: 0 of 4 points, 1 h 5 min late; expected ';' in line 7
+cid: it is a link
   fall: 0 of 4 points; not handed in
 3 hand-ins
 )");
 }
 
-TEST(Grades, AreATableWithoutFormulas) {
+TEST(Grades, AreATableOfChecksWithoutFormulas) {
   EXPECT_EQ(grades_text(graded(), GradeFormat::csv),
-            "hand_in,lesson,exercise,check,hidden,holds,points,of,remark\r\n"
-            "ann,1.1,fall,it falls,no,yes,2,2,\r\n"
-            "ann,1.1,fall,it rests,no,no,0,1,\r\n"
-            "ann,1.1,fall,\"it, \"\"too\"\"\",yes,no,0,1,\r\n"
-            "'=cmd,1.1,fall,it falls,no,no,0,2,expected ';' in line 7\r\n"
-            "'=cmd,1.1,fall,it rests,no,no,0,1,expected ';' in line 7\r\n"
-            "'=cmd,1.1,fall,\"it, \"\"too\"\"\",yes,no,0,1,expected ';' in line 7\r\n"
-            "cid,1.1,fall,it falls,no,no,0,2,not handed in\r\n"
-            "cid,1.1,fall,it rests,no,no,0,1,not handed in\r\n"
-            "cid,1.1,fall,\"it, \"\"too\"\"\",yes,no,0,1,not handed in\r\n");
+            "student,lesson,exercise,check,hidden,own_word,holds,points,of,late,remark\r\n"
+            "ann,1.1,fall,it falls,no,yes,yes,2,2,no,\r\n"
+            "ann,1.1,fall,it rests,no,no,no,0,1,no,\r\n"
+            "ann,1.1,fall,\"it, \"\"too\"\"\",yes,no,no,0,1,no,\r\n"
+            "'=cmd,1.1,fall,it falls,no,yes,no,0,2,yes,expected ';' in line 7\r\n"
+            "'=cmd,1.1,fall,it rests,no,no,no,0,1,yes,expected ';' in line 7\r\n"
+            "'=cmd,1.1,fall,\"it, \"\"too\"\"\",yes,no,no,0,1,yes,expected ';' in line 7\r\n"
+            "cid,1.1,fall,it falls,no,yes,no,0,2,no,not handed in\r\n"
+            "cid,1.1,fall,it rests,no,no,no,0,1,no,not handed in\r\n"
+            "cid,1.1,fall,\"it, \"\"too\"\"\",yes,no,no,0,1,no,not handed in\r\n");
+}
+
+TEST(Grades, AreATableOfStudents) {
+  EXPECT_EQ(students_csv(graded()),
+            "student,points,of,fall,own_word,late,missing,remark\r\n"
+            "ann,2,4,2,2,,,\r\n"
+            "'=cmd,0,4,0,0,fall: 1 h 5 min late,,fall: expected ';' in line 7\r\n"
+            "cid,0,4,0,0,,fall,it is a link\r\n");
+}
+
+TEST(Grades, AreLettersThatKeepWhatHiddenChecksFound) {
+  EXPECT_EQ(letter(graded()[0]), R"(# ann
+
+2 of 4 points.
+
+## A \*fall\*: 2 of 4 points
+
+`fall.cpp`, lesson 1.1.
+
+- ✓ it falls (2 points)
+- ✗ it rests (1 point)  
+  it is pushed  
+  it is 1, and should be 0 ± 1e\-09
+
+Checks that the page does not show:
+
+- ✗ it, "too" (1 point)
+)");
+  EXPECT_EQ(letter(graded()[1]), R"(# =cmd
+
+0 of 4 points.
+
+## A \*fall\*: 0 of 4 points
+
+`fall.cpp`, lesson 1.1, 1 h 5 min late.
+
+expected ';' in line 7.
+)");
 }
 
 TEST(Grades, AreJson) {
   const auto all = nlohmann::json::parse(grades_text(graded(), GradeFormat::json));
   ASSERT_EQ(all.size(), 3u);
-  EXPECT_EQ(all[0]["hand_in"], "ann");
+  EXPECT_EQ(all[0]["student"], "ann");
+  EXPECT_EQ(all[0]["hand_in"], "in/ann");
   EXPECT_EQ(all[0]["points"], 2);
   EXPECT_EQ(all[0]["of"], 4);
   EXPECT_EQ(all[0]["exercises"][0]["checks"][2]["hidden"], true);
+  EXPECT_EQ(all[0]["exercises"][0]["checks"][0]["own_word"], true);
   EXPECT_EQ(all[1]["exercises"][0]["faults"][0]["message"], "expected ';'");
+  EXPECT_EQ(all[1]["exercises"][0]["minutes_late"], 65);
   EXPECT_EQ(all[2]["exercises"][0]["handed_in"], false);
 }
 
 TEST(Grades, AreTestsToOthers) {
   const std::string xml = grades_text(graded(), GradeFormat::junit);
   EXPECT_NE(xml.find("tests=\"9\" failures=\"8\""), xml.npos) << xml;
-  EXPECT_NE(xml.find(">it is pushed it is 1, and should be 0<"), xml.npos) << xml;
+  EXPECT_NE(xml.find(">it is pushed it is 1, and should be 0 ± 1e-09<"), xml.npos) << xml;
   EXPECT_NE(xml.find(">not handed in<"), xml.npos) << xml;
+}
+
+TEST(Grades, AreTakenUpAsTheyWereKept) {
+  const Grade grade = graded()[1].grades[0];
+  const auto again = grade_of_json(judgement_json(grade));
+  ASSERT_TRUE(again);
+  EXPECT_EQ(judgement_json(*again), judgement_json(grade));
+  for (const char* damaged : {"null", "[]", "{}", R"({"exercise": 1})",
+                              R"({"exercise": "a", "title": "", "lesson": "", "checks": [1],
+                                  "faults": []})"}) {
+    EXPECT_FALSE(grade_of_json(nlohmann::json::parse(damaged))) << damaged;
+  }
 }
 
 }  // namespace

@@ -116,7 +116,7 @@ TEST(Run, NeedsOptionsThatThereAre) {
             "--store-url, "
             "--store-read-only");
   EXPECT_EQ(error_of({"check", "--out", "x"}),
-            "mjcourse: check has no option --out; it belongs to build, try");
+            "mjcourse: check has no option --out; it belongs to build, try, grade");
   EXPECT_EQ(error_of({"accept", "--timings"}),
             "mjcourse: accept has no option --timings; it belongs to build, check");
   EXPECT_EQ(error_of({"check", "1.2"}), "mjcourse: check takes only options, not 1.2");

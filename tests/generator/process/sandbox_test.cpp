@@ -71,23 +71,6 @@ TEST_F(SandboxTest, LetsAProgramReadItsModelsAndWriteItsFolder) {
   }
 }
 
-TEST_F(SandboxTest, LetsAProgramAddToAFileThatItCannotRead) {
-  if (sandbox_level().landlock < 3) GTEST_SKIP() << "Landlock does not know who cuts a file";
-  const fs::path records = folder_.path() / "records";
-  write_file(records, "first\n");
-  const auto adding = [&](const std::string& script) {
-    Command command = shell(script);
-    command.environment.push_back("RECORDS=" + records.string());
-    command.sandbox->write.push_back(records);
-    command.sandbox->add = records;
-    return run(command);
-  };
-  EXPECT_EQ(adding("echo second >>$RECORDS").end, End::exited);
-  EXPECT_EQ(adding("read x <$RECORDS; echo got $x").out, "got\n");
-  adding(": >$RECORDS");
-  EXPECT_EQ(read_file(records).value(), "first\nsecond\n");
-}
-
 // The C library asks for this where a thread gives back memory.
 TEST_F(SandboxTest, LetsAProgramAskHowMemoryIsGivenOut) {
   const Outcome outcome = run(shell("read x </proc/sys/vm/overcommit_memory; echo ${#x}"));

@@ -165,6 +165,37 @@ TEST(Subprocess, TakesAllThatTheLimitAllows) {
 }
 
 // The generator ignores or handles signals that a program must meet as the system made them.
+TEST(Subprocess, HearsLinesAndAnswersThem) {
+  Command command = shell("echo one >&0; read reply; echo $reply; echo two >&0; printf three >&0");
+  std::vector<std::string> lines;
+  command.hears = [&](std::string_view line) {
+    lines.emplace_back(line);
+    return std::to_string(line.size()) + "\n";
+  };
+  const Outcome outcome = run(command);
+  EXPECT_EQ(outcome.end, End::exited);
+  EXPECT_EQ(outcome.out, "3\n");
+  EXPECT_EQ(lines, (std::vector<std::string>{"one", "two"}));  // the third never ended
+}
+
+TEST(Subprocess, HearsWhatWasSaidBeforeTheEndThoughNobodyListens) {
+  Command command = shell("for i in 1 2 3 4 5; do echo $i >&0; done; exit 4");
+  std::string all;
+  command.hears = [&](std::string_view line) {
+    all += line;
+    return std::string("an answer that nobody reads\n");
+  };
+  const Outcome outcome = run(command);
+  EXPECT_EQ(outcome.code, 4);
+  EXPECT_EQ(all, "12345");
+}
+
+TEST(Subprocess, StopsWhatSaysTooMuch) {
+  Command command = shell("yes >&0");
+  command.hears = [](std::string_view) { return std::string(); };
+  EXPECT_EQ(run(command).end, End::flooded);
+}
+
 TEST(Subprocess, StartsWithTheSystemsSignals) {
   const auto before = signal(SIGPIPE, SIG_IGN);
   const Outcome outcome = run(shell("kill -PIPE $$; echo survived"));

@@ -6,55 +6,91 @@ namespace mjcourse {
 namespace {
 
 const char* const kProgram = R"(#include <mjcourse/mjcourse.hpp>
-double before(double t) { return t; }
 double fallen(double t) {
   // #region answer
-  return before(t);
+  return t;
   // #starter
-  // return 0;
+  // #pragma unroll
+  // return __builtin_sqrt(t);
   // #endregion
 }
-bool check(double way) { return mjcourse::expect(way > 0, "it falls"); }
-int main() {
-  check(fallen(1));
-}
+int main() { mjcourse::expect(fallen(1) > 0, "it falls"); }
 )";
 
-std::string refusal_of(const std::string& code) {
-  Diagnostics diagnostics;
-  const auto exercise =
-      read_exercise(SourceText("examples/fall.cpp", kProgram), "answer", diagnostics);
-  return refusal(code, exercise.value(), "answer");
+// Why it is refused, and what of it.
+std::string refusal_of(const std::string& code, const std::string& program = kProgram) {
+  const Toolchain toolchain = Toolchain::find().value();
+  Diagnostics none;
+  const auto exercise = read_exercise(SourceText("examples/fall.cpp", program), "answer", none);
+  const auto rules = hand_in_rules(exercise.value(), toolchain);
+  const auto faults = hand_in_faults({code + "\n"}, rules.value().rules, toolchain);
+  const auto& fault = faults.value().front();
+  if (!fault) return "";
+  return fault->why + ": " +
+         (code + "\n").substr(fault->span.begin, fault->span.end - fault->span.begin);
 }
 
-TEST(HandInText, MayDoWhatASolutionDoes) {
+TEST(HandInText, MayDoWhatAnyCodeDoes) {
   for (const char* code :
-       {"  return before(t);", "  const double check = t;\n  return check;",
-        "  if (t > 0) {\n    return '{';\n  }\n  return 1'0;  // }", "  return fallen(t / 2);",
-        "  using namespace mjcourse;\n  return id_of(nullptr, mjOBJ_BODY, \"}\");"}) {
+       {"return t;", "const double check = t;\nreturn check;", "return record * signal;",
+        "if (t > 0) {\n  return '{';\n}\nreturn 1'0;  // }", "return fallen(t / 2);  // expect(",
+        "using namespace mjcourse;\nreturn id_of(nullptr, mjOBJ_BODY, \"}\");",
+        "const char* text = R\"(\nexpect(\n)\"; /* \\\n asm */", "[[maybe_unused]] int \u00e4 = 1;",
+        "#pragma  unroll // as the starter has it\nreturn __builtin_sqrt(t);", "",
+        "const char* message = \"exit \\\\ main\";"}) {
     EXPECT_EQ(refusal_of(code), "") << code;
   }
 }
 
 TEST(HandInText, StaysInItsScope) {
-  for (const char* code : {"  return 0; }\ntemplate <class T> void forge(T) {", "  return 0; {",
-                           "  return 0; %>\nvoid other() <%"}) {
-    EXPECT_EQ(refusal_of(code), "a region closes each brace that it opens, and no other") << code;
-  }
+  const std::string why = "a region closes each bracket that it opens, and no other: ";
+  EXPECT_EQ(refusal_of("return 0; }\ntemplate <class T> void forge(T) {"), why + "}");
+  EXPECT_EQ(refusal_of("return 0; {"), why + "{");
+  EXPECT_EQ(refusal_of("return 0; %>\nvoid other() <%"), why + "%>");
+  EXPECT_EQ(refusal_of("int a = 1'0; } int b = 2'0; {"), why + "}");
+  EXPECT_EQ(refusal_of("\u00e41'0; } '1"), "");  // as clang reads it, one quote
+  EXPECT_EQ(refusal_of("f("), why + "(");
 }
 
-TEST(HandInText, CallsNothingThatStandsBehindIt) {
-  for (const char* code : {"  check(1);\n  return 0;", "  bool check (double);\n  return 0;"}) {
-    EXPECT_EQ(refusal_of(code), "what is written calls `check`, which stands behind the region")
-        << code;
-  }
+TEST(HandInText, HasTheDirectivesOfItsAuthorAlone) {
+  const std::string why = "a region has no other preprocessor directives than its solution: ";
+  EXPECT_EQ(refusal_of("#define double int"), why + "#define double int");
 }
 
-TEST(HandInText, NamesNothingThatReportsChecks) {
-  for (const char* word : {"expect", "namespace", "main"}) {
-    EXPECT_EQ(refusal_of("  " + std::string(word) + ";"),
-              "what is written uses `" + std::string(word) + "`, which no hand-in may");
+TEST(HandInText, IsWhatItSeems) {
+  EXPECT_EQ(refusal_of("// a\rexpect(true, \"\");"),
+            "a carriage return stands alone, which ends a line for some: \r");
+  EXPECT_EQ(refusal_of("ex\\\npect(true, \"\");"),
+            "a line ends with a backslash, so the next one belongs to it: \\");
+  EXPECT_EQ(refusal_of("// a \\  \nb"),
+            "a line ends with a backslash, so the next one belongs to it: \\");
+  EXPECT_EQ(refusal_of("u8\\\nR\"x(\n)x\";"), "");
+  for (const char* character : {"@", "`", "\\"}) {
+    EXPECT_EQ(refusal_of("return t; " + std::string(character) + "x"),
+              "C++ has no such character here: " + std::string(character));
   }
+  EXPECT_EQ(refusal_of("\\u0061sm(\"\");"), "C++ has no such character here: \\");
+  EXPECT_EQ(refusal_of("int $a;"), "C++ has no such character here: $");
+  EXPECT_EQ(refusal_of("const char* s = \"open;"),
+            "a quote or a comment is opened and not closed: \"");
+  EXPECT_EQ(refusal_of("return t; /* open"), "a quote or a comment is opened and not closed: /");
+  EXPECT_EQ(refusal_of("return t;\f"), "a region has no control characters: \f");
+  EXPECT_EQ(refusal_of(std::string("return t;\0", 10)),
+            std::string("a region has no control characters: \0", 37));
+}
+
+TEST(HandInText, NamesNothingThatEndsOrReplacesTheChecks) {
+  const auto refused = [](const std::string& word) {
+    return "what is written uses `" + word + "`, which no hand-in may: " + word;
+  };
+  for (const std::string word : {"expect", "namespace", "main", "asm", "__asm__", "_Pragma",
+                                 "__builtin_LINE", "exit", "MJCOURSE_JUDGE", "extern"}) {
+    EXPECT_EQ(refusal_of(word + " x;"), refused(word));
+  }
+  EXPECT_EQ(refusal_of("[[gnu::constructor]] void f();"), refused("gnu"));
+  EXPECT_EQ(refusal_of("[[using clang: annotate]] int f();"), refused("clang"));
+  EXPECT_EQ(refusal_of("void operator delete(void*);"), refused("operator"));
+  EXPECT_EQ(refusal_of("namespace m = mjcourse;"), refused("namespace"));
 }
 
 }  // namespace

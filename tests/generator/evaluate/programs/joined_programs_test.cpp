@@ -11,9 +11,9 @@ std::string version(const std::string& answer, const std::string& main = "int ma
 }
 
 TEST(JoinedPrograms, AreOneProgramThatChoosesByItsFirstArgument) {
-  EXPECT_EQ(
-      joined_programs({version("1"), version("2", "int main(int, char**) {")}, "examples/a.cpp"),
-      R"(// A program.
+  EXPECT_EQ(joined_programs({{version("1")}, {version("2", "int main(int, char**) {")}},
+                            "examples/a.cpp"),
+            R"(// A program.
 #include <cstdio>
 #ifdef __clang__
 #pragma clang diagnostic ignored "-Weverything"
@@ -54,12 +54,16 @@ int main(int count, char** words) {
 
 TEST(JoinedPrograms, StayApartWhereTheCompilerIsToldMore) {
   const std::string plain = version("1");
-  EXPECT_FALSE(joined_programs({plain, "#include <vector>\n" + plain}, "a")) << "other includes";
-  EXPECT_FALSE(joined_programs({version("1;\n#define x 1\n")}, "a"));
-  EXPECT_TRUE(joined_programs({version("1;\n#line 7 \"b.cpp\"\n")}, "a"));
-  EXPECT_FALSE(joined_programs({version("1", "int main() { return 0; }")}, "a"));
-  EXPECT_FALSE(joined_programs({version("1", "auto main() -> int {")}, "a")) << "no main() is seen";
-  EXPECT_FALSE(joined_programs({version("1") + version("2")}, "a")) << "there are two";
+  EXPECT_FALSE(joined_programs({{plain}, {"#include <vector>\n" + plain}}, "a"))
+      << "other includes";
+  EXPECT_FALSE(joined_programs({{version("1;\n#define x 1\n")}}, "a"));
+  EXPECT_TRUE(joined_programs({{version("1;\n#line 7 \"b.cpp\"\n")}}, "a"));
+  EXPECT_FALSE(joined_programs({{version("1", "int main() { return 0; }")}}, "a"));
+  EXPECT_FALSE(joined_programs({{version("1", "auto main() -> int {")}}, "a"))
+      << "no main() is seen";
+  EXPECT_FALSE(joined_programs({{version("1") + version("2")}}, "a")) << "there are two";
+  const std::string inside = version("1", "int main() {\n  // #region answer\n  // #endregion");
+  EXPECT_FALSE(joined_programs({{inside}}, "a")) << "a line } may be its reader's";
 }
 
 }  // namespace

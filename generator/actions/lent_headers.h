@@ -1,0 +1,36 @@
+// LentHeaders: what a stranger's text may include from beside its program, and nothing more.
+//
+// The folder of a program has the other programs of the course, its solutions and hidden checks
+// among them. A text that is compiled in there could copy them into its own program. So it gets a
+// folder with copies of those headers alone that the program includes, and what these include.
+// Tested by tests/generator/actions/lent_headers_test.cpp.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "toolchain/compiler.h"
+
+namespace mjcourse {
+
+class LentHeaders {
+ public:
+  // Copies from the folder `from`, whose links that lead out of it and whose pipes are left out,
+  // into `to`, which must not be there. `program` is what includes them.
+  LentHeaders(std::filesystem::path from, std::filesystem::path to, std::string_view program);
+
+  // Where the copies are; "" where there are none.
+  const std::filesystem::path& folder() const { return to_; }
+
+  // Names the files themselves where the compiler named copies.
+  void name_originals(Compiled& compiled) const;
+
+ private:
+  std::string original_of(const std::string& path) const;
+
+  std::filesystem::path from_, to_;
+};
+
+}  // namespace mjcourse
