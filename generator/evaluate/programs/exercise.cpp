@@ -1,5 +1,7 @@
 #include "evaluate/programs/exercise.h"
 
+#include <re2/re2.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -92,6 +94,12 @@ std::vector<std::string> hidden_versions(const Exercise& exercise, const Exercis
     versions.push_back(hidden_text(exercise, files, variant.code));
   }
   return versions;
+}
+
+// May it? A seed() in a comment costs three runs.
+bool uses_seed(const std::string& program) {
+  static const RE2 call(R"(\bseed\s*\()");
+  return RE2::PartialMatch(program, call);
 }
 
 Checks checks_of(const Answers& answers) {
@@ -220,11 +228,30 @@ class Trials {
         run_solution([&](Diagnostics& found) { return tried.runs.run(0, tried.answers, found); });
     if (!ran) return false;
     const auto fails = std::ranges::find(ran->verdict, false, &JudgedCheck::holds);
-    if (fails == ran->verdict.end()) return true;
+    if (fails == ran->verdict.end()) return try_seeds(tried);
     refuse("the solution, handed in, fails the check `" + fails->what + "`",
            "what is expected must not change from run to run");
     diagnostics_.back().detail = fails->found;
     return false;
+  }
+
+  // Each class that is graded has another seed.
+  bool try_seeds(TriedProgram& tried) {
+    if (!uses_seed(tried.text.text)) return true;
+    for (const char* seed : {"2", "3", "4"}) {
+      const auto other =
+          run_solution([&](Diagnostics& found) { return tried.runs.answers(found, seed); });
+      if (!other) return false;
+      const Checks checks = checks_of(*other);
+      const auto fails = std::ranges::find(checks, false, &Check::holds);
+      if (fails == checks.end()) continue;
+      refuse("where seed() gives " + std::string(seed) + ", the solution fails the check `" +
+                 fails->what + "`",
+             "`grade` draws another seed for each class: let the check hold for all inputs");
+      diagnostics_.back().detail = fails->found;
+      return false;
+    }
+    return true;
   }
 
   // Gives false. What the solution's own program fails, is told where that is run.

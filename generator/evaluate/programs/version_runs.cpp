@@ -141,10 +141,11 @@ std::optional<NativeRun> VersionRuns::run_joined(std::size_t place, const RunAs&
   return std::nullopt;
 }
 
-std::optional<Answers> VersionRuns::answers(Diagnostics& diagnostics) {
+std::optional<Answers> VersionRuns::answers(Diagnostics& diagnostics, const std::string& seed) {
   const Judged judged{program_, lesson_, worker_context_, key_, diagnostics};
   Judge author(key_.mark);
-  const RunAs as = judged.as(author, "");
+  RunAs as = judged.as(author, "");
+  if (!seed.empty()) as.seed = seed;
   auto run = run_joined(kAuthors, as);
   const auto heard = run ? judged.heard(*text_, *std::move(run))
                          : judged.run_alone(versions_[0], tell_answers(key_), as);

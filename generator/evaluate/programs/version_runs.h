@@ -35,8 +35,9 @@ class VersionRuns {
   VersionRuns(Example program, std::vector<std::string> versions, const Lesson& lesson,
               WorkerContext& worker_context, JudgeKey key = {});
 
-  // Of the solution's run, which knows what it expects. Nothing (reported) where that fails.
-  std::optional<Answers> answers(Diagnostics& diagnostics);
+  // Of the solution's run, which knows what it expects; with another `seed` than the key's, where
+  // that is none of "". Nothing (reported) where that fails.
+  std::optional<Answers> answers(Diagnostics& diagnostics, const std::string& seed = "");
   // The version, as run_handed_in().
   std::optional<JudgedRun> run(std::size_t index, const Answers& answers, Diagnostics& diagnostics);
   // Is it likely that nothing has to be compiled?
