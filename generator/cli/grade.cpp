@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -18,6 +19,7 @@
 #include "base/nearest.h"
 #include "base/out_folder.h"
 #include "base/parallel.h"
+#include "base/running_text.h"
 #include "base/sha256.h"
 #include "base/stopwatch.h"
 #include "base/utf8.h"
@@ -271,18 +273,31 @@ class Grading {
   std::vector<std::pair<Grade*, std::string>> waiting_;
 };
 
-// The name of a student's letter: a folder's, so that of a file too.
-std::string letter_name(const GradedHandIn& hand_in) {
-  std::string name = hand_in.student;
-  std::ranges::replace(name, '/', '_');
-  return "letters/" + name + ".md";
+// The names of the students' letters: those of their folders, as far as a file may be called so,
+// and no two the same where letters of both cases are.
+std::vector<std::string> letter_names(const std::vector<GradedHandIn>& graded) {
+  constexpr std::size_t most = 200;  // bytes
+  std::vector<std::string> names;
+  std::map<std::string, int> known;
+  for (const GradedHandIn& hand_in : graded) {
+    std::string name = hand_in.student;
+    std::ranges::replace(name, '/', '_');
+    if (name.size() > most) name = beginning_of(name, most);
+    std::string lower = name;
+    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    const int before = known[lower]++;
+    names.push_back("letters/" + name + (before > 0 ? "-" + std::to_string(before + 1) : "") +
+                    ".md");
+  }
+  return names;
 }
 
 void write_all(const OutFolder& folder, const std::vector<GradedHandIn>& graded) {
   folder.write("students.csv", students_csv(graded));
   folder.write("checks.csv", grades_text(graded, GradeFormat::csv));
   folder.write("grades.json", grades_text(graded, GradeFormat::json));
-  for (const GradedHandIn& hand_in : graded) folder.write(letter_name(hand_in), letter(hand_in));
+  const std::vector<std::string> names = letter_names(graded);
+  for (std::size_t i = 0; i < graded.size(); ++i) folder.write(names[i], letter(graded[i]));
   note("tables, and a letter for each student, are in " + readable(folder.path().string()));
 }
 
@@ -298,7 +313,8 @@ int grade_all(const GradeOptions& options, const Verified& verified, const HandI
   if (auto why = judge.why_nothing_runs()) diagnostics.push_back(*std::move(why));
   std::vector<Task> tasks;
   for (const ListedExercise& listed : wanted(options, course, hand_ins)) {
-    auto judged = diagnostics.empty() ? judge.prepare(*listed.lesson, *listed.exercise, diagnostics)
+    auto judged = diagnostics.empty() ? judge.prepare(*listed.lesson, *listed.exercise,
+                                                      hand_ins.all.size(), diagnostics)
                                       : std::nullopt;
     if (!judged) continue;
     tasks.push_back({listed, *std::move(judged), ""});

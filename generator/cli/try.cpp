@@ -164,7 +164,7 @@ int try_exercise(const TryOptions& options) {
   Diagnostics diagnostics;
   if (auto why = judge.why_nothing_runs()) diagnostics.push_back(*std::move(why));
   const auto judged = diagnostics.empty()
-                          ? judge.prepare(*listed->lesson, *listed->exercise, diagnostics)
+                          ? judge.prepare(*listed->lesson, *listed->exercise, 1, diagnostics)
                           : std::nullopt;
   if (!judged) {
     print_diagnostics(diagnostics);

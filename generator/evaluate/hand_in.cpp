@@ -10,6 +10,9 @@
 namespace mjcourse {
 namespace {
 
+// From so many programs on, a header that takes ten times as long is worth it.
+constexpr std::size_t kThoroughFrom = 100;
+
 // One of the programs of an exercise, which a hand-in's text goes into.
 struct Program {
   Example example;
@@ -71,14 +74,15 @@ std::optional<Diagnostic> ExerciseJudge::why_nothing_runs() const {
 }
 
 // Many programs that include the same are to be compiled.
-void ExerciseJudge::warm_up(const std::string& program, bool optimize) const {
+void ExerciseJudge::warm_up(const std::string& program, bool optimize, std::size_t texts) const {
   const Compiler& compiler = *run_context_.compiler();
   const auto roots = warm_roots(program, run_context_.include_folders());
   if (optimize || !compiler.makes_headers() || compiler.has_header(roots)) return;
-  compiler.make_header(roots, Warmth::quick);
+  compiler.make_header(roots, texts < kThoroughFrom ? Warmth::quick : Warmth::thorough);
 }
 
 std::optional<JudgedExercise> ExerciseJudge::prepare(const Lesson& lesson, const Exercise& exercise,
+                                                     std::size_t texts,
                                                      Diagnostics& diagnostics) const {
   WorkerContext worker_context(run_context_);
   auto files = read_exercise_files(exercise, lesson, worker_context, diagnostics);
@@ -92,7 +96,7 @@ std::optional<JudgedExercise> ExerciseJudge::prepare(const Lesson& lesson, const
   }
   JudgedExercise judged{&lesson, &exercise, *std::move(files), std::move(rules->rules)};
   const std::string& solution = judged.files.text.solution();
-  warm_up(judged.files.text.program(solution), exercise.program.optimize);
+  warm_up(judged.files.text.program(solution), exercise.program.optimize, texts);
   const auto run = [&](const Program& program, Answers& into) {
     VersionRuns runs(program.example, {program.text}, lesson, worker_context, key_);
     auto answers = runs.answers(diagnostics);

@@ -56,9 +56,10 @@ class ExerciseJudge {
   // Why nothing can be run here; nothing where it can.
   std::optional<Diagnostic> why_nothing_runs() const;
 
-  // Runs the solution, and hands it in. Nothing (reported) where either fails.
+  // Runs the solution, and hands it in. Nothing (reported) where either fails. About so many
+  // `texts` will be judged, which says how much is worth sharing among them.
   std::optional<JudgedExercise> prepare(const Lesson& lesson, const Exercise& exercise,
-                                        Diagnostics& diagnostics) const;
+                                        std::size_t texts, Diagnostics& diagnostics) const;
 
   // `code` is what stands in the region. Faults are at their places in the program with that text
   // in it, whose path is `name`. With `hidden`, those checks are made, too. From any thread.
@@ -66,7 +67,7 @@ class ExerciseJudge {
                 bool hidden) const;
 
  private:
-  void warm_up(const std::string& program, bool optimize) const;
+  void warm_up(const std::string& program, bool optimize, std::size_t texts) const;
 
   RunContext run_context_;
   JudgeKey key_;
