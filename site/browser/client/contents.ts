@@ -1,5 +1,7 @@
 // Marks, in the list of contents, the section that is being read.
 
+import { decoded } from "./decoded.js";
+
 // A heading counts as reached once it is this far from the top of the window, in pixels.
 const reached = 160;
 
@@ -11,7 +13,7 @@ interface Section {
 function sections(): Section[] {
   const links = document.querySelectorAll<HTMLAnchorElement>(".contents a[href^='#']");
   return [...links].flatMap((link) => {
-    const heading = document.getElementById(decodeURIComponent(link.hash.slice(1)));
+    const heading = document.getElementById(decoded(link.hash.slice(1)));
     return heading ? [{ heading, link }] : [];
   });
 }

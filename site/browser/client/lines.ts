@@ -2,6 +2,8 @@
 // come from the stylesheet, so what is selected or copied is the program alone. Those who use a keyboard
 // or hear the page meet one for each program, and go to the others with the arrow keys.
 
+import { decoded } from "./decoded.js";
+
 const keys: Record<string, (at: number, last: number) => number> = {
   ArrowUp: (at) => at - 1,
   ArrowDown: (at) => at + 1,
@@ -60,6 +62,6 @@ export function numberLines(root: Document | Element = document): void {
   if (root instanceof Element && root.matches(".example[id]")) number(root);
   for (const figure of root.querySelectorAll(".example[id]")) number(figure);
   // The browser has looked for this line already, when it was not there.
-  const sought = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+  const sought = document.getElementById(decoded(location.hash.slice(1)));
   if (root === document && sought?.closest(".lines")) location.replace(location.hash);
 }

@@ -3,11 +3,7 @@
 
 import { addCopyButtons } from "./copying.js";
 import { leadToLines, numberLines } from "./lines.js";
+import { startParts } from "./parts.js";
 import { offerMadePrograms, offerPrograms, openLinked } from "./programs.js";
 
-addCopyButtons();
-numberLines();
-leadToLines();
-offerPrograms();
-offerMadePrograms();
-openLinked();
+startParts(addCopyButtons, numberLines, leadToLines, offerPrograms, offerMadePrograms, openLinked);

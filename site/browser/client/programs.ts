@@ -2,6 +2,7 @@
 // with its size, unless this browser has it already. What happens then is in program/program.ts, which
 // this script knows only by its address.
 
+import { decoded } from "./decoded.js";
 import { make } from "./element.js";
 import { keptText } from "./program-text.js";
 import { recallAnswer } from "./quiz/answers.js";
@@ -46,9 +47,10 @@ class Offer {
   async open(linked?: string): Promise<void> {
     this.#linked = linked;
     const reason = whyNot();
+    const hasCompiler = agreed || (await this.#isKept());
     if (reason) this.#status.textContent = reason;
-    else if (agreed || (await this.#isKept())) await this.#load();
-    else this.#ask();
+    else if (hasCompiler && linked === undefined) await this.#load();
+    else this.#ask(hasCompiler);
   }
 
   #name(): void {
@@ -69,9 +71,10 @@ class Offer {
     if (focuses) this.#button.focus();
   }
 
-  #ask(): void {
+  #ask(hasCompiler: boolean): void {
     if (this.#place.querySelector("button")) return;
-    const fetchIt = make("button", { type: "button", class: "plain-button" }, "Fetch the compiler");
+    const yes = hasCompiler ? "Open the link’s text" : "Fetch the compiler";
+    const fetchIt = make("button", { type: "button", class: "plain-button" }, yes);
     const notNow = make("button", { type: "button", class: "plain-button" }, "Not now");
     const answers = make("p", { class: "program-answers" }, fetchIt, " ", notNow);
     const answer = (act: () => void) => () => {
@@ -91,11 +94,24 @@ class Offer {
       answer(() => this.#button.focus()),
     );
     this.#status.textContent =
-      (this.#linked === undefined ? "" : "The link brought a text of this program. ") +
-      `To run it here, this page fetches a C++ compiler: ${this.#megabytes} MB, once; then it works ` +
-      "without a network. What you write stays in this browser.";
+      this.#wordsOnLink +
+      (hasCompiler ? "Nothing of it runs before you say so." : this.#wordsOnFetching);
     this.#place.append(answers);
-    fetchIt.focus();
+    // Where nobody asked, no key is to agree by mistake.
+    if (this.#linked === undefined || this.#button.matches(":focus")) fetchIt.focus();
+  }
+
+  get #wordsOnLink(): string {
+    if (this.#linked === undefined) return "";
+    const size = `${(this.#linked.length / 1000).toFixed(1)} kB`;
+    return `The link brought a text of this program, packed in ${size}, that somebody else may have written. `;
+  }
+
+  get #wordsOnFetching(): string {
+    return (
+      `To run it here, this page fetches a C++ compiler: ${this.#megabytes} MB, once; then it works ` +
+      "without a network. What you write stays in this browser."
+    );
   }
 
   async #load(): Promise<void> {
@@ -117,9 +133,12 @@ class Offer {
 
   /** By the site's worker, so nothing large is to be fetched. */
   async #isKept(): Promise<boolean> {
-    if (!Object.hasOwn(window, "caches")) return false;
     const address = new URL(this.#figure.dataset["llvm"]!, document.baseURI).href;
-    return (await caches.match(address)) !== undefined;
+    try {
+      return (await caches.match(address)) !== undefined;
+    } catch {
+      return false; // there are none, or the browser lets the site keep nothing
+    }
   }
 
   get #isExercise(): boolean {
@@ -168,7 +187,7 @@ export function offerMadePrograms(): void {
 
 /** The program of a link that has a text of it (program/program-link.ts). */
 export function openLinked(): void {
-  const [, file, text] = /^#run:(.+):([\w-]+)$/.exec(decodeURI(location.hash)) ?? [];
+  const [, file, text] = /^#run:(.+):([\w-]+)$/.exec(decoded(location.hash)) ?? [];
   if (!file || !text) return;
   const figure = document.querySelector<HTMLElement>(
     `.example[data-program="${CSS.escape(file)}"]`,

@@ -8,6 +8,7 @@ import { upgradeLabs } from "./lab-loader.js";
 import { loadListing } from "./listing-loader.js";
 import { loadOffline } from "./offline/loader.js";
 import { askForFonts } from "./page-fonts.js";
+import { startParts } from "./parts.js";
 import { upgradeQuizzes } from "./quiz/quiz.js";
 import { loadReading } from "./reading/loader.js";
 import { claimPage } from "./root.js";
@@ -17,23 +18,24 @@ import { explainTerms } from "./terms.js";
 import { addThemeButton, applyTheme } from "./theme.js";
 
 function begin(): void {
-  addSearchButton();
-  addThemeButton();
-  listenToKeys();
-  loadWhereNeeded();
-  followContents();
-  loadListing();
-  reachScrollers();
-  explainTerms();
-  localizeDates();
-  upgradeQuizzes();
-  upgradeLabs();
-  loadReading();
-  loadOffline();
+  startParts(
+    addSearchButton,
+    addThemeButton,
+    listenToKeys,
+    loadWhereNeeded,
+    followContents,
+    loadListing,
+    reachScrollers,
+    explainTerms,
+    localizeDates,
+    upgradeQuizzes,
+    upgradeLabs,
+    loadReading,
+    loadOffline,
+  );
 }
 
 if (claimPage()) {
-  applyTheme();
-  askForFonts();
   document.addEventListener("DOMContentLoaded", begin);
+  startParts(applyTheme, askForFonts);
 }

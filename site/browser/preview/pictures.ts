@@ -1,6 +1,8 @@
 // Pictures keep their addresses when they are drawn anew, and a browser keeps what it has of an
 // address; so a new picture gets its hash behind its address.
 
+import { decoded } from "../client/decoded.js";
+
 const attributes = ["src", "srcset", "poster"];
 
 // What was renewed once is, in a part that is put in place later, the old one again.
@@ -17,7 +19,7 @@ export function renewPictures(hashes: Readonly<Record<string, string>>): void {
       const value = element.getAttribute(name);
       if (value === null) continue;
       const [address] = value.split("?");
-      const path = decodeURIComponent(new URL(address!, location.href).pathname.slice(1));
+      const path = decoded(new URL(address!, location.href).pathname.slice(1));
       const hash = hashes[path];
       const renewed = renewals.get(path);
       if (hash === undefined || (hash === before[path] && renewed === undefined)) continue;

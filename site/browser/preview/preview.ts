@@ -6,6 +6,7 @@
 import { followContents } from "../client/contents.js";
 import { addCopyButtons } from "../client/copying.js";
 import { numberLines } from "../client/lines.js";
+import { startParts } from "../client/parts.js";
 import { offerPrograms } from "../client/programs.js";
 import { upgradeQuizzes } from "../client/quiz/quiz.js";
 import { reachScrollers } from "../client/scrollers.js";
@@ -74,12 +75,9 @@ class Preview {
   #put(put: () => readonly Element[]): void {
     const stay = stayInPlace();
     const elements = put();
+    const upgrades = [upgradeQuizzes, addCopyButtons, numberLines, offerPrograms, reachScrollers];
     for (const element of elements) {
-      upgradeQuizzes(element);
-      addCopyButtons(element);
-      numberLines(element);
-      offerPrograms(element);
-      reachScrollers(element);
+      startParts(...upgrades.map((upgrade) => () => upgrade(element)));
     }
     if (elements.some((element) => element.matches(".contents, .prose > *"))) followContents();
     stay();

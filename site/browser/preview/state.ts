@@ -1,5 +1,7 @@
 // What the preview's server says of a page: generator/preview/preview.cpp writes it.
 
+import { decoded } from "../client/decoded.js";
+
 export interface Place {
   readonly file: string; // below the course; "" where there is none
   readonly line: number; // from 1; 0 means the file as a whole
@@ -44,7 +46,7 @@ export interface State {
 
 /** `known` is the hash of the page, `worn` the stylesheet that is in force. */
 export async function askState(known: string, worn: string): Promise<State> {
-  const page = decodeURIComponent(location.pathname)
+  const page = decoded(location.pathname)
     .replace(/^\//, "")
     .replace(/(^|\/)$/, "$1index.html");
   const query = new URLSearchParams({ page, known, worn });

@@ -3,6 +3,8 @@
 // Its manifest (generator/page/edition_manifest.h) has a hash of each file. What comes from the network
 // is held against that, so whatever is in the cache is of this edition.
 
+import { decoded } from "../client/decoded.js";
+
 /** Paths are below the site's root. */
 interface Manifest {
   /** What a reader needs first, wherever he goes then. */
@@ -35,14 +37,6 @@ function whole(response: Response, bytes: ArrayBuffer): Response {
   headers.delete("content-encoding");
   headers.delete("content-length");
   return new Response(bytes, { status: response.status, headers });
-}
-
-function decoded(path: string): string {
-  try {
-    return decodeURIComponent(path);
-  } catch {
-    return path; // a stray per cent sign
-  }
 }
 
 /** The names of the caches of the site at `root`. Several sites may share one origin. */

@@ -66,7 +66,9 @@ async function forgets(page, program, expect) {
 // Another reader opens the link: nothing runs before they say so, also where they thought it over.
 async function opensLinked(page, expect) {
   const program = new Program(page, "example-fall");
-  await program.root.getByText("The link brought a text of this program.").waitFor();
+  const words =
+    /^The link brought a text of this program, packed in \d\.\d kB, that somebody else may have written\. To run/;
+  await program.root.getByText(words).waitFor();
   await program.button("Not now").click();
   await program.button(/^Edit and run/).click();
   await program.button("Fetch the compiler").click();
@@ -76,6 +78,24 @@ async function opensLinked(page, expect) {
   await program.button("Close").click();
   const name = await program.button(/^Edit and run/).textContent();
   expect(name === "Edit and run", "a link’s text is taken for the reader’s own");
+}
+
+// Where the compiler is here already, nothing is fetched, and the link's text is asked for all the same.
+async function asksBeforeItOpens(page, address, expect) {
+  await page.evaluate(async () => {
+    const { llvm } = document.querySelector("#example-fall").dataset;
+    const cache = await caches.open("a test's");
+    await cache.put(new URL(llvm, document.baseURI).href, new Response(""));
+  });
+  await page.goto("about:blank");
+  await page.goto(address);
+  const program = new Program(page, "example-fall");
+  await program.button("Open the link’s text").waitFor();
+  await page.waitForLoadState("networkidle");
+  expect((await program.editor.count()) === 0, "a link’s text is opened unasked");
+  const focused = await page.evaluate(() => document.activeElement.localName);
+  expect(focused === "body", `a link takes the focus to a ${focused}`);
+  await page.evaluate(() => caches.delete("a test's"));
 }
 
 // In a tab that has nothing open.
@@ -131,6 +151,7 @@ await testPrograms(async (visitor) => {
     const address = page.url() + hash;
     await losesNothing(page, address, expect);
     await becomesOnesOwn(page, address, expect);
+    await asksBeforeItOpens(page, address, expect);
   });
   await visitor.visit(fallPage + hash, options, (page) => opensLinked(page, expect));
   const broken = `${hash.slice(0, -9)}_`;

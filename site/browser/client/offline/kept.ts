@@ -1,6 +1,7 @@
 // The script of offline.html: lists what this device keeps of the course, keeps all of it, and forgets
 // it. The worker leads here as well, from a page that is not kept when there is no network.
 
+import { decoded } from "../decoded.js";
 import { make } from "../element.js";
 import { nameOf } from "../search/pages.js";
 import { addressOf, run } from "../search/scripts.js";
@@ -18,7 +19,7 @@ async function listPages(kept: readonly string[]): Promise<void> {
   await run("search.js");
   await run(window.mjcourse!.index);
   const known = new Set(kept);
-  const pages = window.mjcourse!.pages!.filter(({ href }) => known.has(decodeURIComponent(href)));
+  const pages = window.mjcourse!.pages!.filter(({ href }) => known.has(decoded(href)));
   const items = pages.map((page) => make("li", {}, make("a", { href: page.href }, nameOf(page))));
   const section = article.querySelector<HTMLElement>(".kept-pages")!;
   section.querySelector("ul")!.replaceChildren(...items);
@@ -82,7 +83,8 @@ async function forget(worker: ServiceWorker): Promise<void> {
 
 /** The way to the page that was asked for; it is taken at once when the network is back. */
 function showWanted(page: string): void {
-  const address = addressOf(page);
+  const address = new URL(page, addressOf("")).href;
+  if (!address.startsWith(addressOf(""))) return;
   const notice = article.querySelector<HTMLElement>(".not-kept")!;
   const again = make("a", { href: address }, "Try again");
   notice.replaceChildren(`The network cannot be reached, and ${page} is not kept here. `, again);

@@ -7,6 +7,8 @@ import { isReading } from "../reading/readings.js";
 import type { Kept } from "./lessons.js";
 
 const format = "mjcourse progress";
+/** Bytes: many times what a course of thousands of lessons has. */
+export const mostBytes = 16 << 20;
 const version = 1;
 
 export interface Progress {

@@ -4,7 +4,7 @@
 import { stateOf, words } from "../reading/readings.js";
 import { showSigns } from "../reading/signs.js";
 import { keys, recall, remember } from "../storage.js";
-import { progressOf, textOf, Unreadable, type Progress } from "./file.js";
+import { mostBytes, progressOf, textOf, Unreadable, type Progress } from "./file.js";
 import { lessonsOf } from "./lessons.js";
 import { merge } from "./merge.js";
 
@@ -68,6 +68,7 @@ function take(progress: Progress): string {
 
 async function load(file: File): Promise<void> {
   try {
+    if (file.size > mostBytes) throw new Unreadable("it is larger than 16 MiB");
     told.textContent = take(progressOf(await file.text()));
     show();
   } catch (error) {

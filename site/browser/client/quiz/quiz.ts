@@ -1,5 +1,6 @@
 // Knowledge checks that answer back. The forms are there without this; here they get their buttons.
 
+import { startParts } from "../parts.js";
 import { Question } from "./question.js";
 
 function upgrade(quiz: Element): void {
@@ -17,6 +18,7 @@ function upgrade(quiz: Element): void {
 
 /** Those in `root`, which may be one itself; none of the document that is made to be printed. */
 export function upgradeQuizzes(root: Document | Element = document): void {
-  if (root instanceof Element && root.matches(".quiz")) upgrade(root);
-  for (const quiz of root.querySelectorAll(".quiz:not(.printed *)")) upgrade(quiz);
+  const own = root instanceof Element && root.matches(".quiz") ? [root] : [];
+  const quizzes = [...own, ...root.querySelectorAll(".quiz:not(.printed *)")];
+  startParts(...quizzes.map((quiz) => () => upgrade(quiz)));
 }

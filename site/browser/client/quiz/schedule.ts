@@ -21,7 +21,8 @@ export function isReview(value: unknown): value is Review {
     hasAll(value, "number", ["box"]) &&
     waits.some((_, index) => value["box"] === index + 1) &&
     hasAll(value, "string", ["due"]) &&
-    /^\d{4}-\d\d-\d\d$/.test(String(value["due"]))
+    /^\d{4}-\d\d-\d\d$/.test(String(value["due"])) &&
+    !Number.isNaN(Date.parse(String(value["due"])))
   );
 }
 

@@ -5,6 +5,7 @@
 // reader says so. A reader who says that it is not is believed, until something of it is answered or
 // reached anew.
 
+import { decoded } from "../decoded.js";
 import { keys, remember } from "../storage.js";
 import { recallReading, rememberReading, type Reading } from "./readings.js";
 import { showSigns } from "./signs.js";
@@ -38,7 +39,7 @@ class Follower {
       { rootMargin: reached },
     );
     for (const { hash } of this.#links) {
-      const heading = document.getElementById(decodeURIComponent(hash.slice(1)));
+      const heading = document.getElementById(decoded(hash.slice(1)));
       if (heading) observer.observe(heading);
     }
     new IntersectionObserver((entries) => {
@@ -49,7 +50,7 @@ class Follower {
   }
 
   #reach(id: string): void {
-    const index = this.#links.findIndex((link) => decodeURIComponent(link.hash.slice(1)) === id);
+    const index = this.#links.findIndex((link) => decoded(link.hash.slice(1)) === id);
     if (index < this.#reading.place) return;
     this.#keep({ place: index + 1, section: id, heading: plainText(this.#links[index]!) });
   }

@@ -47,7 +47,7 @@ function show(line: Element): void {
   const { path, name, reading } = place;
   const link = document.createElement("a");
   link.href = path;
-  link.hash = encodeURIComponent(reading?.section ?? "");
+  link.hash = reading?.section ?? "";
   link.textContent = name + (reading?.heading ? `, ${reading.heading}` : "");
   line.replaceChildren("Continue: ", link);
 }

@@ -24,8 +24,8 @@ function openSearch(words?: string, typed = ""): void {
   (search ??= new SearchDialog(openKeys)).open(words, typed);
 }
 
+window.mjcourse!.dialogs = { styled, openSearch, openKeys };
 const place = document.querySelector(".search-place");
 if (place) void styled.then(() => (search = new SearchPage(place)));
 const missing = document.querySelector(".missing");
 if (missing) mendMissingPage(missing, openSearch);
-window.mjcourse!.dialogs = { styled, openSearch, openKeys };

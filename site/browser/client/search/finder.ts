@@ -25,6 +25,7 @@ interface Entry {
 }
 
 const chunk = 15; // sections that are read before the page is given a moment
+const mostSought = 300; // characters: a link may bring any number
 
 export class Finder {
   readonly #places: { page: Page; section: Section }[] = [];
@@ -51,12 +52,13 @@ export class Finder {
   }
 
   /** The best first. */
-  find(text: string): Hit[] {
+  find(all: string): Hit[] {
+    const text = all.slice(0, mostSought);
     const wanted = folded(text.trim());
     const isNamed = (id: number): boolean => folded(this.#titleOf(id)) === wanted;
     const boostDocument = (id: unknown): number => (isNamed(id as number) ? 4 : 1);
-    const all = this.#index.search(text, { combineWith: "AND", boostDocument });
-    const found = all.length > 0 ? all : this.#index.search(text, { boostDocument });
+    const whole = this.#index.search(text, { combineWith: "AND", boostDocument });
+    const found = whole.length > 0 ? whole : this.#index.search(text, { boostDocument });
     return found.map(({ id, match }) => ({
       ...this.#places[id as number]!,
       words: new Set(Object.keys(match)),

@@ -2,6 +2,7 @@
 // of a page at the site's root, so they are put right here; and the search is offered, filled with
 // the words of the address. It is loaded with the search, which other pages need not.
 
+import { decoded } from "../decoded.js";
 import { make } from "../element.js";
 
 /** "generalised coordinates" of "…/1-state/1.2-generalised-coordinates.html". */
@@ -9,14 +10,6 @@ function wordsOf(address: string): string {
   const last = address.split("/").findLast((part) => part !== "") ?? "";
   const words = last.replace(/\.[a-z]+$/i, "").match(/[\p{L}\p{N}_]+/gu) ?? [];
   return words.filter((word) => /\p{L}{2}/u.test(word)).join(" ");
-}
-
-function decoded(address: string): string {
-  try {
-    return decodeURIComponent(address);
-  } catch {
-    return address; // a stray per cent sign
-  }
 }
 
 function mend(name: "href" | "src", root: string): void {
