@@ -38,14 +38,19 @@ export async function openLab(lab: HTMLElement): Promise<LabHandle> {
   const opened = openStage();
   const address = (name: string): string => new URL(lab.dataset[name]!, document.baseURI).href;
   const module = address("module");
+  const source = { glue: address("engine"), wasm: address("wasm") };
   const [engine, described] = await Promise.all([
-    openEngine({ glue: address("engine"), wasm: address("wasm") }),
+    openEngine(source),
     loadModule(module),
     arrive("The lab’s stylesheet", wear(address("style"))),
   ]).catch(refuse);
   const files = await fetchFiles(module, described.lab.model).catch(refuse);
   const live = show(lab, start(engine, described, files), opened);
-  await live.restoreLink();
+  live.offerLink(async (link, signal) => {
+    const trial = import("./run/trial-worker.js");
+    const { tryApart } = await arrive("What tries the link", trial);
+    return tryApart({ module, engine: source, link }, signal);
+  });
   return live;
 }
 

@@ -1,5 +1,5 @@
 // axe finds nothing in labs that are live, with all that can be opened open: the editor, the push
-// form, an answer, an alert, a menu; in either scheme, on a wide and on a narrow screen.
+// form, an answer, an alert, a menu, and what asks about a link; in either scheme, on a wide and on a narrow screen.
 
 import { violations } from "../axe.mjs";
 import { testSite } from "../browser.mjs";
@@ -9,7 +9,7 @@ await testSite(async (visitor) => {
   for (const scheme of ["light", "dark"]) {
     for (const width of [1440, 390]) {
       for (const [path, open] of [
-        [fourLabs, openAll],
+        [`${fourLabs}?lab=2.lab-1.0.A`, openAll],
         [trouble, failBoth],
       ]) {
         await visitor.visit(path, { scheme, width }, async (page) => {
@@ -33,6 +33,7 @@ async function openAll(page) {
   await asked.root.getByRole("textbox").press("Enter");
   await asked.root.locator(".lab-compare").waitFor({ timeout: 30_000 });
   const lab = await Lab.live(page, "lab-1");
+  await lab.button("Leave it").waitFor();
   await lab.press("push");
   await lab.press("keys");
 }

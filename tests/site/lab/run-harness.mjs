@@ -13,7 +13,7 @@ const root = path.resolve(import.meta.dirname, "../../..");
 const parts = [
   ...["engine/engine", "engine/errors", "lab/run/base64url", "lab/run/clock", "lab/run/cpp-state"],
   ...["lab/run/resources", "lab/run/fixed", "lab/run/history", "lab/run/lab-link"],
-  ...["lab/run/playback", "lab/run/run", "lab/run/samples", "lab/run/trouble"],
+  ...["lab/run/playback", "lab/run/run", "lab/run/samples", "lab/run/trial", "lab/run/trouble"],
 ];
 const { outputFiles } = await require("esbuild").build({
   stdin: {

@@ -9,7 +9,7 @@ import { deflateRawSync } from "node:zlib";
 import { gravitySlider, lab, mjcfOf, newEngine, openRun } from "./run-harness.mjs";
 
 const engine = await newEngine();
-const { decodeLink, encodeLink } = lab;
+const { decodeLink, encodeLink, headOf } = lab;
 
 const camera = {
   azimuth: 90,
@@ -33,13 +33,12 @@ test("there and back", async () => {
     mjcf: "<mujoco>\n  <!-- ü 模 -->\n</mujoco>\n",
   };
   const text = await encodeLink(link);
-  assert.match(text, /^[\w-]+$/);
+  assert.match(text, /^2\.lab-1\.37\.[\w-]+$/);
+  assert.deepEqual(headOf(text), { id: "lab-1", mjcfBytes: 37, characters: text.length });
   const back = await decodeLink(text);
   assert.deepEqual(back, link);
   assert.ok(Object.is(back.run.run.state[1], -0));
-  assert.deepEqual(await decodeLink(await encodeLink({ id: "lab-2" })), {
-    id: "lab-2",
-  });
+  assert.deepEqual(await decodeLink(await encodeLink({ id: "a.1.2" })), { id: "a.1.2" });
 });
 
 test("a state that is too long is left out, a text that is too long has no link", async () => {
@@ -49,36 +48,41 @@ test("a state that is too long is left out, a text that is too long has no link"
   assert.deepEqual(await decodeLink(text), { id: "a", run: { settings: [1] } });
   const mjcf = Array.from(noise(5000)).join(" ");
   assert.equal(await encodeLink({ id: "a", mjcf }), undefined);
+  assert.equal(await encodeLink({ id: "a", mjcf: " ".repeat(3e5) }), undefined);
 });
 
 test("what is no link gives nothing", async () => {
-  const of = (json) => `1${deflateRawSync(JSON.stringify(json)).toString("base64url")}`;
-  assert.deepEqual(await decodeLink(of({ id: "x" })), { id: "x" });
+  const packed = (text) => deflateRawSync(text).toString("base64url");
+  const of = (json) => `2.x.0.${packed(JSON.stringify(json))}`;
+  const brings = (bytes, mjcf) => `2.x.${bytes}.${packed(JSON.stringify({ mjcf }))}`;
+  assert.deepEqual(await decodeLink(of({})), { id: "x" });
+  assert.deepEqual(await decodeLink(brings(3, "<a>")), { id: "x", mjcf: "<a>" });
   const state = (values) => Buffer.from(Float64Array.from(values).buffer).toString("base64url");
   const whole = await encodeLink({ id: "lab-1", camera });
   const hostile = [
-    ...["", "1", "2abc", "1%%%", "1////", "1abc", "1A", whole.slice(0, -5), `${whole}x`],
-    ...["x".repeat(8000), `1${"A".repeat(100_000)}`],
-    `1${deflateRawSync("x".repeat(50e6)).toString("base64url").slice(0, 7000)}`,
-    of({ id: "x", mjcf: " ".repeat(3e6) }),
-    `1${deflateRawSync("[".repeat(300_000)).toString("base64url")}`,
-    ...[null, 1, "a", [], {}, { id: 1 }, { id: "x", overlays: "joints" }].map(of),
-    ...[{ overlays: [1] }, { speed: "1" }, { mjcf: 5 }, { run: 1 }].map((part) =>
-      of({ id: "x", ...part }),
-    ),
-    of({ id: "x", camera: { ...camera, target: [0, 1] } }),
-    of({ id: "x", camera: { ...camera, distance: null } }),
-    of({ id: "x", run: { settings: ["1"] } }),
-    of({ id: "x", run: { run: { how: "jump", state: state([1]) } } }),
-    of({ id: "x", run: { run: { how: "step" } } }),
-    of({ id: "x", run: { run: { how: "step", state: state([NaN]) } } }),
-    of({ id: "x", run: { run: { how: "step", state: state([Infinity]) } } }),
-    of({ id: "x", run: { run: { how: "step", state: "AAA" } } }),
+    ...["", "1", "2abc", "%", "2.x.0.", "2.x.0.%%%", "2.x.0.////", "2.x.0.abc", "2.x.0.A"],
+    ...[whole.slice(0, -5), `${whole}x`, whole.replace("2.", "1."), whole.replace(".0.", ".x.")],
+    ...["x".repeat(8000), `2.x.0.${"A".repeat(100_000)}`],
+    `2.x.0.${packed("x".repeat(50e6)).slice(0, 7000)}`,
+    brings(3e5, " ".repeat(3e5)),
+    `2.x.0.${packed("[".repeat(200_000))}`,
+    // More, less or something else than it says.
+    ...[brings(0, "<a>"), brings(4, "<a>"), brings(2, "<a>"), brings(3)],
+    ...[null, 1, "a", { overlays: "joints" }].map(of),
+    ...[{ overlays: [1] }, { speed: "1" }, { mjcf: 5 }, { run: 1 }].map(of),
+    of({ camera: { ...camera, target: [0, 1] } }),
+    of({ camera: { ...camera, distance: null } }),
+    of({ run: { settings: ["1"] } }),
+    of({ run: { run: { how: "jump", state: state([1]) } } }),
+    of({ run: { run: { how: "step" } } }),
+    of({ run: { run: { how: "step", state: state([NaN]) } } }),
+    of({ run: { run: { how: "step", state: state([Infinity]) } } }),
+    of({ run: { run: { how: "step", state: "AAA" } } }),
   ];
   for (const text of hostile) {
     assert.equal(await decodeLink(text), undefined, text.slice(0, 60));
   }
-  const known = await decodeLink(of({ id: "x", __proto__: { speed: 3 }, speed: 99, more: 1 }));
+  const known = await decodeLink(of({ id: "y", __proto__: { speed: 3 }, speed: 99, more: 1 }));
   assert.deepEqual(known, { id: "x", speed: 4 });
 });
 

@@ -1,5 +1,5 @@
 /** The way from a lab's state to an address and back. One address speaks of one lab of the page. */
-import { decodeLink, encodeLink } from "../run/lab-link.js";
+import { decodeLink, encodeLink, headOf, type LabLink, type LinkHead } from "../run/lab-link.js";
 import type { Player } from "./player.js";
 
 const parameter = "lab";
@@ -32,11 +32,19 @@ export class LabAddress {
     return address.href;
   }
 
-  /** Brings back what the page's address says of this lab. `replace` edits the model. */
-  async restore(replace: (mjcf: string) => Promise<void>): Promise<void> {
-    const value = new URL(location.href).searchParams.get(parameter);
-    const link = value === null ? undefined : await decodeLink(value);
-    if (link?.id !== this.#id) return;
+  /** What the page's address says that it brings to this lab; undefined for nothing. */
+  get head(): LinkHead | undefined {
+    const head = headOf(this.#value);
+    return head?.id === this.#id ? head : undefined;
+  }
+
+  /** What it brings; undefined where that cannot be read. */
+  read(): Promise<LabLink | undefined> {
+    return decodeLink(this.#value);
+  }
+
+  /** Brings back what `link` says of this lab. `replace` edits the model. */
+  async restore(link: LabLink, replace: (mjcf: string) => Promise<void>): Promise<void> {
     const { run } = this.#player;
     if (link.mjcf !== undefined) await replace(link.mjcf);
     if (link.run) run.restore(link.run);
@@ -51,5 +59,9 @@ export class LabAddress {
     if (!address.searchParams.has(parameter)) return;
     address.searchParams.delete(parameter);
     history.replaceState(history.state, "", address);
+  }
+
+  get #value(): string {
+    return new URL(location.href).searchParams.get(parameter) ?? "";
   }
 }

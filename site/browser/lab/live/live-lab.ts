@@ -5,7 +5,9 @@
 import { make } from "../markup/element.js";
 import { menu, popup } from "../markup/menu.js";
 import { copyMenu } from "../panel/copy-menu.js";
+import { LinkOffer } from "../panel/link-offer.js";
 import { TroubleBox } from "../panel/trouble-box.js";
+import type { LabLink } from "../run/lab-link.js";
 import type { Run } from "../run/run.js";
 import type { Stage } from "../stage/stage.js";
 import { presets } from "../view/presets.js";
@@ -28,6 +30,7 @@ export class LiveLab implements Follower {
   readonly #panel: Panel;
   readonly #address: LabAddress;
   readonly #closed: () => void;
+  #offer: LinkOffer | undefined;
 
   /** `closed` is called when it has left the page. */
   constructor(lab: HTMLElement, run: Run, stage: Stage, closed: () => void) {
@@ -81,9 +84,26 @@ export class LiveLab implements Follower {
     this.#panel.refresh();
   }
 
-  /** To what the page's address says of this lab. */
-  async restoreLink(): Promise<void> {
-    await this.#address.restore(async (mjcf) => this.#panel.edit?.replace(mjcf));
+  /** Asks the reader about what the page's address brings to this lab, if it does. `fault` tries it, and
+   * gives why it is not to be loaded. */
+  offerLink(fault: (link: LabLink, signal: AbortSignal) => Promise<string | undefined>): void {
+    const { head } = this.#address;
+    if (!head) return;
+    const load = async (signal: AbortSignal): Promise<string | undefined> => {
+      const link = await this.#address.read();
+      if (!link) return "its text cannot be read, and may have been cut off";
+      const refused = await fault(link, signal);
+      if (refused !== undefined || signal.aborted) return refused;
+      await this.#address.restore(link, async (mjcf) => this.#panel.edit?.replace(mjcf));
+      this.#transport.playButton.focus();
+      return undefined;
+    };
+    const mjcfBytes = this.#panel.edit ? head.mjcfBytes : 0; // no other model is taken
+    this.#offer = new LinkOffer({ ...head, mjcfBytes }, load, () => {
+      this.#address.forget();
+      this.#transport.playButton.focus();
+    });
+    this.#lab.querySelector(".lab-view")!.after(this.#offer.element);
   }
 
   /** As the lesson gave it: state, controls, camera, overlays, speed, model; and no link. */
@@ -94,6 +114,7 @@ export class LiveLab implements Follower {
     this.#view.home();
     run.visualization.overlays = run.lab.overlays;
     this.#player.speed = run.lab.speed;
+    this.#offer?.close();
     this.#address.forget();
   }
 

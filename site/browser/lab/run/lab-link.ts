@@ -1,7 +1,10 @@
 /**
  * A lab as it is, in a link: what the reader set, where the simulation is, how one looks at it, the
- * edited model. The value of `?lab=` is a version, then deflated JSON in base64url; a state's doubles
- * are kept bit by bit. A value that was made up gives nothing worse than no lab.
+ * edited model. The value of `?lab=` has four parts with points between: a version, the lab's id, how
+ * many bytes of MJCF it brings, and deflated JSON in base64url; a state's doubles are kept bit by bit.
+ *
+ * A link comes from anybody. headOf() unpacks nothing of it, so that its reader can be asked first. A
+ * value that was made up gives nothing worse than no lab.
  */
 import type { CameraPlace } from "../lab-module.js";
 import { fromBase64Url, toBase64Url } from "./base64url.js";
@@ -9,10 +12,20 @@ import type { ControlValue } from "./controls.js";
 import { deflate, inflate } from "./deflate.js";
 import type { RunState } from "./run.js";
 
+/** What a link says of itself. */
+export interface LinkHead {
+  /** The lab's id in its page: "lab-1". */
+  readonly id: string;
+  /** Bytes of the edited text; 0 where it was not edited. */
+  readonly mjcfBytes: number;
+  /** Of the link's value: how large it is before it is unpacked. */
+  readonly characters: number;
+}
+
 /** What a link brings back; what it does not mention is as the lab begins. It may name overlays or
  * controls that this lab does not have. */
 export interface LabLink {
-  /** The lab's id in its page: "lab-1". */
+  /** As in LinkHead. */
   readonly id: string;
   readonly camera?: CameraPlace;
   readonly overlays?: readonly string[];
@@ -23,37 +36,59 @@ export interface LabLink {
   readonly mjcf?: string;
 }
 
-const version = "1";
+const version = "2";
 
 /** Characters of a value: many servers refuse an address of more than 8 KB. */
 const mostCharacters = 7500;
 
-/** Bytes of JSON: no value of ours has more. */
-const mostJson = 1 << 20;
+/** Bytes of JSON. */
+const mostJson = 1 << 18;
 
-/** The value of `?lab=`: letters, digits, - and _. Without the state of the simulation where that
- * would make it too long; undefined where it is too long all the same. */
-export async function encodeLink(link: LabLink): Promise<string | undefined> {
+/** The value of `?lab=`. Without the state of the simulation where that would make it too long;
+ * undefined where it is too long all the same. */
+export async function encodeLink({ id, ...link }: LabLink): Promise<string | undefined> {
   const { run, ...rest } = link;
   const settings = run?.settings;
-  const stateless: LabLink = settings === undefined ? rest : { ...rest, run: { settings } };
+  const stateless = settings === undefined ? rest : { ...rest, run: { settings } };
+  const head = `${version}.${id}.${bytesIn(link.mjcf)}.`;
   for (const candidate of [link, stateless]) {
     const json = new TextEncoder().encode(JSON.stringify(candidate, replaceDoubles));
-    const text = version + toBase64Url(await deflate(json));
-    if (text.length <= mostCharacters) return text;
+    const text = head + toBase64Url(await deflate(json));
+    if (json.length <= mostJson && text.length <= mostCharacters) return text;
   }
   return undefined;
 }
 
-/** Undefined for what is no such value; it never throws. */
+/** Undefined for what is no such value. */
+export function headOf(text: string): LinkHead | undefined {
+  const { id, mjcfBytes } = partsOf(text) ?? {};
+  if (id === undefined || mjcfBytes === undefined) return undefined;
+  return { id, mjcfBytes, characters: text.length };
+}
+
+/** Undefined for what is no such value, or brings something else than it says; it never throws. */
 export async function decodeLink(text: string): Promise<LabLink | undefined> {
-  if (!text.startsWith(version) || text.length > mostCharacters) return undefined;
+  const parts = partsOf(text);
+  if (!parts) return undefined;
+  const { id, mjcfBytes, packed } = parts;
   try {
-    const json = await inflate(fromBase64Url(text.slice(version.length)), mostJson);
-    return readLink(JSON.parse(new TextDecoder().decode(json)));
+    const json = await inflate(fromBase64Url(packed), mostJson);
+    const link = readLink(JSON.parse(new TextDecoder().decode(json)));
+    return bytesIn(link.mjcf) === mjcfBytes ? { id, ...link } : undefined;
   } catch {
     return undefined;
   }
+}
+
+function partsOf(text: string) {
+  if (text.length > mostCharacters) return undefined;
+  const [, of, id, mjcf, packed] = /^(\d+)\.(.+)\.(\d{1,6})\.([\w-]+)$/.exec(text) ?? [];
+  if (of !== version || id === undefined || packed === undefined) return undefined;
+  return { id, mjcfBytes: Number(mjcf), packed };
+}
+
+function bytesIn(text = ""): number {
+  return new TextEncoder().encode(text).length;
 }
 
 function replaceDoubles(_: string, value: unknown): unknown {
@@ -67,10 +102,9 @@ function bytesOf({ buffer, byteOffset, byteLength }: Float64Array): Uint8Array {
 
 // Reading takes what it knows and checks each part; the first that is wrong throws.
 
-function readLink(json: unknown): LabLink {
-  const { id, camera, overlays, speed, run, mjcf } = record(json);
+function readLink(json: unknown): Omit<LabLink, "id"> {
+  const { camera, overlays, speed, run, mjcf } = record(json);
   return {
-    id: string(id),
     ...(camera === undefined ? {} : { camera: readCamera(camera) }),
     ...(overlays === undefined ? {} : { overlays: list(overlays).map(string) }),
     ...(speed === undefined ? {} : { speed: Math.min(4, Math.max(0.1, finite(speed))) }),
