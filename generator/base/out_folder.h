@@ -32,12 +32,14 @@ class OutFolder {
   int descriptor() const { return folder_.get(); }
 
   // All of these throw std::system_error with the path where the disk fails, and RefusedPath
-  // (beneath.h) where `name` could lead elsewhere: it climbs, or a link lies on its way. They may
-  // be called on several threads at once.
+  // (beneath.h) where `name` could lead elsewhere: it climbs, or a link lies on its way; of
+  // holds_file() also where it is a link itself. They may be called on several threads at once.
 
   void write(const std::string& name, std::string_view bytes) const;
   // The same of what is not in memory as a whole.
   void write(const std::string& name, const std::function<void(std::ostream&)>& writer) const;
+  // Is there a file under the name, or something else that is no folder? Makes nothing.
+  bool holds_file(const std::string& name) const;
   // A folder in this one; "" and "." are itself.
   OutFolder inner(const std::string& name) const;
   // Renames what lies here under `name`, a file, a folder or a link, to the same name in `other`,
@@ -49,7 +51,8 @@ class OutFolder {
       : path_(std::move(path)), folder_(std::move(folder)) {}
 
   struct Spot;  // the folder on the way to something, and the name in it
-  Spot spot(const std::string& name) const;
+  enum class Missing { is_made, stays };
+  Spot spot(const std::string& name, Missing missing = Missing::is_made) const;
   Descriptor created(const std::string& name) const;
 
   std::filesystem::path path_;
@@ -58,13 +61,17 @@ class OutFolder {
 
 // The end of a path that a user has named, where the course may be a stranger's.
 struct OutPath {
-  std::filesystem::path path;  // absolute, and without links up to `link`; it need not exist
-  std::string inside;          // `path` as seen from the course; "" where it lies elsewhere
-  std::string link;            // the first link of the course on the way, likewise; "" for none
+  std::filesystem::path path;  // absolute and without links; it need not exist
+  // Where links may be a stranger's: the checkout that the course lies in, or the course.
+  std::filesystem::path root;
+  std::string inside;    // `path` as seen from there; "" where it lies elsewhere
+  bool is_link = false;  // one that lies in there, at which the way ends
+  std::string shown;     // in messages: as seen from the course, where it lies in that
 };
 
-// Links that lie elsewhere are the user's, and are followed; those in `course` lead nowhere. The
-// course itself is there, and elsewhere. Throws std::system_error where links lead in a circle.
+// Links that lie elsewhere are the user's, and are followed; those in the checkout of `course` lead
+// nowhere. The course itself is there, and elsewhere; where it is "", all links are the user's.
+// Throws std::system_error where links lead in a circle.
 OutPath find_out_path(const std::filesystem::path& named, const std::filesystem::path& course);
 
 // A place to write at: a folder, and the name in it.

@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "base/checkout.h"
+#include "base/out_folder.h"
 #include "cli/ci_files.h"
 #include "cli/commands.h"
 #include "cli/course_file.h"
@@ -72,6 +74,14 @@ std::string title_for(const fs::path& folder) {
   return title.empty() ? "A course" : title;
 }
 
+// No link is followed that lies in the checkout where its author works: it may be a stranger's.
+tl::expected<void, Refusal> look_for_links(const fs::path& folder) {
+  const OutPath found = find_out_path(folder, checkout_of(fs::current_path()).value_or(""));
+  if (!found.is_link) return {};
+  return wrong_course(found.path.string() + " is a link, so nothing is written there",
+                      "name a folder elsewhere");
+}
+
 // `named` is how its author calls it.
 tl::expected<void, Refusal> look_at(const fs::path& folder, const std::string& named) {
   if (!fs::exists(folder)) return {};
@@ -100,6 +110,7 @@ int init(const InitOptions& options) {
   const fs::path folder = fs::absolute(words[0]).lexically_normal();
   const fs::path named = folder.has_filename() ? folder : folder.parent_path();
   if (const auto good = check_length(named); !good) return tell(good.error());
+  if (const auto good = look_for_links(named); !good) return tell(good.error());
   if (const auto free = look_at(named, words[0]); !free) return tell(free.error());
   const std::string title = words.size() == 2 ? words[1] : title_for(named);
   const std::vector<NewFile> files = course_files(DiskFiles(assets_folder()), title, options.ci);

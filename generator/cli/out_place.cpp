@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// In the course, each link and folder may be of a stranger's change.
+// In the course's checkout, each link and folder may be of a stranger's change.
 std::optional<Refusal> refused_place(const fs::path& course, const fs::path& place,
                                      const std::string& option) {
   const OutPath found = find_out_path(place, course);
@@ -25,10 +25,10 @@ std::optional<Refusal> refused_place(const fs::path& course, const fs::path& pla
     return Refusal{kCourseErrors, what + ", so nothing is written there",
                    "name another place: `" + option + "`"};
   };
-  if (!found.link.empty()) return refuse(found.link + " is a link");
-  const auto status = Beneath(course).status(found.inside);
+  if (found.is_link) return refuse(found.shown + " is a link");
+  const auto status = Beneath(found.root).status(found.inside);
   if (status || !status.error().is_refused()) return std::nullopt;
-  return refuse(found.inside + " " + status.error().why);
+  return refuse(found.shown + " " + status.error().why);
 }
 
 // Before a course is worked on for minutes: may this user write what comes to lie at `place`? What

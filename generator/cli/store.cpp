@@ -90,14 +90,15 @@ int transfer(StoreOptions options, bool pushes) {
 
 // The public key is for others.
 int make_key(const std::filesystem::path& path, const std::filesystem::path& course) {
-  if (const OutPath found = find_out_path(path, course); !found.link.empty()) {
-    return tell(Refusal{kCourseErrors, found.link + " is a link, so nothing is written there",
+  const OutPath found = find_out_path(path, course);
+  if (found.is_link) {
+    return tell(Refusal{kCourseErrors, found.shown + " is a link, so nothing is written there",
                         "name a new file elsewhere"});
   }
   const SigningKey key = SigningKey::random();
   const std::string file = key.file();
   const Descriptor to(
-      open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR));
+      open(found.path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, S_IRUSR | S_IWUSR));
   if (!to.is_open() ||
       write(to.get(), file.data(), file.size()) != static_cast<ssize_t>(file.size())) {
     return tell(Refusal{kWrongUsage, path.string() + ": " + std::strerror(errno),

@@ -57,18 +57,20 @@ class Trying {
          fs::path folder)
       : listed_(listed), judged_(judged), judge_(judge), folder_(std::move(folder)) {}
 
-  // What is there stays as it is.
+  // What is there stays as it is. Nothing is written where one of the files is a link: a reader who
+  // was told to write in there would write into what it leads to.
   void write_missing(const SiteData& site, const OutFolder& folder) const {
     const ExampleResult taken{"", "", {}, 0, judged_.sources, {}};
     const ExerciseText& text = judged_.files.text;
     const auto files = program_folder(
         {judged_.exercise->program, taken, *judged_.lesson, text.program(text.starter().code)},
         site);
-    const DiskFiles there(folder_);
+    std::vector<std::pair<std::string, std::string_view>> missing;
     for (const auto& [path, bytes] : files) {
-      const std::string inside = path.substr(path.find('/') + 1);
-      if (!there.exists(inside)) folder.write(inside, bytes);
+      std::string inside = path.substr(path.find('/') + 1);
+      if (!folder.holds_file(inside)) missing.emplace_back(std::move(inside), bytes);
     }
+    for (const auto& [inside, bytes] : missing) folder.write(inside, bytes);
   }
 
   void tell_what_to_do() const {

@@ -5,7 +5,16 @@
 
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import {
+  existsSync,
+  mkdirSync,
+  mkdtempSync,
+  readFileSync,
+  readdirSync,
+  rmSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
 import { after, test } from "node:test";
@@ -16,14 +25,15 @@ const folder = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
 after(() => rmSync(folder, { recursive: true }));
 
 // What it says, as [exit code, stdout, stderr].
-function run(...words) {
+function runIn(cwd, ...words) {
   const { status, stdout, stderr } = spawnSync(mjcourse, words, {
-    cwd: folder,
+    cwd,
     encoding: "utf8",
     env: { ...process.env, MJCOURSE_CALLED: called },
   });
   return [status, stdout, stderr];
 }
+const run = (...words) => runIn(folder, ...words);
 const read = (path) => readFileSync(join(folder, path), "utf8");
 
 // Clean, and no word about a warning; gives the lines of the lessons.
@@ -165,6 +175,25 @@ test("init takes a new repository, and no file", () => {
     "mjcourse: there is no course here: content/course.yaml: No such file or directory\n" +
       "  cure: name its folder with --course DIR, or begin one: `mjcourse init DIR`\n",
   ]);
+});
+
+test("init follows no link of a checkout", () => {
+  mkdirSync(join(folder, "repository/.git"), { recursive: true });
+  mkdirSync(join(folder, "elsewhere"));
+  const inside = join(folder, "repository");
+  symlinkSync(join(folder, "elsewhere"), join(inside, "link"));
+  for (const named of ["link", "link/deep"]) {
+    assert.deepEqual(runIn(inside, "init", named), [
+      1,
+      "",
+      `mjcourse: ${join(inside, "link")} is a link, so nothing is written there\n` +
+        "  cure: name a folder elsewhere\n",
+    ]);
+  }
+  assert.deepEqual(readdirSync(join(folder, "elsewhere")), []);
+  // A link of the user's.
+  symlinkSync(join(folder, "elsewhere"), join(folder, "mine"));
+  assert.equal(run("init", "mine")[0], 0);
 });
 
 // The scripts of a workflow's or an action's steps, by their names.

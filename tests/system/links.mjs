@@ -118,8 +118,9 @@ function isNotWrittenThrough(user) {
     own(elsewhere, user);
     make(course, elsewhere);
     const came = run(words(course), course, user);
+    const whole = typeof said === "string" ? said : said(course);
     expect(came.status === 1, `${name}: exit ${came.status}\n${came.stderr}`);
-    expect(came.stderr === said, `${name}: it said\n${came.stderr}and not\n${said}`);
+    expect(came.stderr === whole, `${name}: it said\n${came.stderr}and not\n${whole}`);
     expect(readdirSync(elsewhere).length === 0, `${name}: something was written elsewhere`);
   };
   const place = (what, option) =>
@@ -217,6 +218,38 @@ function isNotWrittenThrough(user) {
     `mjcourse: models/arm.xml ${outside}, so nothing was written\n` +
       "  cure: move the link away, or put a folder there\n",
   );
+  // Beside a course that is a folder of a repository, a link is a stranger's too.
+  const above = (course) => join(course.folder, "..");
+  const inRepository = (course, there, link) => {
+    const repository = `${course.folder}-repository`;
+    mkdirSync(join(repository, ".git"), { recursive: true });
+    rmSync(course.path(".git"), { recursive: true });
+    renameSync(course.folder, join(repository, "course"));
+    symlinkSync(there, join(repository, link));
+    course.folder = join(repository, "course");
+    own(repository, user);
+  };
+  for (const [name, words, option, link] of [
+    ["a site", ["build", "--out"], "--out DIR", "site"],
+    ["a report", ["check", "--report"], "--report DIR", "report"],
+    ["a trace", ["check", "--trace"], "--trace FILE", "trace.json"],
+    ["a store", ["check", "--store"], "--store DIR", "store"],
+    ["an exercise", ["try", "1.1", "--out"], "--out DIR", "mine"],
+  ]) {
+    const said = (c) => place(join(above(c), link), option);
+    refused(
+      `${name} beside the course`,
+      (c) => [...words, join(above(c), link)],
+      (c, there) => inRepository(c, there, link),
+      said,
+    );
+    refused(
+      `${name} in a folder beside the course`,
+      (c) => [...words, join(above(c), link, "deep/er")],
+      (c, there) => inRepository(c, there, link),
+      said,
+    );
+  }
   // What the user named may be a link.
   const { course } = fresh(user);
   const mine = `${course.folder}-mine`;

@@ -156,6 +156,19 @@ test("it writes nothing where a link leads", () => {
   mkdirSync(join(here, "mine/real"), { recursive: true });
   symlinkSync("real", join(here, "mine/include"));
   assert.equal(refused(here, "--out", "mine"), said(join(here, "mine/include")));
+  // Of the reader's files: one that leads elsewhere, one that leads nowhere, and a folder of theirs.
+  const tried = [
+    ["file", "fall.cpp", join(elsewhere, "fall.cpp")],
+    ["folder", "include", elsewhere],
+    ["note", "README.txt", join(elsewhere, "none")],
+  ];
+  for (const [out, link, target] of tried) {
+    mkdirSync(join(here, out, link, ".."), { recursive: true });
+    symlinkSync(target, join(here, out, link));
+    const before = readdirSync(join(here, out), { recursive: true });
+    assert.equal(refused(here, "--out", out, "--once"), said(join(here, out, link)));
+    assert.deepEqual(readdirSync(join(here, out), { recursive: true }), before);
+  }
   assert.deepEqual(readdirSync(elsewhere), []);
   assert.deepEqual(readdirSync(join(here, "mine/real")), []);
   // One that the reader has named.

@@ -75,6 +75,33 @@ TEST_F(OutFolderTest, IsLeftByNoName) {
   }
 }
 
+TEST_F(OutFolderTest, TellsOfFilesAndMakesNone) {
+  const OutFolder folder(out());
+  folder.write("deep/a.txt", "a");
+  EXPECT_TRUE(folder.holds_file("deep/a.txt"));
+  for (const char* name : {"", "deep", "b.txt", "deep/b.txt", "missing/er/b.txt"}) {
+    EXPECT_FALSE(folder.holds_file(name)) << name;
+  }
+  EXPECT_FALSE(fs::exists(out() / "missing"));
+  fs::create_symlink("deep", out() / "inside");
+  fs::create_symlink(theirs(), out() / "file");
+  fs::create_symlink(elsewhere() / "none", out() / "dangling");
+  const auto said = [&](const std::string& name) -> std::string {
+    try {
+      return folder.holds_file(name) ? "there" : "not there";
+    } catch (const RefusedPath& refused) {
+      return refused.what();
+    }
+  };
+  const std::string why = " is a link, so nothing is written there";
+  EXPECT_EQ(said("inside/a.txt"), out() / "inside" += why);
+  EXPECT_EQ(said("inside"), out() / "inside" += why);
+  EXPECT_EQ(said("file"), out() / "file" += why);
+  EXPECT_EQ(said("dangling"), out() / "dangling" += why);
+  EXPECT_EQ(said("dangling/a"), out() / "dangling" += why);
+  EXPECT_THROW(folder.holds_file("deep/a.txt/b"), std::system_error);
+}
+
 TEST_F(OutFolderTest, FollowsNoLinkOnTheWay) {
   fs::create_directory(out() / "inside");
   fs::create_symlink(elsewhere(), out() / "absolute");
@@ -148,8 +175,7 @@ class OutPlaceTest : public OutFolderTest {
   // Where the path leads, and how the course calls that: "/…/out/build/site build/site".
   std::string found(const fs::path& path) const {
     const OutPath place = find_out_path(path, out());
-    return place.path.string() + " " + place.inside +
-           (place.link.empty() ? "" : ", the link " + place.link);
+    return place.path.string() + " " + place.inside + (place.is_link ? ", a link" : "");
   }
   // Where the place was opened, or why not.
   std::string opened(const fs::path& place) const {
@@ -193,6 +219,20 @@ TEST_F(OutPlaceTest, IsReachedThroughNoLinkOfTheCourse) {
   EXPECT_EQ(opened(folder_.path() / "chain/site"), "link is a link, so nothing is written there");
   EXPECT_EQ(opened(folder_.path() / "mine/build/site"), out() / "build/site");
   EXPECT_TRUE(fs::is_directory(out() / "build"));
+  EXPECT_TRUE(fs::is_empty(elsewhere()));
+}
+
+// A change brings links beside the course as well, where that is a folder of a repository.
+TEST_F(OutPlaceTest, IsReachedThroughNoLinkOfTheCheckout) {
+  fs::create_directory(folder_.path() / ".git");
+  fs::create_symlink(elsewhere(), folder_.path() / "build");
+  fs::create_symlink(elsewhere(), out() / "link");
+  const std::string build = folder_.path() / "build";
+  EXPECT_EQ(opened(folder_.path() / "build"), build + " is a link, so nothing is written there");
+  EXPECT_EQ(opened(out() / "../build/site"), build + " is a link, so nothing is written there");
+  EXPECT_EQ(opened(out() / "link/site"), "link is a link, so nothing is written there");
+  EXPECT_EQ(opened(out() / "deep/site"), out() / "deep/site");
+  EXPECT_EQ(opened(folder_.path() / "site"), folder_.path() / "site");
   EXPECT_TRUE(fs::is_empty(elsewhere()));
 }
 
