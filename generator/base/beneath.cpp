@@ -40,6 +40,11 @@ tl::unexpected<Unopened> leads_out() {
                   "inside of the course"});
 }
 
+tl::unexpected<Unopened> lies_too_deep() {
+  return refused({"lies in more than " + std::to_string(kMostFolders) + " folders in each other",
+                  "move it into a folder further up"});
+}
+
 bool is_gits(std::string_view name) {
   return name == ".git";
 }
@@ -61,6 +66,7 @@ bool names_gits(const std::string& path) {
 // The kernel's own way, for a path without a link; nothing where it has to be walked.
 std::optional<tl::expected<Descriptor, Unopened>> open_at_once(int root, const std::string& path,
                                                                int flags) {
+  if (is_too_deep(path)) return lies_too_deep();
   if (names_gits(path)) return std::nullopt;
   open_how how{};
   how.flags = static_cast<unsigned>(flags);
@@ -147,6 +153,7 @@ class Walk {
     if (S_ISLNK(status.st_mode)) return follow(text_of_link(place.get()));
     if (is_last) return End{name, std::move(place), status};
     if (!S_ISDIR(status.st_mode)) return failed(ENOTDIR);
+    if (std::cmp_equal(folders_.size(), kMostFolders)) return lies_too_deep();
     folders_.push_back(std::move(place));
     passed_.push_back(name);
     return std::nullopt;
@@ -196,6 +203,10 @@ tl::expected<Descriptor, Unopened> opened(int folder, const char* name, int flag
 }
 
 }  // namespace
+
+bool is_too_deep(std::string_view path) {
+  return std::ranges::count(path, '/') >= kMostFolders;
+}
 
 FileRefusal refusal_of_no_file() {
   return {"is neither a file nor a folder", "replace it: a pipe or a device is never read"};

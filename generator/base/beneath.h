@@ -5,7 +5,7 @@
 // A link is followed as long as each step of its way stays beneath the folder; nothing in `.git` is
 // opened. Names are resolved one by one from descriptors, so what is swapped meanwhile leads
 // nowhere else. Where a path has no link, which is nearly always, the kernel does all of it in one
-// call.
+// call. A path of more than a hundred folders is refused as well.
 #pragma once
 
 #include <sys/stat.h>
@@ -14,6 +14,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 
 #include "base/descriptor.h"
@@ -38,6 +39,11 @@ struct Unopened {
     return is_refused() ? std::optional(FileRefusal{why, cure}) : std::nullopt;
   }
 };
+
+// Folders in each other, with the one beneath which a path leads. Each step of a way costs time,
+// and all files of a deep folder go that way again.
+inline constexpr int kMostFolders = 100;
+bool is_too_deep(std::string_view path);
 
 // What is there under a name, and is neither a file nor a folder.
 FileRefusal refusal_of_no_file();

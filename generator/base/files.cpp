@@ -139,14 +139,17 @@ std::vector<std::string> DiskFiles::list_below(const std::string& folder) const 
 
 std::vector<DiskFiles::Entry> DiskFiles::below(const std::string& folder) const {
   std::vector<Entry> entries;
+  add_below(folder, entries);
+  return entries;
+}
+
+void DiskFiles::add_below(const std::string& folder, std::vector<Entry>& entries) const {
   for (const Named& one : names_in(beneath_, folder)) {
     const std::string path = folder.empty() ? one.name : folder + "/" + one.name;
-    entries.push_back({path, one.type == DT_DIR});
-    if (one.type != DT_DIR) continue;
-    const std::vector<Entry> inner = below(path);
-    entries.insert(entries.end(), inner.begin(), inner.end());
+    const bool is_folder = one.type == DT_DIR && !is_too_deep(path);
+    entries.push_back({path, is_folder});
+    if (is_folder) add_below(path, entries);
   }
-  return entries;
 }
 
 std::string read_again(const Files& files, const std::string& path) {

@@ -53,7 +53,7 @@ class DiskFiles : public Files {
   bool is_folder(const std::string& path) const;
 
   // All that is below `folder`, but in `.git`; a link to a folder is not followed, and is no
-  // folder.
+  // folder. Nor is one that is too deep to be looked into, which is refused.
   struct Entry {
     std::string path;
     bool is_folder;
@@ -61,6 +61,8 @@ class DiskFiles : public Files {
   std::vector<Entry> below(const std::string& folder) const;
 
  private:
+  void add_below(const std::string& folder, std::vector<Entry>& entries) const;
+
   Beneath beneath_;
 };
 

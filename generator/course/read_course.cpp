@@ -43,7 +43,8 @@ void report_refused_folders(const Files& files, Diagnostics& diagnostics) {
   if (files.refusal("examples")) return;
   report_refused("examples/include", files, diagnostics);
   for (const std::string& name : files.list_below("examples/include")) {
-    report_refused("examples/include/" + name, files, diagnostics);
+    const std::string path = "examples/include/" + name;
+    if (!is_too_deep(path)) report_refused(path, files, diagnostics);  // report_names() tells of it
   }
 }
 
@@ -58,16 +59,28 @@ std::optional<NameFault> fault_of_file(const std::string& path) {
   return std::nullopt;
 }
 
+// What is wrong with where `path` lies, or with its name.
+std::optional<Diagnostic> wrong_place(const std::string& folder, const std::string& path,
+                                      const Files& files) {
+  const Place place{path, 0, 0, 1, ""};
+  if (is_too_deep(path)) {
+    const auto refusal = files.refusal(path);
+    return refusal ? std::optional(refused_file(place, path, *refusal)) : std::nullopt;
+  }
+  const auto fault = fault_of_file(path.substr(folder.size() + 1));
+  if (!fault) return std::nullopt;
+  return error_at(place, "E-file-name",
+                  "readers get the files of `" + folder + "/`, and " + fault->text(),
+                  "rename it; letters, digits, `-`, `_` and dots are good everywhere");
+}
+
 // Readers get what is used of these files, in the site and in archives.
 void report_names(const std::string& folder, const Files& files, Diagnostics& diagnostics) {
   std::size_t left = kMostFileNames;
   for (const std::string& name : files.list_below(folder)) {
-    const auto fault = fault_of_file(name);
-    if (!fault) continue;
-    diagnostics.push_back(
-        error_at({folder + "/" + name, 0, 0, 1, ""}, "E-file-name",
-                 "readers get the files of `" + folder + "/`, and " + fault->text(),
-                 "rename it; letters, digits, `-`, `_` and dots are good everywhere"));
+    auto wrong = wrong_place(folder, folder + "/" + name, files);
+    if (!wrong) continue;
+    diagnostics.push_back(*std::move(wrong));
     if (--left == 0) return;
   }
 }

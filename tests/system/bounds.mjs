@@ -53,6 +53,15 @@ const courses = {
     { "content/0-a/0.1-x.md": `---\ntitle: T\n${laughs.join("")}prerequisites: *a11\n---\n` },
     ["E-front-matter"],
   ],
+  "models in a thousand folders": [
+    {
+      ...lesson(""),
+      ...Object.fromEntries(
+        numbers(1000).map((i) => [`models/${"d/".repeat(i)}m.xml`, "<mujoco/>"]),
+      ),
+    },
+    ["E-file-refused"],
+  ],
   "100000 lessons": [
     {
       ...lesson(""),

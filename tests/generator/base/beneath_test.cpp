@@ -115,6 +115,29 @@ TEST_P(BeneathTest, RefusesWhatIsGits) {
   }
 }
 
+TEST_P(BeneathTest, RefusesWhatLiesInMoreThanAHundredFolders) {
+  const auto nested = [](int folders) {
+    std::string path = "deep";
+    for (int i = 1; i < folders; ++i) path += "/d";
+    return path;
+  };
+  write_file(course() / nested(99) / "in" / "file", "");
+  write_file(course() / nested(99) / "file", "read");
+  link(nested(50), "half");
+  EXPECT_EQ(read(nested(99) + "/file"), "read");
+  EXPECT_EQ(files_.list(nested(99)), std::vector<std::string>{"file"});
+  const std::string why = "lies in more than 100 folders in each other";
+  EXPECT_EQ(read(nested(99) + "/in/file"), nested(99) + "/in/file: " + why);
+  EXPECT_EQ(refusal(nested(99) + "/in/file"), why + "; move it into a folder further up");
+  EXPECT_EQ(read("half" + nested(50).substr(4) + "/file"), "read");
+  EXPECT_EQ(read("half" + nested(50).substr(4) + "/in/file"),
+            "half" + nested(50).substr(4) + "/in/file: " + why);
+  // It is listed, as what is refused, and is not looked into.
+  write_file(course() / nested(102) / "file", "");
+  EXPECT_EQ(files_.list_below(nested(98)),
+            (std::vector<std::string>{"d/d/d", "d/file", "d/in/file"}));
+}
+
 TEST_P(BeneathTest, DoesNotWaitForPipes) {
   ASSERT_EQ(mkfifo((course() / "pipe").c_str(), 0600), 0);
   link("pipe", "to-pipe");
