@@ -21,6 +21,10 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostOutput = 64 << 20;  // bytes; the log of some hundred thousand changes
 // Of one question. What it is asked for are dates, and nobody waits a minute for these.
 constexpr int kSeconds = 10;
+// Of a repository besides its objects: branches and tags, of which git packs those that get old.
+constexpr std::size_t kMostFilesOfGits = 30'000;
+constexpr int kMostDepthOfGits = 100;  // of folders in each other
+constexpr std::size_t kMostAlternates = 100;
 
 // The first line of a file, a path or a little more; "" where there is none.
 std::string line_of(const fs::path& file) {
@@ -41,17 +45,26 @@ bool is_pipe_or_device(const fs::path& file) {
          type == fs::file_type::block;
 }
 
-// The first such in a repository's folder; of its objects, of which there may be hundreds of
-// thousands, only a time limit knows.
-std::optional<fs::path> find_pipe(const fs::path& folder) {
+// What in a repository's folder would hold git up, or us while we look for it; of its objects, and
+// of those of what it holds, there may be hundreds of thousands, so only a time limit knows. Looks
+// at `left` files more at most.
+std::string find_trouble(const fs::path& folder, std::size_t& left) {
   std::error_code none;
   constexpr auto skip = fs::directory_options::skip_permission_denied;
   for (fs::recursive_directory_iterator file(folder, skip, none), end; !none && file != end;
        file.increment(none)) {
-    if (is_pipe_or_device(file->path())) return file->path();
-    if (file.depth() == 0 && file->path().filename() == "objects") file.disable_recursion_pending();
+    if (left-- == 0 || file.depth() > kMostDepthOfGits) {
+      left = 0;
+      return readable(folder.string()) +
+             " has too many files besides its objects, or too deep ones";
+    }
+    if (is_pipe_or_device(file->path())) {
+      return readable(file->path().string()) +
+             " is a pipe or a device, where git has a file; remove it";
+    }
+    if (file->path().filename() == "objects") file.disable_recursion_pending();
   }
-  return std::nullopt;
+  return "";
 }
 
 // Of a folder's `.git`, which names the repository where it lies elsewhere, as of a work tree or a
@@ -68,7 +81,8 @@ fs::path repository_at(const fs::path& folder) {
 // Where other repositories keep objects of this one.
 void add_alternates(const fs::path& objects, std::vector<std::string>& read) {
   std::istringstream lines(DiskFiles(objects).read("info/alternates").value_or(""));
-  for (std::string line; std::getline(lines, line);) {
+  const std::size_t most = read.size() + kMostAlternates;
+  for (std::string line; read.size() < most && std::getline(lines, line);) {
     if (!line.empty()) read.push_back((objects / line).lexically_normal().string());
   }
 }
@@ -112,8 +126,9 @@ std::optional<Git> Git::find(const fs::path& folder) {
       git.own_ = own;
       git.read_ = {above.string(), own.string(), common.string()};
       add_alternates(common / "objects", git.read_);
-      git.pipe_ = find_pipe(own);
-      if (!git.pipe_ && common != own) git.pipe_ = find_pipe(common);
+      std::size_t left = kMostFilesOfGits;
+      git.trouble_ = find_trouble(own, left);
+      if (git.trouble_.empty() && common != own) git.trouble_ = find_trouble(common, left);
       return git;
     }
     if (above == above.root_path() || std::ranges::count(stops, above.parent_path()) > 0) break;
@@ -122,10 +137,7 @@ std::optional<Git> Git::find(const fs::path& folder) {
 }
 
 tl::expected<std::string, std::string> Git::ask(const std::vector<std::string>& arguments) const {
-  if (pipe_) {
-    return tl::unexpected(readable(pipe_->string()) +
-                          " is a pipe or a device, where git has a file; remove it");
-  }
+  if (!trouble_.empty()) return tl::unexpected(trouble_);
   Command command;
   // The repository may have any owner: see the header. Where we are root, git is not.
   command.arguments = {"git"};

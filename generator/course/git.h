@@ -32,8 +32,8 @@ class Git {
   // Its own folder, and all that it keeps elsewhere.
   std::filesystem::path own_;
   std::vector<std::string> read_;
-  // What is no file in there, and would hold git up.
-  std::optional<std::filesystem::path> pipe_;
+  // Why it is not asked, where it would be held up; "" for nothing.
+  std::string trouble_;
 };
 
 }  // namespace mjcourse

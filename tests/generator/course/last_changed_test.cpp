@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <fstream>
 
 #include "base/files.h"
 #include "base/stopwatch.h"
@@ -205,6 +206,25 @@ TEST_F(LastChanged, IsUnknownWhereAFileIsAFolderOrTooLarge) {
 }
 
 // Whatever a repository says that git starts, it starts nothing.
+TEST_F(LastChanged, IsNotLookedForInARepositoryOfTooManyFiles) {
+  write("course/content/1/a.md", "a");
+  commit("2026-03-03T12:00:00Z");
+  const fs::path heads = folder_.path() / ".git/refs/heads";
+  const std::string why = (folder_.path() / ".git").string() +
+                          " has too many files besides its objects, or too deep ones";
+  fs::path deep = heads;
+  for (int i = 0; i < 150; ++i) deep /= "d";
+  fs::create_directories(deep);
+  EXPECT_EQ(history().unknown, why);
+  fs::remove_all(heads / "d");
+  EXPECT_EQ(history().unknown, "");
+  fs::create_directory(heads / "many");
+  for (int i = 0; i < 30'000; ++i) {
+    std::ofstream(heads / "many" / std::to_string(i));
+  }
+  EXPECT_EQ(history().unknown, why);
+}
+
 class HostileRepository : public LastChanged {
  protected:
   HostileRepository() {
