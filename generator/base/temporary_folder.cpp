@@ -12,16 +12,25 @@
 #include <system_error>
 
 #include "base/descriptor.h"
+#include "base/remove_folder.h"
 
 namespace mjcourse {
 namespace fs = std::filesystem;
 namespace {
 
 const std::string kPrefix = "mjcourse-work-";
+// Its files can be used by any program that was told of them, such as a program that is no longer
+// root.
+constexpr mode_t kMode = 0711;
 
 // A descriptor that holds the lock on `folder`; -1 where somebody else does.
 int try_lock(const fs::path& folder) {
-  const int descriptor = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+  constexpr int flags = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
+  int descriptor = open(folder.c_str(), flags);
+  if (descriptor < 0 && errno == EACCES &&
+      fchmodat(AT_FDCWD, folder.c_str(), kMode, AT_SYMLINK_NOFOLLOW) == 0) {
+    descriptor = open(folder.c_str(), flags);  // a program of ours had closed it
+  }
   if (descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
   if (descriptor >= 0) close(descriptor);
   return -1;
@@ -33,7 +42,7 @@ void remove_abandoned(const fs::path& parent) {
     if (!entry.path().filename().string().starts_with(kPrefix)) continue;
     const int lock = try_lock(entry.path());
     if (lock < 0) continue;
-    fs::remove_all(entry.path(), ignored);
+    remove_folder(entry.path());
     close(lock);
   }
 }
@@ -53,16 +62,13 @@ TemporaryFolder::TemporaryFolder() {
       throw_errno(name);
     }
     path_ = name;
-    // Its files can be used by any program that was told of them, such as a program that is no
-    // longer root.
-    chmod(name.c_str(), 0711);
+    chmod(name.c_str(), kMode);
     lock_ = try_lock(path_);
   }
 }
 
 TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;  // nothing to be done about it here, and nothing is lost
-  fs::remove_all(path_, ignored);
+  remove_folder(path_);  // nothing to be done about a failure here, and nothing is lost
   close(lock_);
 }
 

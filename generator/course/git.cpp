@@ -22,7 +22,7 @@ constexpr std::size_t kMostOutput = 64 << 20;  // bytes; the log of some hundred
 // Of one question. What it is asked for are dates, and nobody waits a minute for these.
 constexpr int kSeconds = 10;
 // Of a repository besides its objects: branches and tags, of which git packs those that get old.
-constexpr std::size_t kMostFilesOfGits = 30'000;
+constexpr std::size_t kMostFilesOfGits = 10'000;
 constexpr int kMostDepthOfGits = 100;  // of folders in each other
 constexpr std::size_t kMostAlternates = 100;
 
