@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "evaluate/scenes/svg_bounds.h"
 #include "evaluate/scenes/svg_names.h"
 
 namespace mjcourse {
@@ -78,6 +79,7 @@ class SvgReader {
   explicit SvgReader(const std::string& bytes) : bytes_(bytes) {}
 
   std::vector<SvgFault> faults() {
+    if (auto excess = excess_of_svg(bytes_)) return {*std::move(excess)};
     if (refuse_bytes()) return std::move(faults_);
     tinyxml2::XMLDocument document;
     if (document.Parse(bytes_.data(), bytes_.size()) != tinyxml2::XML_SUCCESS) {

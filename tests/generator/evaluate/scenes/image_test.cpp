@@ -52,5 +52,15 @@ TEST(Image, BringsNoScript) {
 )--");
 }
 
+// Before its XML is read, which would take minutes.
+TEST(Image, IsNoDrawingOfManyAttributes) {
+  std::string many;
+  for (int i = 0; i < 300; ++i) many += " x='1'";
+  EXPECT_EQ(evaluated_mistakes("![a](a.svg)\n", {{"content/1-a/a.svg", "<svg>\n<g" + many + "/>"}})
+                .substr(0, 103),
+            "content/1-a/a.svg:2:1: error: an element of a drawing has at most 200 attributes "
+            "[E-image-svg]\n  2 | <g");
+}
+
 }  // namespace
 }  // namespace mjcourse
