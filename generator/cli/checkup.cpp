@@ -156,7 +156,7 @@ std::optional<Sign> examine_shared(const fs::path& assets, SharedPlace place) {
     return Sign{"shared", Grade::slow, server.error(),
                 "mend it, or unset it; all works without it"};
   }
-  const std::string at = (*server)->shown();
+  const std::string at = (*server)->address.shown();
   const auto sign = [&](Grade grade, const std::string& state, std::string cure = "") {
     return Sign{"shared", grade, at + ": " + state, std::move(cure)};
   };

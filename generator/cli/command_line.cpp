@@ -20,12 +20,18 @@ void CommandLine::flag(std::string name, std::string help, bool& on) {
   value(std::move(name), {}, std::move(help), [&on](const std::string&) { return on = true; });
 }
 
-void CommandLine::path(std::string name, ValueKind kind, std::string help,
+void CommandLine::path(const std::string& name, const ValueKind& kind, std::string help,
                        std::filesystem::path& to) {
-  value(std::move(name), std::move(kind), std::move(help), [&to](const std::string& value) {
+  // An address that became a folder would be told of with its password.
+  const auto take = [&to, name, kind](const std::string& value) {
+    if (value.find("://") != value.npos) {
+      throw WrongUsage(name + " takes " + kind.called + ", not an address" +
+                       (name == "--store" ? "; --store-url takes one" : ""));
+    }
     to = value;
     return true;
-  });
+  };
+  value(name, kind, std::move(help), take);
 }
 
 void CommandLine::value(std::string name, ValueKind kind, std::string help,

@@ -35,7 +35,8 @@ class CommandLine {
   explicit CommandLine(std::string command) : command_(std::move(command)) {}
 
   void flag(std::string name, std::string help, bool& on);
-  void path(std::string name, ValueKind kind, std::string help, std::filesystem::path& to);
+  void path(const std::string& name, const ValueKind& kind, std::string help,
+            std::filesystem::path& to);
   // `take` says whether a value is one of that kind; `known` are all of them, where they are few.
   void value(std::string name, ValueKind kind, std::string help,
              std::function<bool(const std::string&)> take, std::vector<std::string> known = {});

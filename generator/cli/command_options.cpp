@@ -112,8 +112,9 @@ void add_stores(CommandLine& line, std::filesystem::path& store, SharedPlace& sh
              "(default: what MJCOURSE_STORE_URL or ~/.config/mjcourse/config.yaml says)",
              [&](const std::string& value) {
                shared.url = value;
-               const std::string fault = value == kNoServer ? "" : store_address_fault(value);
-               if (!fault.empty()) throw WrongUsage("--store-url: " + fault);
+               if (value == kNoServer) return true;
+               const auto address = read_store_address(value);
+               if (!address) throw WrongUsage("--store-url: " + address.error());
                return true;
              });
   line.flag("--store-read-only", "put nothing into the shared store", shared.read_only);

@@ -8,6 +8,7 @@
 #include "base/plain_name.h"
 #include "base/replace_file.h"
 #include "cli/run.h"
+#include "remote/store_address.h"
 
 namespace mjcourse {
 namespace {
@@ -89,7 +90,8 @@ tl::expected<void, Refusal> write_new_files(const fs::path& root,
 }
 
 int tell(const Refusal& refusal) {
-  std::cerr << "mjcourse: " << refusal.message << '\n';
+  // It may repeat a word of the command line, and that may be an address.
+  std::cerr << "mjcourse: " << without_userinfo(refusal.message) << '\n';
   if (!refusal.cure.empty()) std::cerr << "  cure: " << refusal.cure << '\n';
   return refusal.code;
 }

@@ -20,13 +20,14 @@
 #include "page/foreign_files.h"
 #include "process/mesa.h"
 #include "process/our_command.h"
+#include "remote/store_address.h"
 
 namespace mjcourse {
 namespace {
 
 // Of the command line of `command`, where one is named.
 int wrong_usage(const std::string& message, const std::string& command = "") {
-  std::cerr << "mjcourse: " << message << '\n'
+  std::cerr << "mjcourse: " << without_userinfo(message) << '\n'
             << (command.empty() ? our_command("--help") + " shows the commands"
                                 : our_command(command + " --help") + " shows what it takes")
             << '\n';

@@ -83,7 +83,7 @@ int transfer(StoreOptions options, bool pushes) {
                              size_text(traffic.sent) + ") into "
                        : "got " + counted(traffic.found, "entry", "entries") + " (" +
                              size_text(traffic.received) + ") from ")
-            << (*server)->shown() << "; the disk has " << kept << " of "
+            << (*server)->address.shown() << "; the disk has " << kept << " of "
             << counted(tasks.size(), "result") << " of this course\n";
   return remote->notes().empty() ? kClean : kCourseErrors;
 }

@@ -9,7 +9,8 @@
 #include "lesson/json/yaml_map.h"
 #include "lesson/syntax/is_text.h"
 #include "lesson/syntax/reading.h"
-#include "remote/server.h"
+#include "remote/signature.h"
+#include "remote/store_address.h"
 
 namespace mjcourse {
 namespace {
@@ -40,9 +41,8 @@ UserSettings read_settings(const SourceText& source, Reading& reading) {
   const std::vector<LocatedText> keys = map.strings("store-trusted-keys");
   map.finish();
   const bool is_address = !store.text.empty() && store.text != kNoServer;
-  const std::string fault = is_address ? store_address_fault(store.text) : "";
-  if (!fault.empty()) {
-    reading.error(kId, store.span(), fault, "write it as https://store.example/course");
+  if (const auto address = read_store_address(store.text); is_address && !address) {
+    reading.error(kId, store.span(), address.error(), "write it as https://store.example/course");
   }
   for (const LocatedText& key : keys) {
     settings.trusted_keys.push_back(key.text);
@@ -74,7 +74,9 @@ UserSettings user_settings(Diagnostics& diagnostics) {
   }
   if (found.empty()) return settings;
   for (Diagnostic& diagnostic : found) {
-    diagnostic.place.column = 0;  // the line is not shown: it may have a password
+    // What the file holds is not shown: it may be a password.
+    diagnostic.message = without_userinfo(std::move(diagnostic.message));
+    diagnostic.place.column = 0;
     diagnostic.place.excerpt.clear();
     diagnostics.push_back(std::move(diagnostic));
   }

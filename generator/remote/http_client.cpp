@@ -24,8 +24,10 @@ std::pair<std::uint64_t, std::string_view> take_number(std::string_view text) {
 }
 
 std::string settings_of(const Server& server) {
-  return "socket " + server.socket + "\ntoken " + server.token + "\ncertificate " +
-         server.certificate + "\nkey " + server.key + "\nauthorities " + server.authorities + "\n";
+  const StoreAddress& address = server.address;
+  return "socket " + address.socket + "\nuser " + address.user + "\npassword " + address.password +
+         "\ntoken " + server.token + "\ncertificate " + server.certificate + "\nkey " + server.key +
+         "\nauthorities " + server.authorities + "\n";
 }
 
 // Its standard input and output are `socket`.
@@ -57,7 +59,7 @@ HttpClient::HttpClient(const std::filesystem::path& program, const Server& serve
   socket_ = Descriptor(ends[0]);
   const Descriptor theirs(ends[1]);
   program_ = start(program, theirs.get());
-  send(frame_of("url " + server.url, settings_of(server)));
+  send(frame_of("url " + server.address.url, settings_of(server)));
   reader_ = std::jthread([this] { read_answers(); });
 }
 

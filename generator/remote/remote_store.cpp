@@ -38,7 +38,7 @@ void RemoteStore::stop(bool reads, const std::string& why) {
   writes_ = false;
   reads_ = reads_ && !reads;
   if (!new_to_us) return;
-  stopped_ = "the shared store at " + server_.shown() + " is " +
+  stopped_ = "the shared store at " + server_.address.shown() + " is " +
              (reads ? "not used" : "read and not written") + " from here on: " + why;
 }
 
@@ -150,7 +150,7 @@ std::string RemoteStore::entry_of(const std::string& sealed) const {
 void RemoteStore::note_once(Doubt doubt, const std::string& path) {
   bool& was_noted = doubt == Doubt::damaged ? was_damaged_ : was_unsigned_;
   if (std::exchange(was_noted, true)) return;
-  const std::string at = "the shared store at " + server_.shown();
+  const std::string at = "the shared store at " + server_.address.shown();
   notes_.push_back(
       doubt == Doubt::damaged
           ? at + " gave another content than " + path +

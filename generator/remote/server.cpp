@@ -1,5 +1,7 @@
 #include "remote/server.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
@@ -13,27 +15,49 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-bool is_printable(std::string_view text) {
-  return text.find_first_of(std::string_view("\0\t\n\v\f\r \"<>\\^`{|}", 16)) == text.npos;
+// A variable that names a file; nothing where there is none. A CI's user may have put there what
+// the file is to hold, so a fault does not repeat it.
+tl::expected<std::string, std::string> file_in(const char* name) {
+  std::string file = variable(name);
+  const bool is_path = file.find('\n') == file.npos;
+  if (file.empty() || (is_path && access(file.c_str(), R_OK) == 0)) return file;
+  return tl::unexpected(std::string(name) + " does not name a file that can be read");
 }
 
-// What stands before the path: "user:password@host:80".
-std::string_view authority(std::string_view url) {
-  const std::size_t begin = url.find("//") + 2;
-  return url.substr(begin, url.find_first_of("/?#", begin) - begin);
+// What a header may hold of a token.
+bool is_token(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return c > ' ' && c < '\x7f'; });
 }
 
-constexpr std::string_view kUnix = "unix:";
+// Each variable that names a file, and where it is kept.
+std::string read_files(Server& server) {
+  for (const auto& [name, file] : {std::pair("MJCOURSE_STORE_CERTIFICATE", &server.certificate),
+                                   std::pair("MJCOURSE_STORE_KEY", &server.key),
+                                   std::pair("MJCOURSE_STORE_AUTHORITIES", &server.authorities)}) {
+    auto read = file_in(name);
+    if (!read) return read.error();
+    *file = *std::move(read);
+  }
+  return "";
+}
+
+std::string read_signing_key(Server& server) {
+  constexpr const char* name = "MJCOURSE_STORE_SIGNING_KEY";
+  const auto file = file_in(name);
+  if (!file) return file.error();
+  if (file->empty()) return "";
+  auto key = SigningKey::read(*file);
+  if (!key) return std::string(name) + ": " + key.error();
+  server.signing_key = *std::move(key);
+  return "";
+}
 
 // What is wrong with the variables; empty where nothing is.
 std::string read_secrets(Server& server) {
-  if (const std::string file = variable("MJCOURSE_STORE_SIGNING_KEY"); !file.empty()) {
-    auto key = SigningKey::read(file);
-    if (!key) return "MJCOURSE_STORE_SIGNING_KEY: " + key.error();
-    server.signing_key = *std::move(key);
-  }
-  if (!is_printable(server.token)) {
-    return "MJCOURSE_STORE_TOKEN has a character that no token has";
+  server.token = variable("MJCOURSE_STORE_TOKEN");
+  if (!is_token(server.token)) return "MJCOURSE_STORE_TOKEN has a character that no token has";
+  for (const auto read : {read_files, read_signing_key}) {
+    if (std::string fault = read(server); !fault.empty()) return fault;
   }
   if (std::getenv("MJCOURSE_STORE_TRUSTED_KEYS") == nullptr) return "";
   const std::string keys = variable("MJCOURSE_STORE_TRUSTED_KEYS");
@@ -56,44 +80,13 @@ std::string read_secrets(Server& server) {
 
 }  // namespace
 
-std::string store_address_fault(const std::string& address) {
-  const std::string begin = "the address of a shared store ";
-  if (!is_printable(address)) return begin + "has no blanks, quotes or brackets";
-  if (address.starts_with(kUnix)) {
-    return address.starts_with("unix:/") ? "" : begin + "has a / behind unix:";
-  }
-  if (!address.starts_with("http://") && !address.starts_with("https://")) {
-    return begin + "begins with http://, https:// or unix:/";
-  }
-  if (address.find_first_of("?#") != address.npos) return begin + "is a folder's, without ? and #";
-  return authority(address).empty() ? begin + "names a host" : "";
-}
-
-std::string Server::shown() const {
-  if (!socket.empty()) return "unix:" + socket;
-  const std::string_view all = authority(url);
-  const std::size_t user = all.rfind('@');
-  if (user == all.npos) return url;
-  std::string text = url;
-  return text.erase(text.find("//") + 2, user + 1);
-}
-
 tl::expected<Server, std::string> server_at(const std::string& address) {
+  auto read = read_store_address(address);
+  if (!read) return tl::unexpected(std::move(read.error()));
   Server server;
-  server.token = variable("MJCOURSE_STORE_TOKEN");
-  server.certificate = variable("MJCOURSE_STORE_CERTIFICATE");
-  server.key = variable("MJCOURSE_STORE_KEY");
-  server.authorities = variable("MJCOURSE_STORE_AUTHORITIES");
-  std::string fault = store_address_fault(address);
-  if (fault.empty()) fault = read_secrets(server);
+  server.address = *std::move(read);
+  std::string fault = read_secrets(server);
   if (!fault.empty()) return tl::unexpected(std::move(fault));
-  if (address.starts_with(kUnix)) {
-    server.socket = address.substr(kUnix.size());
-    server.url = "http://localhost";
-    return server;
-  }
-  server.url = address;
-  while (server.url.ends_with('/')) server.url.pop_back();
   return server;
 }
 

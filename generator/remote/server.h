@@ -11,12 +11,12 @@
 #include <vector>
 
 #include "remote/signature.h"
+#include "remote/store_address.h"
 
 namespace mjcourse {
 
 struct Server {
-  std::string url;     // of the folder with ac/ and cas/, without a slash at its end
-  std::string socket;  // the path of a socket, for `unix:`
+  StoreAddress address;
   // From MJCOURSE_STORE_TOKEN, MJCOURSE_STORE_CERTIFICATE and _KEY (files), and _AUTHORITIES, a
   // file of certificates to be trusted instead of the system's. Empty where they are not set.
   std::string token, certificate, key, authorities;
@@ -24,16 +24,9 @@ struct Server {
   // public keys: where there are any, nothing is taken but what one of them has signed.
   std::optional<SigningKey> signing_key;
   std::vector<std::string> trusted_keys;
-
-  // For people: without a name and password in it.
-  std::string shown() const;
 };
 
-// Empty for http://…, https://… and unix:/path. Does not repeat the address, which may have a
-// password.
-std::string store_address_fault(const std::string& address);
-
-// What is wrong with the address or with the variables.
+// What is wrong with the address or with the variables; it repeats nothing that they hold.
 tl::expected<Server, std::string> server_at(const std::string& address);
 
 }  // namespace mjcourse

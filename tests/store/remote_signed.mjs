@@ -99,7 +99,7 @@ await test("signed", async () => {
     ],
     [
       { MJCOURSE_STORE_SIGNING_KEY: "/none" },
-      "note: no shared store is used: MJCOURSE_STORE_SIGNING_KEY: /none cannot be read",
+      "note: no shared store is used: MJCOURSE_STORE_SIGNING_KEY does not name a file that can be read",
     ],
   ]) {
     const where = { url: "", environment: { ...environment, MJCOURSE_STORE_URL: server.url } };

@@ -190,7 +190,7 @@ export async function strange(answer) {
     const usual =
       request.method === "PUT" ? { status: 201 } : { status: found ? 200 : 404, bytes: found };
     const given = await answer(
-      { method: request.method, name, found, kept, sent, usual },
+      { method: request.method, headers: request.headers, name, found, kept, sent, usual },
       ++requests,
     );
     if (given === undefined) return void response.destroy();

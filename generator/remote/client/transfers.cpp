@@ -6,6 +6,8 @@
 #include <sstream>
 #include <utility>
 
+#include "remote/client/proxies.h"
+
 namespace mjcourse {
 namespace {
 
@@ -51,11 +53,13 @@ struct Transfers::Transfer {
   ~Transfer() {
     taken_at_once -= taken.size();
     curl_easy_cleanup(easy);
+    curl_url_cleanup(url);
   }
   Transfer(const Transfer&) = delete;
   Transfer& operator=(const Transfer&) = delete;
 
   CURL* easy = curl_easy_init();
+  CURLU* url = curl_url();  // which `easy` reads until its end
   // libcurl ends the transfer of which fewer bytes were taken than there are.
   static std::size_t take(char* bytes, std::size_t, std::size_t count, void* into) {
     auto& transfer = *static_cast<Transfer*>(into);
@@ -96,9 +100,14 @@ Transfers::~Transfers() {
 
 void Transfers::prepare(Transfer& transfer) const {
   CURL* const easy = transfer.easy;
-  if (easy == nullptr) throw std::bad_alloc();
-  const std::string url = settings_.at("url") + "/" + transfer.path;
-  curl_easy_setopt(easy, CURLOPT_URL, url.c_str());
+  if (easy == nullptr || transfer.url == nullptr) throw std::bad_alloc();
+  const auto set_part = [&](CURLUPart part, const std::string& value) {
+    if (!value.empty()) curl_url_set(transfer.url, part, value.c_str(), 0);
+  };
+  set_part(CURLUPART_URL, settings_.at("url") + "/" + transfer.path);
+  set_part(CURLUPART_USER, settings_.at("user"));
+  set_part(CURLUPART_PASSWORD, settings_.at("password"));
+  curl_easy_setopt(easy, CURLOPT_CURLU, transfer.url);
   curl_easy_setopt(easy, CURLOPT_PROTOCOLS_STR, "http,https");
   curl_easy_setopt(easy, CURLOPT_HTTP_VERSION, CURL_HTTP_VERSION_2TLS);
   curl_easy_setopt(easy, CURLOPT_PIPEWAIT, 1L);
@@ -156,7 +165,8 @@ std::string Transfers::answer_of(const Transfer& transfer, CURLcode result) cons
     return frame_of(transfer.number + " 0", "an answer of it is larger than any entry");
   }
   if (result != CURLE_OK) {
-    const char* const why = transfer.error[0] != '\0' ? transfer.error : curl_easy_strerror(result);
+    std::string why = proxy_fault(settings_.at("url"));  // which libcurl tells of with all it holds
+    if (why.empty()) why = transfer.error[0] != '\0' ? transfer.error : curl_easy_strerror(result);
     return frame_of(transfer.number + " 0", why);
   }
   long status = 0;

@@ -71,6 +71,9 @@ FILE:3: error: this is no public key, which has 64 hexadecimal digits [E-user-co
 )");
   EXPECT_EQ(settings_of("store: none\n").said, "");
   EXPECT_EQ(settings_of("store: http://u:hunter2@h/?x\n").said.find("hunter2"), std::string::npos);
+  EXPECT_EQ(settings_of("http://u:hunter2@h: x\n").said,
+            "FILE:1: error: the settings file has no key `http://…@h` [E-user-config]\n"
+            "  cure: known: store, store-read-only, store-trusted-keys\n\n");
   EXPECT_NE(settings_of("store: [").said, "");
   EXPECT_NE(settings_of(std::string("\0", 1)).said, "");
 }
