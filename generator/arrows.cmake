@@ -1,15 +1,15 @@
 # The arrows between the folders of the generator, stated once: which others the files of each may
 # include. A folder comes after all that it includes. generator/CMakeLists.txt links along the arrows;
 # tests/lint/arrows.mjs holds every include and the table of generator/README.md against them.
-set(folders base remote remote/client process cache toolchain actions report lesson/syntax lesson/json
+set(folders base process remote remote/client cache toolchain actions report lesson/syntax lesson/json
     lesson/blocks lesson course findings physics/mistakes physics script evaluate/codec
     evaluate/context evaluate/programs evaluate/scenes evaluate/answers evaluate/claims evaluate
     session page/html page/blocks page preview lsp cli)
 
 set(base_includes)
-set(remote_includes base)
-set(remote/client_includes remote base)
 set(process_includes base)
+set(remote_includes process base)
+set(remote/client_includes remote base)
 set(cache_includes base)
 set(toolchain_includes cache process base)
 set(actions_includes toolchain cache process base)

@@ -61,13 +61,16 @@ Confinement::Confinement(const Sandbox* sandbox, bool watch, double seconds)
   allow(sandbox->read, Access::read);
   allow(sandbox->write, Access::write);
   owned_ = sandbox->write;
+  ports_ = sandbox->ports;
   reads_all_ = sandbox->reads_all && level_.landlock > 0;  // which says what is read
   if (level_.filter) {
     filter_ = &syscall_filter({.confine = true,
                                .processes = sandbox->processes,
                                .watch = asked_ && watch,
                                .asked = asked_,
-                               .scoped = level_.landlock >= kLandlockScopes});
+                               .scoped = level_.landlock >= kLandlockScopes,
+                               .network = sandbox->network,
+                               .narrows = sandbox->narrows});
   }
 }
 
@@ -91,7 +94,7 @@ int Confinement::enter(int& listener) const {
   listener = -1;
   // Whatever a library of ours left open stays behind; an old kernel has no such call.
   if (confines_) syscall(SYS_close_range, 3u, ~0u, kCloseOnExec);
-  const int ruleset = level_.landlock > 0 ? make_ruleset(level_.landlock, rules_) : -1;
+  const int ruleset = level_.landlock > 0 ? make_ruleset(level_.landlock, rules_, ports_) : -1;
   if (level_.landlock > 0 && ruleset < 0) return errno;
   if (confines_) umask(022);
   if (const auto user = level_.user_for(getpid())) {

@@ -8,6 +8,7 @@
 #include <sys/resource.h>
 #include <sys/types.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -46,6 +47,7 @@ class Confinement {
   SandboxLevel level_;
   std::vector<Limit> limits_;
   std::vector<LandlockRule> rules_;
+  std::vector<std::uint16_t> ports_;
   std::vector<std::string> owned_;
   const SyscallFilter* filter_ = nullptr;
   bool asked_;

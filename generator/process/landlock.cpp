@@ -22,15 +22,21 @@ constexpr Rights kExecute = 1 << 0, kWriteFile = 1 << 1, kReadFile = 1 << 2, kRe
 constexpr Rights kRemoveFolder = 1 << 4, kRemoveFile = 1 << 5, kMakeFolder = 1 << 7;
 constexpr Rights kMakeFile = 1 << 8, kMakeLink = 1 << 12;
 constexpr Rights kAllFirst = (1 << 13) - 1;
-constexpr Rights kRefer = 1 << 13;               // 2: to rename from one folder to another
-constexpr Rights kTruncate = 1 << 14;            // 3
-constexpr std::uint64_t kBindAndConnect = 3;     // 4: TCP
-constexpr Rights kDeviceControl = 1 << 15;       // 5
-constexpr std::uint64_t kSocketsAndSignals = 3;  // 6: only within what is confined together
+constexpr Rights kRefer = 1 << 13;                // 2: to rename from one folder to another
+constexpr Rights kTruncate = 1 << 14;             // 3
+constexpr std::uint64_t kBind = 1, kConnect = 2;  // 4: TCP
+constexpr Rights kDeviceControl = 1 << 15;        // 5
+constexpr std::uint64_t kSocketsAndSignals = 3;   // 6: only within what is confined together
 
 struct RulesetAttributes {
   std::uint64_t files, network, scopes;
 };
+
+// A rule of connections, and its number.
+struct PortAttributes {
+  std::uint64_t rights, port;
+};
+constexpr int kPortRule = 2;
 
 std::size_t size_of_attributes(int abi) {
   if (abi >= kLandlockScopes) return sizeof(RulesetAttributes);
@@ -81,13 +87,21 @@ int landlock_abi() {
   return lower == nullptr ? found : std::clamp(std::atoi(lower), 0, found);
 }
 
-int make_ruleset(int abi, const std::vector<LandlockRule>& rules) {
-  const RulesetAttributes attributes{handled(abi), kBindAndConnect, kSocketsAndSignals};
+int make_ruleset(int abi, const std::vector<LandlockRule>& rules,
+                 const std::vector<std::uint16_t>& ports) {
+  const RulesetAttributes attributes{handled(abi), kBind | kConnect, kSocketsAndSignals};
   const auto ruleset = static_cast<int>(
       syscall(SYS_landlock_create_ruleset, &attributes, size_of_attributes(abi), 0));
   if (ruleset < 0) return -1;
   for (const LandlockRule& rule : rules) {
     if (!add_rule(ruleset, abi, rule)) return -1;
+  }
+  for (const std::uint16_t port : ports) {
+    const PortAttributes one{kConnect, port};
+    if (abi >= kLandlockNetwork &&
+        syscall(SYS_landlock_add_rule, ruleset, kPortRule, &one, 0) != 0) {
+      return -1;
+    }
   }
   return ruleset;
 }

@@ -5,6 +5,7 @@
 // out in landlock.cpp.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,8 +26,10 @@ inline constexpr int kLandlockNetwork = 4;
 // read from our own environment, of which a course sets nothing.
 int landlock_abi();
 
-// Both only for a child between fork and exec; async-signal-safe. A descriptor, or -1.
-int make_ruleset(int abi, const std::vector<LandlockRule>& rules);
+// Both only for a child between fork and exec; async-signal-safe. A descriptor, or -1. TCP goes to
+// these ports alone.
+int make_ruleset(int abi, const std::vector<LandlockRule>& rules,
+                 const std::vector<std::uint16_t>& ports);
 bool enter_ruleset(int ruleset);
 
 }  // namespace mjcourse

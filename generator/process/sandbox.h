@@ -23,6 +23,11 @@ struct Sandbox {
   // without is given it.
   bool reads_all = false;
   bool processes = false;  // may it start others, as a compiler does? Threads it always may
+  // May it ask others on the network? It listens nowhere, and has no socket within this machine.
+  // TCP goes to `ports` alone, of any machine, where Landlock knows how.
+  bool network = false;
+  std::vector<std::uint16_t> ports = {};
+  bool narrows = false;  // may it give up more system calls by itself?
   // Of address space, of one process; and of memory, of all that it starts together.
   std::uint64_t memory_bytes = 4ull << 30;
   // Does it reserve address space that it never uses, as a script engine does? Then only the second

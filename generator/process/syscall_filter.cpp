@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <linux/sched.h>
 #include <linux/seccomp.h>
+#include <netinet/in.h>
 #include <seccomp.h>
 #include <sys/ioctl.h>
 #include <sys/prctl.h>
@@ -18,6 +19,7 @@
 #include <mutex>
 #include <optional>
 #include <system_error>
+#include <utility>
 
 #include "base/descriptor.h"
 #include "process/path_calls.h"
@@ -48,7 +50,6 @@ const int kDenied[] = {
     SCMP_SYS(settimeofday), SCMP_SYS(clock_settime), SCMP_SYS(clock_adjtime), SCMP_SYS(adjtimex),
     SCMP_SYS(sethostname), SCMP_SYS(setdomainname), SCMP_SYS(iopl), SCMP_SYS(ioperm),
     SCMP_SYS(vhangup), SCMP_SYS(lookup_dcookie), SCMP_SYS(fanotify_init), SCMP_SYS(personality),
-    SCMP_SYS(seccomp),
     // files past their path, and what others do with files, which Landlock does not keep secret
     SCMP_SYS(name_to_handle_at), SCMP_SYS(open_by_handle_at), SCMP_SYS(inotify_init),
     SCMP_SYS(inotify_init1), SCMP_SYS(inotify_add_watch), SCMP_SYS(fanotify_mark),
@@ -89,6 +90,13 @@ constexpr std::uint32_t kGuardedOptions[] = {PR_SET_PDEATHSIG, PR_SET_DUMPABLE, 
 // and SIOCSPGRP, as F_SETOWN does.
 constexpr std::uint32_t kGuardedRequests[] = {0x5412, 0x541C, 0x8901, 0x8902};
 constexpr std::uint32_t kOwners[] = {F_SETOWN, F_SETSIG, F_SETOWN_EX};
+
+// Of a program that asks others and is asked by nobody.
+const int kServing[] = {SCMP_SYS(bind), SCMP_SYS(listen), SCMP_SYS(accept), SCMP_SYS(accept4)};
+// All protocols but those of the system's choice, TCP and UDP: Landlock knows TCP alone.
+constexpr scmp_datum_t kLastProtocol = IPPROTO_UDP;
+// The kinds of sockets, in an argument that has flags as well.
+constexpr scmp_datum_t kSocketKinds = 0xf;
 
 // A condition on an argument of a system call. (libseccomp's own macros are C's compound literals.)
 scmp_arg_cmp argument(unsigned number, scmp_compare compare, scmp_datum_t a, scmp_datum_t b = 0) {
@@ -149,15 +157,8 @@ class Builder {
     for (const std::uint32_t owner : kOwners) add(no, SCMP_SYS(fcntl), argument_is(1, owner));
     for (const int call : kScheduling) add(asked(), call, argument(0, SCMP_CMP_NE, 0));
     add(no, SCMP_SYS(prlimit64), argument(0, SCMP_CMP_NE, 0));
-    // Files that lie in a socket, on their way, are counted by nobody.
-    if (kind_.processes) {
-      add(no, SCMP_SYS(socketpair), argument(0, SCMP_CMP_NE, AF_UNIX));
-    } else {
-      deny(SCMP_SYS(socketpair));
-    }
-    // The C library asks its name service over a local socket, and does well without.
-    add(no, SCMP_SYS(socket), argument(0, SCMP_CMP_EQ, AF_UNIX));
-    add(told(), SCMP_SYS(socket), argument(0, SCMP_CMP_NE, AF_UNIX));
+    decide_on_filters();
+    decide_on_sockets();
     if (kind_.processes) {
       // Where Landlock does not see to it, a signal may reach any process of the same user.
       deny(SCMP_SYS(kill));
@@ -169,6 +170,52 @@ class Builder {
         const auto bit = static_cast<scmp_datum_t>(flag);
         add(no, SCMP_SYS(clone), argument(0, SCMP_CMP_MASKED_EQ, bit, bit));
       }
+    }
+  }
+
+  // One of its own can only forbid more, and must not bring a watcher.
+  void decide_on_filters() {
+    if (!kind_.narrows) return deny(SCMP_SYS(seccomp));
+    const std::uint32_t no = SCMP_ACT_ERRNO(EPERM);
+    add(no, SCMP_SYS(seccomp), argument(0, SCMP_CMP_NE, SECCOMP_SET_MODE_FILTER));
+    add(no, SCMP_SYS(seccomp), argument(1, SCMP_CMP_NE, 0));
+  }
+
+  void decide_on_sockets() {
+    const std::uint32_t no = SCMP_ACT_ERRNO(EPERM);
+    // Files that lie in a socket, on their way, are counted by nobody: one that writes none may.
+    if (kind_.processes || kind_.network) {
+      add(no, SCMP_SYS(socketpair), argument(0, SCMP_CMP_NE, AF_UNIX));
+    } else {
+      deny(SCMP_SYS(socketpair));
+    }
+    if (kind_.network) return decide_on_network();
+    // The C library asks its name service over a local socket, and does well without.
+    add(no, SCMP_SYS(socket), argument(0, SCMP_CMP_EQ, AF_UNIX));
+    add(told(), SCMP_SYS(socket), argument(0, SCMP_CMP_NE, AF_UNIX));
+  }
+
+  // TCP and UDP by IP, from here to others. A rule has one condition of an argument.
+  void decide_on_network() {
+    const std::uint32_t no = SCMP_ACT_ERRNO(EPERM);
+    for (const int call : kServing) deny(call);
+    for (scmp_datum_t family = 0; family < AF_INET6; ++family) {
+      if (family != AF_INET) add(no, SCMP_SYS(socket), argument(0, SCMP_CMP_EQ, family));
+    }
+    add(no, SCMP_SYS(socket), argument(0, SCMP_CMP_GT, AF_INET6));
+    for (scmp_datum_t kind = 0; kind <= kSocketKinds; ++kind) {
+      if (kind == SOCK_STREAM || kind == SOCK_DGRAM) continue;
+      add(no, SCMP_SYS(socket), argument(1, SCMP_CMP_MASKED_EQ, kSocketKinds, kind));
+    }
+    for (scmp_datum_t protocol = 1; protocol < kLastProtocol; ++protocol) {
+      if (protocol != IPPROTO_TCP) add(no, SCMP_SYS(socket), argument(2, SCMP_CMP_EQ, protocol));
+    }
+    add(no, SCMP_SYS(socket), argument(2, SCMP_CMP_GT, kLastProtocol));
+    // What is sent with the connection itself is sent without asking Landlock.
+    const auto flag = static_cast<scmp_datum_t>(MSG_FASTOPEN);
+    for (const auto& [call, flags] :
+         {std::pair{SCMP_SYS(sendto), 3u}, {SCMP_SYS(sendmsg), 2u}, {SCMP_SYS(sendmmsg), 3u}}) {
+      add(no, call, argument(flags, SCMP_CMP_MASKED_EQ, flag, flag));
     }
   }
 
@@ -273,10 +320,11 @@ bool can_watch() {
 
 const SyscallFilter& syscall_filter(FilterKind kind) {
   static std::mutex mutex;
-  static std::array<std::optional<SyscallFilter>, 32> made;
+  static std::array<std::optional<SyscallFilter>, 128> made;
   const std::lock_guard lock(mutex);
   auto& filter = made[(kind.confine ? 1u : 0u) + (kind.processes ? 2u : 0u) +
-                      (kind.watch ? 4u : 0u) + (kind.asked ? 8u : 0u) + (kind.scoped ? 16u : 0u)];
+                      (kind.watch ? 4u : 0u) + (kind.asked ? 8u : 0u) + (kind.scoped ? 16u : 0u) +
+                      (kind.network ? 32u : 0u) + (kind.narrows ? 64u : 0u)];
   if (!filter) filter = Builder(kind).build();
   return *filter;
 }

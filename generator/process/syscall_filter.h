@@ -21,6 +21,8 @@ struct FilterKind {
   bool watch = false;      // tell the watcher of files
   bool asked = false;      // is there a watcher, who decides where an argument does?
   bool scoped = false;     // does Landlock keep signals among those that are confined together?
+  bool network = false;    // let it ask others on the network
+  bool narrows = false;    // let it have a filter of its own behind this one
 };
 
 // Does the kernel know of watchers at all? Else no filter for one can be made.

@@ -1,12 +1,10 @@
 // HttpClient: asks a server for us, by a program of its own, `mjcourse-net`.
 //
 // What a server sends is anybody's, and what reads it is a large library. So that runs elsewhere,
-// and what the generator is made of, which is in the keys of results, does not depend on it. The
-// program has many requests under way at once; each caller waits for its own.
-// Tested by tests/store/remote.mjs.
+// confined (net_command.h), and what the generator is made of, which is in the keys of results,
+// does not depend on it. The program has many requests under way at once; each caller waits for its
+// own. Tested by tests/generator/remote/http_client_test.cpp.
 #pragma once
-
-#include <sys/types.h>
 
 #include <condition_variable>
 #include <cstdint>
@@ -19,6 +17,9 @@
 #include <thread>
 
 #include "base/descriptor.h"
+#include "process/child_process.h"
+#include "process/subprocess.h"
+#include "remote/frames.h"
 #include "remote/server.h"
 
 namespace mjcourse {
@@ -60,16 +61,20 @@ class HttpClient {
   HttpAnswer ask(std::string_view verb, const std::string& path, std::string_view content = {});
 
  private:
-  bool send(std::string_view bytes);
+  bool send(std::string_view bytes, const Descriptor& passed = Descriptor());
   void read_answers();
+  void take(Message message);
+  void connect();
+  void end(const std::string& why);
 
-  Descriptor socket_;
-  pid_t program_ = -1;
+  const Server server_;
+  const Command command_;
+  ChildProcess program_;
   std::mutex sending_, mutex_;
   std::condition_variable changed_;
   std::map<std::uint64_t, std::optional<HttpAnswer>> asked_;  // by their numbers
   std::uint64_t last_ = 0;
-  bool ended_ = false;
+  std::string ended_;    // why it answers no more
   std::jthread reader_;  // last: it uses the rest
 };
 

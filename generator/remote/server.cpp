@@ -1,11 +1,13 @@
 #include "remote/server.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cstdlib>
 #include <string_view>
 #include <utility>
+
+#include "base/files.h"
+#include "base/percent_encoding.h"
+#include "remote/netrc.h"
 
 namespace mjcourse {
 namespace {
@@ -15,12 +17,13 @@ std::string variable(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-// A variable that names a file; nothing where there is none. A CI's user may have put there what
-// the file is to hold, so a fault does not repeat it.
+// What is in the file that a variable names; empty where it names none. A CI's user may have put
+// there what the file is to hold, so a fault does not repeat it.
 tl::expected<std::string, std::string> file_in(const char* name) {
-  std::string file = variable(name);
-  const bool is_path = file.find('\n') == file.npos;
-  if (file.empty() || (is_path && access(file.c_str(), R_OK) == 0)) return file;
+  const std::string file = variable(name);
+  if (file.empty()) return "";
+  // Nothing would stand for: not set.
+  if (const auto text = read_file(file); text && !text->empty()) return *text;
   return tl::unexpected(std::string(name) + " does not name a file that can be read");
 }
 
@@ -29,7 +32,7 @@ bool is_token(std::string_view text) {
   return std::ranges::all_of(text, [](char c) { return c > ' ' && c < '\x7f'; });
 }
 
-// Each variable that names a file, and where it is kept.
+// Each variable that names a file, and where what that holds is kept.
 std::string read_files(Server& server) {
   for (const auto& [name, file] : {std::pair("MJCOURSE_STORE_CERTIFICATE", &server.certificate),
                                    std::pair("MJCOURSE_STORE_KEY", &server.key),
@@ -38,15 +41,16 @@ std::string read_files(Server& server) {
     if (!read) return read.error();
     *file = *std::move(read);
   }
+  // As for curl; it is other programs' too, so what is wrong with it is theirs to say.
+  if (server.authorities.empty()) server.authorities = file_in("SSL_CERT_FILE").value_or("");
   return "";
 }
 
 std::string read_signing_key(Server& server) {
   constexpr const char* name = "MJCOURSE_STORE_SIGNING_KEY";
-  const auto file = file_in(name);
-  if (!file) return file.error();
-  if (file->empty()) return "";
-  auto key = SigningKey::read(*file);
+  if (variable(name).empty()) return "";
+  if (const auto text = file_in(name); !text) return text.error();
+  auto key = SigningKey::read(variable(name));
   if (!key) return std::string(name) + ": " + key.error();
   server.signing_key = *std::move(key);
   return "";
@@ -78,6 +82,19 @@ std::string read_secrets(Server& server) {
   return "";
 }
 
+// As libcurl does: a name in the address chooses among those of a host, and a password stays.
+void read_netrc(Server& server) {
+  StoreAddress& address = server.address;
+  const std::string home = variable("HOME");
+  const bool is_known = !server.token.empty() || !address.password.empty();
+  if (is_known || home.empty() || !address.socket.empty()) return;
+  const auto text = read_file(home + "/.netrc");
+  const auto login = text ? login_in(*text, address.host(), address.user) : std::nullopt;
+  if (!login) return;
+  address.user = percent_encoded(login->user, is_unreserved);
+  address.password = percent_encoded(login->password, is_unreserved);
+}
+
 }  // namespace
 
 tl::expected<Server, std::string> server_at(const std::string& address) {
@@ -87,6 +104,7 @@ tl::expected<Server, std::string> server_at(const std::string& address) {
   server.address = *std::move(read);
   std::string fault = read_secrets(server);
   if (!fault.empty()) return tl::unexpected(std::move(fault));
+  read_netrc(server);
   return server;
 }
 

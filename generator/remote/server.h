@@ -1,8 +1,8 @@
 // Where a shared store is, and as whom it is asked.
 //
-// What proves who asks is a secret: it stands in the environment or in ~/.netrc, and reaches no
-// command line, message, report or key.
-// Tested by tests/generator/remote/server_test.cpp.
+// What proves who asks is a secret: it stands in the environment, in ~/.netrc or in the address,
+// and reaches no command line, message, report or key. Tested by
+// tests/generator/remote/server_test.cpp.
 #pragma once
 
 #include <optional>
@@ -16,9 +16,10 @@
 namespace mjcourse {
 
 struct Server {
-  StoreAddress address;
-  // From MJCOURSE_STORE_TOKEN, MJCOURSE_STORE_CERTIFICATE and _KEY (files), and _AUTHORITIES, a
-  // file of certificates to be trusted instead of the system's. Empty where they are not set.
+  StoreAddress address;  // with the name and password of ~/.netrc, where it has none
+  // From MJCOURSE_STORE_TOKEN; and what is in the files that MJCOURSE_STORE_CERTIFICATE, _KEY and
+  // _AUTHORITIES name, the last for certificates to be trusted instead of the system's. Without it,
+  // SSL_CERT_FILE names them. Empty where they are not set.
   std::string token, certificate, key, authorities;
   // From MJCOURSE_STORE_SIGNING_KEY, a file: signs what is put. From MJCOURSE_STORE_TRUSTED_KEYS,
   // public keys: where there are any, nothing is taken but what one of them has signed.

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::string_view kUnix = "unix:";
 constexpr int kLastPort = 65535;
+constexpr std::uint16_t kHttpPort = 80, kHttpsPort = 443;
 
 // What ends a name or a password for one reader, and not for another.
 constexpr const char* kOtherAt =
@@ -61,6 +62,12 @@ bool is_port(std::string_view digits) {
 std::size_t end_of_host(std::string_view place) {
   const std::size_t begin = place.starts_with('[') ? std::min(place.find(']'), place.size()) : 0;
   return std::min(place.find(':', begin), place.size());
+}
+
+// "host:80" in "https://host:80/x".
+std::string_view place_in(std::string_view url) {
+  const std::string_view rest = url.substr(url.find("//") + 2);
+  return rest.substr(0, rest.find('/'));
 }
 
 // What is wrong with "host:80"; empty where nothing is.
@@ -127,6 +134,22 @@ tl::expected<StoreAddress, std::string> read_store_address(std::string_view text
 
 std::string StoreAddress::shown() const {
   return socket.empty() ? url : "unix:" + socket;
+}
+
+std::string StoreAddress::host() const {
+  std::string_view host = place_in(url);
+  host = host.substr(0, end_of_host(host));
+  if (host.starts_with('[')) host = host.substr(1, host.size() - 2);
+  return std::string(host);
+}
+
+std::uint16_t StoreAddress::port() const {
+  const std::string_view place = place_in(url);
+  const std::size_t end = end_of_host(place);
+  if (end == place.size()) return url.starts_with("https:") ? kHttpsPort : kHttpPort;
+  std::uint16_t port = 0;
+  std::from_chars(place.data() + end + 1, place.data() + place.size(), port);
+  return port;
 }
 
 std::string without_userinfo(std::string text) {

@@ -6,6 +6,7 @@
 // Tested by tests/generator/remote/store_address_test.cpp.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -20,6 +21,9 @@ struct StoreAddress {
 
   // For people.
   std::string shown() const;
+  // Of http and https: a name, or a number without brackets; and where TCP goes to.
+  std::string host() const;
+  std::uint16_t port() const;
 };
 
 // Of http://…, https://… and unix:/path. What is wrong with it never has a part of it, which may be

@@ -4,7 +4,7 @@
 //   node tests/store/remote.mjs MJCOURSE [CASE]
 
 import { spawn } from "node:child_process";
-import { cpSync, readFileSync } from "node:fs";
+import { cpSync, readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 
 import {
@@ -71,6 +71,40 @@ for (const start of [nginx, nginxWithToken, lighttpd]) {
     await server.stop();
   });
 }
+
+// The program that talks to the server, while that keeps it waiting: what the kernel says of it.
+await test("confined", async () => {
+  let seen;
+  const mark = `no_proxy=${process.pid}.example`; // others' programs of that name may run
+  const secret = { MJCOURSE_STORE_TOKEN: "a-token", MJCOURSE_TEST_SECRET: "x" };
+  const read = (id, file) => readFileSync(`/proc/${id}/${file}`, "utf8");
+  const server = await strange(({ usual }) => {
+    const id = readdirSync("/proc").find((name) => {
+      try {
+        return read(name, "comm") === "mjcourse-net\n" && read(name, "environ").includes(mark);
+      } catch {
+        return false; // it is no process, or has ended
+      }
+    });
+    const variables = read(id, "environ").split("\0").filter(Boolean);
+    seen ??= {
+      status: read(id, "status"),
+      variables: variables.map((one) => one.split("=")[0]).sort(),
+    };
+    return usual;
+  });
+  const [name, place] = mark.split("=");
+  const environment = { ...secret, [name]: place };
+  await expectRight("confined", machine(), { ...server, environment });
+  const value = (name) => new RegExp(`^${name}:\\s+(\\S+)`, "m").exec(seen.status)[1];
+  expect(value("NoNewPrivs") === "1" && value("Seccomp") === "2", seen.status);
+  expect(value("Seccomp_filters") === "2", `it gave up nothing itself: ${seen.status}`);
+  expect(/^0+$/.test(value("CapEff")), `it has capabilities: ${seen.status}`);
+  expect(value("Uid") !== "0", `it is root: ${seen.status}`);
+  const variables = "GLIBC_TUNABLES HOME LC_ALL PATH TMPDIR no_proxy";
+  expect(seen.variables.join(" ") === variables, `it knows ${seen.variables}`);
+  await server.stop();
+});
 
 await test("doctor, faults", async () => {
   const faults = {

@@ -1,16 +1,17 @@
 // mjcourse-net: sends requests to one server, many at once, and gives their answers.
 //
-// The generator starts it (remote/http_client.h), asks by messages on its standard input, and reads
-// answers from its standard output (remote/frames.h). It ends with its input.
+// The generator starts it, confined (remote/net_command.h), asks by messages on its standard input,
+// and reads answers from its standard output (remote/frames.h). It ends with its input.
 // Tested by tests/store/remote.mjs.
 #include <curl/curl.h>
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <exception>
 #include <iostream>
 
+#include "remote/client/input.h"
+#include "remote/client/settled_calls.h"
 #include "remote/client/transfers.h"
 #include "remote/frames.h"
 
@@ -26,28 +27,22 @@ bool write_all(std::string_view bytes) {
   return true;
 }
 
-// What can be read now; false at the end.
-bool read_into(FrameReader& frames) {
-  std::array<char, 1 << 16> buffer;
-  const ssize_t count = read(STDIN_FILENO, buffer.data(), buffer.size());
-  if (count > 0) frames.add({buffer.data(), static_cast<std::size_t>(count)});
-  return count > 0 || (count < 0 && errno == EINTR);
-}
-
 void serve() {
-  FrameReader frames;
+  Input input(STDIN_FILENO);
   std::optional<Message> settings;
-  while (!(settings = frames.next())) {
-    if (!read_into(frames)) return;
+  while (!(settings = input.next())) {
+    if (!input.read()) return;
   }
-  Transfers transfers(*settings);
+  Transfers transfers(settings->body, [&input] {
+    return write_all(frame_of(kConnectHead, "")) ? input.connection() : Descriptor();
+  });
   for (;;) {
-    while (auto question = frames.next()) transfers.begin(*std::move(question));
+    while (auto question = input.next()) transfers.begin(*std::move(question));
     const bool is_asked = transfers.wait(STDIN_FILENO);
     for (const std::string& answer : transfers.finished()) {
       if (!write_all(answer)) return;
     }
-    if (is_asked && !read_into(frames)) return;
+    if (is_asked && !input.read()) return;
   }
 }
 
@@ -56,6 +51,7 @@ void serve() {
 
 int main() {
   try {
+    mjcourse::settle_calls(mjcourse::kNoPrograms);
     curl_global_init(CURL_GLOBAL_ALL);
     mjcourse::serve();
   } catch (const std::exception& error) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "remote/client/proxies.h"
+#include "remote/client/settled_calls.h"
 
 namespace mjcourse {
 namespace {
@@ -40,6 +41,10 @@ int begin_again(void* from, curl_off_t offset, int origin) {
   }
   upload.rest = upload.all.substr(static_cast<std::size_t>(offset));
   return CURL_SEEKFUNC_OK;
+}
+
+int is_connected(void*, curl_socket_t, curlsocktype) {
+  return CURL_SOCKOPT_ALREADY_CONNECTED;
 }
 
 }  // namespace
@@ -79,13 +84,14 @@ struct Transfers::Transfer {
   char error[CURL_ERROR_SIZE] = {};
 };
 
-Transfers::Transfers(const Message& settings) : multi_(curl_multi_init()) {
+Transfers::Transfers(std::string_view settings, std::function<Descriptor()> connect)
+    : connect_(std::move(connect)), multi_(curl_multi_init()) {
   if (multi_ == nullptr) throw std::bad_alloc();
-  std::istringstream lines(settings.head + "\n" + settings.body);
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t space = std::min(line.find(' '), line.size() - 1);
-    settings_[line.substr(0, space)] = line.substr(space + 1);
-  }
+  FrameReader each;
+  each.add(settings);
+  while (auto setting = each.next()) settings_[setting->head] = std::move(setting->body);
+  // What is connected already, some versions of libcurl connect all the same.
+  if (!settings_.at("socket").empty()) settle_calls({{SYS_connect, 0}});
   // A server that waits for our content need not say so first.
   headers_ = curl_slist_append(headers_, "Expect:");
   headers_ = curl_slist_append(headers_, "Content-Type: application/octet-stream");
@@ -98,7 +104,13 @@ Transfers::~Transfers() {
   curl_multi_cleanup(multi_);
 }
 
-void Transfers::prepare(Transfer& transfer) const {
+// Instead of libcurl, which gets one that is connected.
+curl_socket_t Transfers::open_socket(void* transfers, curlsocktype, curl_sockaddr*) {
+  Descriptor socket = static_cast<Transfers*>(transfers)->connect_();
+  return socket.is_open() ? socket.release() : CURL_SOCKET_BAD;
+}
+
+void Transfers::prepare(Transfer& transfer) {
   CURL* const easy = transfer.easy;
   if (easy == nullptr || transfer.url == nullptr) throw std::bad_alloc();
   const auto set_part = [&](CURLUPart part, const std::string& value) {
@@ -122,16 +134,25 @@ void Transfers::prepare(Transfer& transfer) const {
   curl_easy_setopt(easy, CURLOPT_WRITEFUNCTION, Transfer::take);
   curl_easy_setopt(easy, CURLOPT_WRITEDATA, &transfer);
   curl_easy_setopt(easy, CURLOPT_MAXFILESIZE_LARGE, static_cast<curl_off_t>(transfer.most));
-  curl_easy_setopt(easy, CURLOPT_NETRC, static_cast<long>(CURL_NETRC_OPTIONAL));
   const auto set = [&](const char* name, CURLoption option) {
     const std::string& value = settings_.at(name);
     if (!value.empty()) curl_easy_setopt(easy, option, value.c_str());
   };
-  set("socket", CURLOPT_UNIX_SOCKET_PATH);
-  set("certificate", CURLOPT_SSLCERT);
-  set("key", CURLOPT_SSLKEY);
-  set("authorities", CURLOPT_CAINFO);
+  const auto set_file = [&](const char* name, CURLoption option) {
+    std::string& value = settings_.at(name);
+    curl_blob file{value.data(), value.size(), CURL_BLOB_NOCOPY};
+    if (!value.empty()) curl_easy_setopt(easy, option, &file);
+  };
+  set_file("certificate", CURLOPT_SSLCERT_BLOB);
+  set_file("key", CURLOPT_SSLKEY_BLOB);
+  set_file("authorities", CURLOPT_CAINFO_BLOB);
   set("token", CURLOPT_XOAUTH2_BEARER);
+  if (!settings_.at("socket").empty()) {
+    set("socket", CURLOPT_UNIX_SOCKET_PATH);
+    curl_easy_setopt(easy, CURLOPT_OPENSOCKETFUNCTION, open_socket);
+    curl_easy_setopt(easy, CURLOPT_OPENSOCKETDATA, this);
+    curl_easy_setopt(easy, CURLOPT_SOCKOPTFUNCTION, is_connected);
+  }
   if (!settings_.at("token").empty()) {
     curl_easy_setopt(easy, CURLOPT_HTTPAUTH, static_cast<long>(CURLAUTH_BEARER));
   }

@@ -5,20 +5,24 @@
 #include <curl/curl.h>
 
 #include <cstddef>
+#include <functional>
 #include <list>
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "base/descriptor.h"
 #include "remote/frames.h"
 
 namespace mjcourse {
 
 class Transfers {
  public:
-  // `settings` are those of the first message.
-  explicit Transfers(const Message& settings);
+  // `settings` are what the first message has. `connect` gives a connection to a server that is a
+  // socket of this machine.
+  Transfers(std::string_view settings, std::function<Descriptor()> connect);
   ~Transfers();
   Transfers(const Transfers&) = delete;
   Transfers& operator=(const Transfers&) = delete;
@@ -31,10 +35,12 @@ class Transfers {
 
  private:
   struct Transfer;
-  void prepare(Transfer& transfer) const;
+  static curl_socket_t open_socket(void* transfers, curlsocktype purpose, curl_sockaddr* address);
+  void prepare(Transfer& transfer);
   std::string answer_of(const Transfer& transfer, CURLcode result) const;
 
   std::map<std::string, std::string> settings_;
+  std::function<Descriptor()> connect_;
   CURLM* multi_;
   curl_slist* headers_ = nullptr;
   std::size_t taken_at_once_ = 0;  // bytes of answers that are not whole yet

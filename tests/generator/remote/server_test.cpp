@@ -4,6 +4,9 @@
 
 #include <cstdlib>
 
+#include "base/files.h"
+#include "base/temporary_folder.h"
+
 namespace mjcourse {
 namespace {
 
@@ -28,10 +31,50 @@ TEST(Server, RepeatsNothingOfItsVariables) {
       setenv(name.c_str(), value, 1);
       EXPECT_EQ(fault_of("http://store.example"), name + " does not name a file that can be read");
     }
+    // Nothing in it would stand for: not set.
+    setenv(name.c_str(), "/dev/null", 1);
+    EXPECT_EQ(fault_of("http://store.example"), name + " does not name a file that can be read");
     setenv(name.c_str(), "", 1);
     EXPECT_EQ(fault_of("http://store.example"), "");
     unsetenv(name.c_str());
   }
+}
+
+TEST(Server, HasThePasswordOfNetrc) {
+  const TemporaryFolder home;
+  write_file(home.path() / ".netrc",
+             "machine store.example login ann password a@1\n"
+             "machine store.example login bob password b2\n");
+  const char* const before = getenv("HOME");
+  const std::string kept = before == nullptr ? "" : before;
+  setenv("HOME", home.path().c_str(), 1);
+  const auto login = [](const std::string& address) {
+    const StoreAddress read = server_at(address)->address;
+    return read.user + ":" + read.password;
+  };
+  EXPECT_EQ(login("https://store.example:80/x"), "ann:a%401");
+  EXPECT_EQ(login("https://bob@store.example"), "bob:b2");
+  EXPECT_EQ(login("https://cid@store.example"), "cid:");
+  EXPECT_EQ(login("https://bob:own@store.example"), "bob:own");
+  EXPECT_EQ(login("https://other.example"), ":");
+  setenv("MJCOURSE_STORE_TOKEN", "token", 1);
+  EXPECT_EQ(login("https://store.example"), ":");
+  unsetenv("MJCOURSE_STORE_TOKEN");
+  setenv("HOME", kept.c_str(), 1);
+}
+
+// As for curl. A file of our own variable comes first.
+TEST(Server, TrustsWhomAFileSays) {
+  const TemporaryFolder folder;
+  write_file(folder.path() / "all", "all");
+  write_file(folder.path() / "ours", "ours");
+  setenv("SSL_CERT_FILE", (folder.path() / "all").c_str(), 1);
+  EXPECT_EQ(server_at("https://store.example")->authorities, "all");
+  setenv("MJCOURSE_STORE_AUTHORITIES", (folder.path() / "ours").c_str(), 1);
+  EXPECT_EQ(server_at("https://store.example")->authorities, "ours");
+  unsetenv("MJCOURSE_STORE_AUTHORITIES");
+  unsetenv("SSL_CERT_FILE");
+  EXPECT_EQ(server_at("https://store.example")->authorities, "");
 }
 
 TEST(Server, TrustsNobodyByAnEmptyList) {

@@ -31,6 +31,17 @@ TEST(StoreAddress, HasParts) {
   EXPECT_EQ(read_store_address("unix:/run/store.sock")->socket, "/run/store.sock");
 }
 
+TEST(StoreAddress, HasAHostAndAPort) {
+  const auto place = [](const std::string& address) {
+    const StoreAddress read = read_store_address(address).value();
+    return read.host() + " " + std::to_string(read.port());
+  };
+  EXPECT_EQ(place("http://ann:b@store.example/x:1"), "store.example 80");
+  EXPECT_EQ(place("https://store.example"), "store.example 443");
+  EXPECT_EQ(place("https://[::1]"), "::1 443");
+  EXPECT_EQ(place("http://[::1]:8080/x"), "::1 8080");
+}
+
 TEST(StoreAddress, IsShownWithoutItsPassword) {
   const auto shown = [](const std::string& address) {
     return read_store_address(address)->shown();
@@ -113,7 +124,7 @@ std::string libcurl_part(const std::string& address, CURLUPart part) {
 TEST(StoreAddress, IsReadByLibcurlAlike) {
   const std::vector<std::string> pieces{"",  "a",   ":8", ":",     "@", "/",  "?",
                                         "#", "%41", "%",  "[::1]", ".", "..", "&"};
-  constexpr std::size_t length = 5;
+  constexpr std::size_t length = 4;
   std::size_t accepted = 0, all = 1;
   for (std::size_t i = 0; i < length; ++i) all *= pieces.size();
   for (std::size_t number = 0; number < all; ++number) {
@@ -131,7 +142,7 @@ TEST(StoreAddress, IsReadByLibcurlAlike) {
     const std::string host = libcurl_part(read->url, CURLUPART_HOST);
     EXPECT_EQ(host + (port.empty() ? "" : ":" + port), place) << text;
   }
-  EXPECT_GT(accepted, 1000u);
+  EXPECT_GT(accepted, 500u);
 }
 
 TEST(StoreAddress, IsLeftOutOfWhatIsRepeated) {
