@@ -48,7 +48,7 @@ std::optional<std::string> ActionStore::find(const Dependencies& recipe, Trace& 
   auto bytes = found ? without_hash(found->bytes) : std::nullopt;
   if (!bytes) return std::nullopt;
   Trace own(root_);
-  own.found(found->traced);
+  own.found(found->traced, found->origin);
   trace.add(own);
   const std::lock_guard lock(mutex_);
   known_.insert_or_assign(hash, Known{*bytes, std::move(own), found->traced});
@@ -62,7 +62,7 @@ void ActionStore::keep(const Dependencies& recipe, const Trace& trace,
     auto kept = results_->keep(recipe, trace, begin, with_hash(known.bytes));
     if (!kept) return;  // the files that it read have changed since
     known.trace = Trace(root_);
-    known.trace.found(kept->traced);
+    known.trace.found(kept->traced, trace.origin());
     known.traced = std::move(kept->traced);
   }
   const std::lock_guard lock(mutex_);

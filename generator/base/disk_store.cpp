@@ -67,7 +67,8 @@ int open_lock(const fs::path& folder) {
 
 }  // namespace
 
-DiskStore::DiskStore(fs::path folder) : folder_(std::move(folder)) {
+DiskStore::DiskStore(fs::path folder, Trust trust)
+    : folder_(std::move(folder)), trust_(std::move(trust)) {
   try {
     prepare();
   } catch (const std::system_error& error) {
@@ -109,31 +110,41 @@ fs::path DiskStore::path_of(const std::string& name) const {
   return folder_ / kind / name.substr(hash, 2) / name.substr(hash + 2);
 }
 
-std::optional<std::string> DiskStore::get(const std::string& name) {
+std::optional<Stored> DiskStore::find(const std::string& name) {
   if (!is_store_name(name)) return std::nullopt;
   const fs::path path = path_of(name);
   if (fs::is_symlink(path.parent_path())) return std::nullopt;
   struct stat status {};
   std::optional<std::string> bytes = read_entry(path, status);
-  if (!bytes || is_of_another_version(*bytes)) return std::nullopt;
-  std::optional<std::string> content = unsealed(name, *std::move(bytes));
-  if (content) {
-    mark_used(path, status);
-  } else {
+  if (!bytes || is_stored_by_another_version(*bytes)) return std::nullopt;
+  std::optional<Stored> stored = unsealed_stored(name, *std::move(bytes));
+  if (!stored) {
     note("the store's entry " + name + " was damaged; it is made again");
     std::error_code ignored;
     fs::remove_all(path, ignored);
+  } else if (!trust_.believes(stored->origin)) {
+    note_doubt(name);
+    return std::nullopt;
+  } else {
+    mark_used(path, status);
   }
-  return content;
+  return stored;
 }
 
-bool DiskStore::put(const std::string& name, std::string_view bytes) {
+void DiskStore::note_doubt(const std::string& name) {
+  if (doubted_.exchange(true)) return;
+  note("the store has results, such as " + name +
+       ", that came from elsewhere, or of which an earlier version does not say whence, and that "
+       "no key has signed that is trusted; they are made again");
+}
+
+bool DiskStore::keep(const std::string& name, std::string_view bytes, const Origin& origin) {
   if (!writable_ || !is_store_name(name)) return false;
   const fs::path path = path_of(name);
   const bool blob = name.starts_with("cas/");
-  if (blob && get(name)) return true;
+  if (blob && find(name)) return true;
   try {
-    write(path, sealed(name, bytes));
+    write(path, blob ? std::string(bytes) : sealed(name, Stored{std::string(bytes), origin}));
   } catch (const std::system_error& error) {
     if (writable_.exchange(false)) {
       note("results are not kept from here on: " + std::string(error.what()));

@@ -1,10 +1,10 @@
 // DiskStore: a Store in a folder, shared by all runs of a user.
 //
 //     cas/77/b0c4…  the bytes
-//     ac/3f/2a91…   sealed bytes (store_entry.h), of all other kinds of names
-//     tmp/XXXXXX    what is being written, and what a killed process left of that
-//     prepared/…    folders of what programs share (cache/prepared_folders.h)
-//     lock          held shared by each run, and alone by the one that prunes
+//     ac/3f/2a91…   sealed bytes (store_entry.h), of all other kinds of names, and where they are
+//     from tmp/XXXXXX    what is being written, and what a killed process left of that prepared/…
+//     folders of what programs share (cache/prepared_folders.h) lock          held shared by each
+//     run, and alone by the one that prunes
 //
 // An entry is written aside, synced and renamed, so it is there as a whole or not at all; and it is
 // verified whenever it is read, since disks and people damage files too. A damaged entry is removed
@@ -24,18 +24,19 @@ namespace mjcourse {
 class DiskStore : public Store {
  public:
   // Makes the folder; where it is there and cannot be written, it is read alone. Throws
-  // std::system_error where it cannot be used at all.
-  explicit DiskStore(std::filesystem::path folder);
+  // std::system_error where it cannot be used at all. What `trust` does not believe is a miss.
+  explicit DiskStore(std::filesystem::path folder, Trust trust = {});
   DiskStore(const DiskStore&) = delete;
   DiskStore& operator=(const DiskStore&) = delete;
 
-  std::optional<std::string> get(const std::string& name) override;
+  std::optional<Stored> find(const std::string& name) override;
   // After the first entry that cannot be written (a full disk), no more are tried.
-  bool put(const std::string& name, std::string_view bytes) override;
+  bool keep(const std::string& name, std::string_view bytes, const Origin& origin) override;
 
   const std::filesystem::path& folder() const { return folder_; }
   bool can_be_written() const { return writable_; }
-  // What the user should know, each a sentence: a damaged entry, a full disk.
+  // What the user should know, each a sentence: a damaged entry, a full disk, one that nobody who
+  // is trusted has signed.
   std::vector<std::string> notes() const;
 
  private:
@@ -43,8 +44,11 @@ class DiskStore : public Store {
   void prepare();
   void write(const std::filesystem::path& path, std::string_view bytes) const;
   void note(std::string text);
+  void note_doubt(const std::string& name);
 
   std::filesystem::path folder_;
+  Trust trust_;
+  std::atomic<bool> doubted_ = false;  // and said so
   Descriptor lock_;
   std::atomic<bool> writable_ = true;
   mutable std::mutex mutex_;  // of the notes

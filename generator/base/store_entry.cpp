@@ -8,12 +8,18 @@
 namespace mjcourse {
 namespace {
 
-constexpr std::string_view kAnyMark = "mjcourse-store ", kMark = "mjcourse-store 2 ";
+constexpr std::string_view kAnyMark = "mjcourse-store ", kMark = "mjcourse-store 2 ",
+                           kStoredMark = "mjcourse-store 3 ";
 constexpr std::array<std::string_view, 4> kKinds{"ac/", "cas/", "list/", "here/"};
 constexpr std::size_t kDigits = 64;
 
 std::string hash_of_entry(const std::string& name, std::string_view bytes) {
   return Sha256().add(name).add(bytes).hex();
+}
+
+std::string hash_of_stored(const std::string& name, std::string_view origin,
+                           std::string_view bytes) {
+  return Sha256().add(name).add(origin).add(bytes).hex();
 }
 
 bool has_own_hash(const std::string& name) {
@@ -52,8 +58,39 @@ std::optional<std::string> unsealed(const std::string& name, std::string entry) 
   return entry;
 }
 
+std::string sealed(const std::string& name, const Stored& stored) {
+  if (has_own_hash(name)) return stored.bytes;
+  const std::string origin = stored.origin.text();
+  return std::string(kStoredMark) + hash_of_stored(name, origin, stored.bytes) + " " + origin +
+         "\n" + stored.bytes;
+}
+
+std::optional<Stored> unsealed_stored(const std::string& name, std::string entry) {
+  if (!entry.starts_with(kStoredMark)) {
+    auto bytes = unsealed(name, std::move(entry));
+    if (!bytes) return std::nullopt;
+    const bool is_ours = has_own_hash(name) || name.starts_with("here/");
+    return Stored{*std::move(bytes), is_ours ? Origin() : Origin::unsigned_one()};
+  }
+  const std::string_view all = entry;
+  const std::size_t hash = kStoredMark.size(), word = hash + kDigits + 1;
+  const std::size_t end = all.find('\n');
+  if (end == all.npos || end < word || all[word - 1] != ' ') return std::nullopt;
+  const std::string_view text = all.substr(word, end - word);
+  const auto origin = Origin::read(text);
+  if (!origin || hash_of_stored(name, text, all.substr(end + 1)) != all.substr(hash, kDigits)) {
+    return std::nullopt;
+  }
+  entry.erase(0, end + 1);
+  return Stored{std::move(entry), *origin};
+}
+
 bool is_of_another_version(std::string_view entry) {
   return entry.starts_with(kAnyMark) && !entry.starts_with(kMark);
+}
+
+bool is_stored_by_another_version(std::string_view entry) {
+  return is_of_another_version(entry) && !entry.starts_with(kStoredMark);
 }
 
 }  // namespace mjcourse

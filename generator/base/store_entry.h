@@ -8,6 +8,8 @@
 #include <string>
 #include <string_view>
 
+#include "base/store.h"
+
 namespace mjcourse {
 
 // The largest that a store has.
@@ -21,7 +23,13 @@ std::string sealed(const std::string& name, std::string_view bytes);
 // The bytes in the `entry` of that name; nothing where it is damaged, or another one's.
 std::optional<std::string> unsealed(const std::string& name, std::string entry);
 
+// On a disk, the first line says also where the bytes are from.
+std::string sealed(const std::string& name, const Stored& stored);
+// Of an entry that does not say so, nobody knows; what never leaves a machine was made here.
+std::optional<Stored> unsealed_stored(const std::string& name, std::string entry);
+
 // Written by another version of the generator, it is as good as none.
 bool is_of_another_version(std::string_view entry);
+bool is_stored_by_another_version(std::string_view entry);  // of one on a disk
 
 }  // namespace mjcourse

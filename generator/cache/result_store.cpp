@@ -37,9 +37,10 @@ std::string name_of_result(const Dependencies& recipe, const Dependencies& trace
   return "ac/" + hash_of_all("result", recipe, traced);
 }
 
-std::vector<std::vector<std::string>> lists_in(const std::optional<std::string>& entry) {
+std::vector<std::vector<std::string>> lists_in(const std::optional<Stored>& entry) {
   using Lists = std::vector<std::vector<std::string>>;
-  auto lists = stored_json<Lists>(entry).value_or(Lists{});
+  if (!entry) return {};
+  auto lists = stored_json<Lists>(std::string_view(entry->bytes)).value_or(Lists{});
   lists.resize(std::min(lists.size(), kMostLists));  // a shared store may say more
   return lists;
 }
@@ -76,20 +77,21 @@ std::optional<ResultStore::Found> ResultStore::find_with(const Dependencies& rec
                                                          const Names& names) {
   Dependencies traced = known(names);
   std::string name = name_of_result(recipe, traced);
-  std::optional<std::string> entry = store_.get(name);
+  std::optional<Stored> entry = store_.find(name);
   const std::string question = text_of(recipe, traced) + "\n";
-  if (!entry || !entry->starts_with(question)) return std::nullopt;  // no answer to this one
-  entry->erase(0, question.size());
-  return Found{std::move(name), *std::move(entry), std::move(traced)};
+  if (!entry || !entry->bytes.starts_with(question)) return std::nullopt;  // no answer to this one
+  entry->bytes.erase(0, question.size());
+  return Found{std::move(name), std::move(entry->bytes), std::move(traced),
+               std::move(entry->origin)};
 }
 
 std::optional<ResultStore::Found> ResultStore::find(const Dependencies& recipe) {
   const std::string lists = name_of_lists(recipe);
-  const std::vector<Names> own = lists_in(store_.get(lists));
+  const std::vector<Names> own = lists_in(store_.find(lists));
   for (const Names& names : own) {
     if (auto found = find_with(recipe, names)) return found;
   }
-  for (const Names& names : lists_in(store_.get_of_others(lists))) {
+  for (const Names& names : lists_in(store_.find_of_others(lists))) {
     if (std::ranges::find(own, names) != own.end()) continue;
     if (auto found = find_with(recipe, names)) return found;
   }
@@ -129,7 +131,7 @@ std::optional<ResultStore::Kept> ResultStore::keep(const Dependencies& recipe, c
   }
   Kept kept{name_of_result(recipe, traced), traced};
   const std::string entry = text_of(recipe, traced) + "\n" + std::string(bytes);
-  if (!store_.put(kept.name, entry)) return kept;
+  if (!store_.keep(kept.name, entry, trace.origin())) return kept;
   add_list(name_of_lists(recipe), std::move(names));
   return kept;
 }
@@ -137,13 +139,15 @@ std::optional<ResultStore::Kept> ResultStore::keep(const Dependencies& recipe, c
 // Those of others who were as quick stay there.
 void ResultStore::add_list(const std::string& name, Names newest) {
   std::vector<Names> lists{std::move(newest)};
-  for (const auto& entry : {store_.get(name), store_.get_of_others(name)}) {
+  Origin origin;
+  for (const auto& entry : {store_.find(name), store_.find_of_others(name)}) {
+    if (entry) origin.add(entry->origin);
     for (Names& names : lists_in(entry)) {
       if (std::ranges::find(lists, names) == lists.end()) lists.push_back(std::move(names));
     }
   }
   lists.resize(std::min(lists.size(), kMostLists));
-  store_.put(name, json(lists).dump());
+  store_.keep(name, json(lists).dump(), origin);
 }
 
 void ResultStore::put_list(const Dependencies& recipe, const Dependencies& traced) {

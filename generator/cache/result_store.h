@@ -31,6 +31,7 @@ class ResultStore {
     std::string name;  // of the result
     std::string bytes;
     Dependencies traced;  // beside the recipe
+    Origin origin;
   };
   struct Kept {
     std::string name;
@@ -41,7 +42,8 @@ class ResultStore {
   std::optional<Found> find(const Dependencies& recipe);
 
   // `bytes` came of `recipe`, by work that began at `begin` and looked at what is in `trace`. Gives
-  // nothing, and nothing is kept, where it cannot be said what it depends on beside the recipe.
+  // nothing, and nothing is kept, where it cannot be said what it depends on beside the recipe. It
+  // is from where all is that was found in place of work.
   std::optional<Kept> keep(const Dependencies& recipe, const Trace& trace,
                            std::chrono::system_clock::time_point begin, std::string_view bytes);
 

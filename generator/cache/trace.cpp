@@ -13,6 +13,7 @@ void Trace::clear() {
   sets_.clear();
   headers_.clear();
   found_.clear();
+  origin_ = {};
   complete_ = true;
 }
 
@@ -49,10 +50,12 @@ void Trace::add(const Trace& other) {
     headers_[folder].insert(headers.begin(), headers.end());
   }
   found_.insert(found_.end(), other.found_.begin(), other.found_.end());
+  origin_.add(other.origin_);
   complete_ = complete_ && other.complete_;
 }
 
-void Trace::found(const Dependencies& traced) {
+void Trace::found(const Dependencies& traced, const Origin& origin) {
+  origin_.add(origin);
   for (const auto& [name, value] : traced) {
     found_.push_back({name, value});
     if (!DependencySets::is_name(name)) names_.insert(name);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "base/origin.h"
 #include "cache/dependency.h"
 
 namespace mjcourse {
@@ -39,8 +40,8 @@ class Trace {
   // What somebody else has looked at for the same piece of work, as its trace names it.
   void add(const std::set<std::string>& names) { names_.insert(names.begin(), names.end()); }
   void add(const Trace& other);
-  // What a result depends on that was found in place of work.
-  void found(const Dependencies& traced);
+  // What a result depends on that was found in place of work, and where that one is from.
+  void found(const Dependencies& traced, const Origin& origin);
   // Something that cannot be named: the result must not be used again.
   void unknown() { complete_ = false; }
 
@@ -53,6 +54,8 @@ class Trace {
   const Headers& headers() const { return headers_; }
   // What was found, by the names of dependencies: what was behind them then.
   const Dependencies& found() const { return found_; }
+  // Of all of it together.
+  const Origin& origin() const { return origin_; }
 
  private:
   std::filesystem::path root_;
@@ -60,6 +63,7 @@ class Trace {
   std::set<std::vector<std::string>> sets_;
   Headers headers_;
   Dependencies found_;
+  Origin origin_;
   bool complete_ = true;
 };
 

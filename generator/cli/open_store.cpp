@@ -44,6 +44,19 @@ const UserSettings& settings_told_once() {
   return settings;
 }
 
+// Whom to believe of what the disk has: as the server's, where there is one, and else what the
+// environment and the settings say of keys; where that is wrong, nobody.
+Trust trust_with(const tl::expected<std::optional<Server>, std::string>& server) {
+  if (server && *server) return (*server)->trust();
+  auto keys = no_server();
+  if (!keys) {
+    if (server) std::cerr << "note: no result from elsewhere is used: " << keys.error() << '\n';
+    return {.everybody = false};
+  }
+  std::ranges::copy(settings_told_once().trusted_keys, std::back_inserter(keys->trusted_keys));
+  return keys->trust();
+}
+
 }  // namespace
 
 fs::path store_folder(const fs::path& named) {
@@ -78,7 +91,7 @@ OpenedStore open_store(const fs::path& folder, SharedPlace place) {
   }
   OpenedStore store;
   try {
-    store = OpenedStore(std::make_unique<DiskStore>(std::move(there)));
+    store = OpenedStore(std::make_unique<DiskStore>(std::move(there), trust_with(server)));
   } catch (const std::system_error& error) {
     std::cerr << no_results << error.what() << '\n';
     return {};

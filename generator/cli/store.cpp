@@ -74,6 +74,7 @@ int transfer(StoreOptions options, bool pushes) {
       *verified.course, evaluation_settings(options, assets, verified.store.get()), pushes);
   verified.store.wait();
   const auto kept = std::ranges::count_if(tasks, &Explanation::kept);
+  const auto foreign = kept - std::ranges::count_if(tasks, &Explanation::made_here);
   if (pushes && kept == 0) {
     return tell(Refusal{kCourseErrors, "the disk has no result of this course",
                         our_command("check") + " works them out"});
@@ -84,7 +85,12 @@ int transfer(StoreOptions options, bool pushes) {
                        : "got " + counted(traffic.found, "entry", "entries") + " (" +
                              size_text(traffic.received) + ") from ")
             << (*server)->address.shown() << "; the disk has " << kept << " of "
-            << counted(tasks.size(), "result") << " of this course\n";
+            << counted(tasks.size(), "result") << " of this course";
+  if (pushes && foreign > 0) {
+    std::cout << "; " << foreign
+              << " came from elsewhere, or an earlier version does not say whence, and are not put";
+  }
+  std::cout << '\n';
   return remote->notes().empty() ? kClean : kCourseErrors;
 }
 

@@ -45,15 +45,21 @@ class Explainer {
       if (!task.prepare(*contexts[thread], record.finding)) return;
       record.recipe = task.recipe(run_context_);
       before_[i] = task_store_.last(task);
-      if (task_store_.find(task, record) && puts_lists) task_store_.put_list(record);
+      const bool is_put = task_store_.find(task, record) && record.origin.is_made_here();
+      if (is_put && puts_lists) task_store_.put_list(record);
     });
   }
 
   Explanation explain(std::size_t index) {
     const Task& task = *tasks_[index];
     const TaskRecord& record = records_[index];
-    Explanation explanation{task.what(),   task.place(),  record.reused,
-                            record.result, record.recipe, std::move(before_[index])};
+    Explanation explanation{task.what(),
+                            task.place(),
+                            record.reused,
+                            record.result,
+                            record.reused && record.origin.is_made_here(),
+                            record.recipe,
+                            std::move(before_[index])};
     Dependencies& now = explanation.now;
     if (record.reused) {
       const Dependencies traced = task_store_.one_by_one(record.traced);

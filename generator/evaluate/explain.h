@@ -17,13 +17,14 @@ struct Explanation {
   std::string what;  // "rehearse the lab …"
   Place place;
   bool kept = false;
-  std::string result;   // where it is kept, its name in the store
+  std::string result;  // where it is kept, its name in the store
+  bool made_here = false;
   Dependencies now;     // all that it depends on, as far as that is known
   Dependencies before;  // when it was last worked out or found here; empty where it never was
 };
 
 // One for each task whose finding can be kept, in the course's order. With `puts_lists`, the way to
-// each kept finding is put into the store anew (task_store.h).
+// each kept finding that was made here is put into the store anew (task_store.h).
 std::vector<Explanation> explain_course(const Course& course, const EvaluationSettings& settings,
                                         bool puts_lists = false);
 

@@ -15,6 +15,7 @@ bool TaskStore::find(const Task& task, TaskRecord& record, bool noted) {
     return false;
   }
   record.traced = std::move(found->traced);
+  record.origin = std::move(found->origin);
   // What was said when the task was prepared, stays said.
   finding->diagnostics = std::move(record.finding.diagnostics);
   record.finding = *std::move(finding);

@@ -18,6 +18,7 @@ struct TaskRecord {
   Dependencies recipe, traced;  // what it depends on; the latter where it was kept, or found
   bool reused = false;          // it was kept before
   std::string result = {};      // its name in the store, where it was found there
+  Origin origin = {};           // of that
   bool open = false;            // nobody worked on it: what is known does not have it
   bool looked = false;          // it was prepared, and looked up
   bool waiting = false;         // its work is to be done

@@ -40,9 +40,12 @@ TaskTimes::TaskTimes(Store* store, const std::string& course)
     : store_(store), name_("list/" + Sha256().add("times").add(course).hex()) {
   if (store_ == nullptr) return;
   // All machines have those of the shared store, and each perhaps others of its own.
-  auto entry = store_->get_of_others(name_);
-  if (!entry) entry = store_->get(name_);
-  if (auto known = stored_json<std::map<std::string, Known>>(entry)) known_ = *std::move(known);
+  auto entry = store_->find_of_others(name_);
+  if (!entry) entry = store_->find(name_);
+  if (!entry) return;
+  origin_ = entry->origin;
+  const std::string_view bytes = entry->bytes;
+  if (auto known = stored_json<std::map<std::string, Known>>(bytes)) known_ = *std::move(known);
 }
 
 TaskTimes::Expected TaskTimes::of(const Task& task, const Dependencies& recipe) const {
@@ -65,7 +68,7 @@ void TaskTimes::note(const Task& task, const Dependencies& recipe, double second
 
 void TaskTimes::write() const {
   if (store_ == nullptr || noted_ == known_) return;
-  store_->put(name_, nlohmann::json(noted_).dump());
+  store_->keep(name_, nlohmann::json(noted_).dump(), origin_);
 }
 
 }  // namespace mjcourse

@@ -39,6 +39,7 @@ class TaskTimes {
 
   Store* store_;
   const std::string name_;
+  Origin origin_;                               // of those that are known
   std::map<std::string, Known> known_, noted_;  // by a hash of the task's name
 };
 

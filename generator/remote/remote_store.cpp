@@ -31,7 +31,7 @@ std::string path_of(const std::string& name) {
 }  // namespace
 
 RemoteStore::RemoteStore(const std::filesystem::path& program, const Server& server, bool read_only)
-    : server_(server), client_(program, server), writes_(!read_only) {}
+    : server_(server), trust_(server.trust()), client_(program, server), writes_(!read_only) {}
 
 void RemoteStore::stop(bool reads, const std::string& why) {
   const bool new_to_us = reads ? reads_ : writes_;
@@ -92,7 +92,7 @@ bool RemoteStore::is_written() const {
   return writes_;
 }
 
-std::optional<std::string> RemoteStore::get(const std::string& name) {
+std::optional<Stored> RemoteStore::find(const std::string& name) {
   {
     const std::lock_guard lock(mutex_);
     if (!reads_ || !is_store_name(name)) return std::nullopt;
@@ -104,14 +104,15 @@ std::optional<std::string> RemoteStore::get(const std::string& name) {
     return std::nullopt;
   }
   const std::size_t size = answer.content.size();
-  const Read read = is_blob(name) ? Read{unsealed(name, std::move(answer.content))}
-                                  : read_entry(name, answer.content);
+  Read read = is_blob(name) ? Read{unsealed(name, std::move(answer.content))}
+                            : read_entry(name, answer.content);
   const std::lock_guard lock(mutex_);
   ++(read.bytes ? traffic_.found : traffic_.missed);
   traffic_.received += size;
   if (!read.bytes && !read.is_former)
     note_once(read.is_signed ? Doubt::damaged : Doubt::unsigned_, path_of(name));
-  return read.bytes;
+  if (!read.bytes) return std::nullopt;
+  return Stored{*std::move(read.bytes), std::move(read.origin)};
 }
 
 // The first line of an entry has the hash of all of it (base/store_entry.h).
@@ -121,16 +122,19 @@ RemoteStore::Read RemoteStore::read_entry(const std::string& name, std::string_v
   const std::string& entry = outputs->output;
   if (is_of_another_version(entry)) return {.is_former = true};
   const std::string seal = entry.substr(0, entry.find('\n'));
-  const std::vector<std::string>& keys = server_.trusted_keys;
-  const bool is_signed = keys.empty() || std::ranges::any_of(keys, [&](const std::string& key) {
-                           return has_signed(key, seal, outputs->error);
-                         });
-  if (!is_signed) return {.is_signed = false};
-  return {unsealed(name, std::move(outputs->output))};
+  Origin origin = Origin::unsigned_one();
+  for (const std::string& key : trust_.keys) {
+    if (!has_signed(key, seal, outputs->error)) continue;
+    origin = Origin::signed_by(key);
+    break;
+  }
+  if (!trust_.believes(origin)) return {.is_signed = false};
+  return {.bytes = unsealed(name, std::move(outputs->output)), .origin = std::move(origin)};
 }
 
-bool RemoteStore::put(const std::string& name, std::string_view bytes) {
+bool RemoteStore::keep(const std::string& name, std::string_view bytes, const Origin& origin) {
   if (!is_written() || !is_store_name(name)) return false;
+  if (server_.signing_key && !trust_.vouches_for(origin)) return false;
   const std::string path = path_of(name);
   if (is_blob(name) && bytes.size() >= kLarge && ask("HEAD", path).status == kOk) return true;
   const std::string entry = is_blob(name) ? "" : entry_of(sealed(name, bytes));

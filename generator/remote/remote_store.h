@@ -24,8 +24,9 @@ class RemoteStore : public Store {
   // `program` is mjcourse-net. Throws std::system_error where it cannot be started.
   RemoteStore(const std::filesystem::path& program, const Server& server, bool read_only);
 
-  std::optional<std::string> get(const std::string& name) override;
-  bool put(const std::string& name, std::string_view bytes) override;
+  std::optional<Stored> find(const std::string& name) override;
+  // Nothing is signed that is from elsewhere and that nobody vouches for.
+  bool keep(const std::string& name, std::string_view bytes, const Origin& origin) override;
 
   bool is_written() const;
 
@@ -43,6 +44,7 @@ class RemoteStore : public Store {
     std::optional<std::string> bytes = {};
     bool is_former = false;  // another version of the generator put it
     bool is_signed = true;   // as it must be
+    Origin origin = {};
   };
   enum class Doubt { damaged, unsigned_ };
 
@@ -54,6 +56,7 @@ class RemoteStore : public Store {
   void stop(bool reads, const std::string& why);
 
   Server server_;
+  Trust trust_;
   HttpClient client_;
   mutable std::mutex mutex_;
   bool reads_ = true, writes_;

@@ -60,9 +60,12 @@ std::string read_signing_key(Server& server) {
 std::string read_secrets(Server& server) {
   server.token = variable("MJCOURSE_STORE_TOKEN");
   if (!is_token(server.token)) return "MJCOURSE_STORE_TOKEN has a character that no token has";
-  for (const auto read : {read_files, read_signing_key}) {
-    if (std::string fault = read(server); !fault.empty()) return fault;
-  }
+  return read_files(server);
+}
+
+// Likewise.
+std::string read_keys(Server& server) {
+  if (std::string fault = read_signing_key(server); !fault.empty()) return fault;
   if (std::getenv("MJCOURSE_STORE_TRUSTED_KEYS") == nullptr) return "";
   const std::string keys = variable("MJCOURSE_STORE_TRUSTED_KEYS");
   constexpr const char* between = ", \t\n";
@@ -102,10 +105,25 @@ tl::expected<Server, std::string> server_at(const std::string& address) {
   if (!read) return tl::unexpected(std::move(read.error()));
   Server server;
   server.address = *std::move(read);
-  std::string fault = read_secrets(server);
+  std::string fault = read_keys(server);
+  if (fault.empty()) fault = read_secrets(server);
   if (!fault.empty()) return tl::unexpected(std::move(fault));
   read_netrc(server);
   return server;
+}
+
+tl::expected<Server, std::string> no_server() {
+  Server server;
+  std::string fault = read_keys(server);
+  if (!fault.empty()) return tl::unexpected(std::move(fault));
+  return server;
+}
+
+Trust Server::trust() const {
+  Trust trust{.everybody = false, .keys = {trusted_keys.begin(), trusted_keys.end()}};
+  if (signing_key) trust.keys.insert(signing_key->public_key());
+  trust.everybody = trust.keys.empty();
+  return trust;
 }
 
 }  // namespace mjcourse

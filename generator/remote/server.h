@@ -10,6 +10,7 @@
 #include <tl/expected.hpp>
 #include <vector>
 
+#include "base/origin.h"
 #include "remote/signature.h"
 #include "remote/store_address.h"
 
@@ -22,12 +23,19 @@ struct Server {
   // SSL_CERT_FILE names them. Empty where they are not set.
   std::string token, certificate, key, authorities;
   // From MJCOURSE_STORE_SIGNING_KEY, a file: signs what is put. From MJCOURSE_STORE_TRUSTED_KEYS,
-  // public keys: where there are any, nothing is taken but what one of them has signed.
+  // public keys.
   std::optional<SigningKey> signing_key;
   std::vector<std::string> trusted_keys;
+
+  // Where keys are trusted, nothing is believed but what one of them has signed. Nor is it by one
+  // who signs, for whom others believe it: that one trusts its own key.
+  Trust trust() const;
 };
 
 // What is wrong with the address or with the variables; it repeats nothing that they hold.
 tl::expected<Server, std::string> server_at(const std::string& address);
+
+// One without an address, for what the variables say of keys.
+tl::expected<Server, std::string> no_server();
 
 }  // namespace mjcourse

@@ -47,27 +47,28 @@ void SharedStore::send() {
     ++sending_;
     lock.unlock();
     // A list may have grown since.
-    if (!next.bytes) next.bytes = disk_.get(next.name);
-    if (next.bytes) remote_.put(next.name, *next.bytes);
+    if (!next.stored) next.stored = disk_.find(next.name);
+    if (next.stored) remote_.keep(next.name, next.stored->bytes, next.stored->origin);
     lock.lock();
     --sending_;
     if (waiting_.empty() && sending_ == 0) changed_.notify_all();
   }
 }
 
-std::optional<std::string> SharedStore::get(const std::string& name) {
-  if (auto bytes = disk_.get(name)) {
+std::optional<Stored> SharedStore::find(const std::string& name) {
+  if (auto stored = disk_.find(name)) {
     // Lists are put by those who join them with what is there.
-    if (sends_ == Sends::all && !is_list(name)) send_later(name, std::nullopt);
-    return bytes;
+    const bool is_sent = sends_ == Sends::all && !is_list(name) && stored->origin.is_made_here();
+    if (is_sent) send_later(name, std::nullopt);
+    return stored;
   }
   if (stays_here(name) || sends_ == Sends::all) return std::nullopt;
-  std::optional<std::string> bytes = remote_.get(name);
-  if (!bytes) return std::nullopt;
-  disk_.put(name, *bytes);
+  std::optional<Stored> stored = remote_.find(name);
+  if (!stored) return std::nullopt;
+  disk_.keep(name, stored->bytes, stored->origin);
   const std::lock_guard lock(mutex_);
   received_.insert(name);
-  return bytes;
+  return stored;
 }
 
 bool SharedStore::came_from_there(const std::string& name) const {
@@ -75,8 +76,8 @@ bool SharedStore::came_from_there(const std::string& name) const {
   return received_.contains(name);
 }
 
-std::optional<std::string> SharedStore::get_of_others(const std::string& name) {
-  return remote_.get(name);
+std::optional<Stored> SharedStore::find_of_others(const std::string& name) {
+  return remote_.find(name);
 }
 
 // What a thread of ours waits for is a way, and not work.
@@ -84,18 +85,18 @@ std::size_t SharedStore::at_once() const {
   return kAskers;
 }
 
-bool SharedStore::put(const std::string& name, std::string_view bytes) {
-  const bool kept = disk_.put(name, bytes);
-  send_later(name, kept ? std::nullopt : std::optional(std::string(bytes)));
+bool SharedStore::keep(const std::string& name, std::string_view bytes, const Origin& origin) {
+  const bool kept = disk_.keep(name, bytes, origin);
+  send_later(name, kept ? std::nullopt : std::optional(Stored{std::string(bytes), origin}));
   return kept;
 }
 
-void SharedStore::send_later(const std::string& name, std::optional<std::string> bytes) {
+void SharedStore::send_later(const std::string& name, std::optional<Stored> stored) {
   if (stays_here(name) || sends_ == Sends::nothing) return;
   const std::lock_guard lock(mutex_);
   // A name that is not a list's has the same bytes each time.
   if (!is_list(name) && !sent_.insert(name).second) return;
-  waiting_.push_back({name, std::move(bytes)});
+  waiting_.push_back({name, std::move(stored)});
   changed_.notify_one();
 }
 

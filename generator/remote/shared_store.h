@@ -20,8 +20,8 @@ namespace mjcourse {
 
 class SharedStore : public Store {
  public:
-  // To the remote store: nothing; what is put; or also all that the disk is asked for and has, and
-  // then nothing else is taken from there but lists.
+  // To the remote store: nothing; what is put; or also all that the disk is asked for, has, and was
+  // made here, and then nothing else is taken from there but lists.
   enum class Sends { nothing, puts, all };
 
   // Both must outlive this.
@@ -30,9 +30,9 @@ class SharedStore : public Store {
   SharedStore(const SharedStore&) = delete;
   SharedStore& operator=(const SharedStore&) = delete;
 
-  std::optional<std::string> get(const std::string& name) override;
-  bool put(const std::string& name, std::string_view bytes) override;
-  std::optional<std::string> get_of_others(const std::string& name) override;
+  std::optional<Stored> find(const std::string& name) override;
+  bool keep(const std::string& name, std::string_view bytes, const Origin& origin) override;
+  std::optional<Stored> find_of_others(const std::string& name) override;
   std::size_t at_once() const override;
 
   // Returns once the remote store has all, or does not take any more.
@@ -44,11 +44,11 @@ class SharedStore : public Store {
  private:
   struct Entry {
     std::string name;
-    std::optional<std::string> bytes;  // where the disk does not have them
+    std::optional<Stored> stored;  // where the disk does not have it
   };
 
   void send();
-  void send_later(const std::string& name, std::optional<std::string> bytes);
+  void send_later(const std::string& name, std::optional<Stored> stored);
 
   Store& disk_;
   Store& remote_;

@@ -31,55 +31,56 @@ void WriteBehindStore::hand_on() {
     if (waiting_.empty()) return;
     const Entry& next = waiting_.front();  // which stays there while others are added
     lock.unlock();
-    const bool kept = slow_->put(next.name, next.bytes);
+    const bool kept = slow_->keep(next.name, next.stored.bytes, next.stored.origin);
     lock.lock();
-    if (!kept) remember(next.name, next.bytes);
-    waiting_bytes_ -= next.bytes.size();
+    if (!kept) remember(next.name, next.stored);
+    waiting_bytes_ -= next.stored.bytes.size();
     waiting_.pop_front();
     changed_.notify_all();
   }
 }
 
-std::optional<std::string> WriteBehindStore::find(const std::string& name) const {
+std::optional<Stored> WriteBehindStore::remembered(const std::string& name) const {
   if (const auto known = known_.find(name); known != known_.end()) return known->second;
   const auto newest = std::find_if(waiting_.rbegin(), waiting_.rend(),
                                    [&](const Entry& entry) { return entry.name == name; });
-  return newest == waiting_.rend() ? std::nullopt : std::optional(newest->bytes);
+  return newest == waiting_.rend() ? std::nullopt : std::optional(newest->stored);
 }
 
-void WriteBehindStore::remember(const std::string& name, std::string_view bytes) {
+void WriteBehindStore::remember(const std::string& name, Stored stored) {
   if (slow_ != nullptr && known_bytes_ > kMostBytes) {
     known_.clear();
     known_bytes_ = 0;
   }
-  known_[name] = bytes;
-  known_bytes_ += bytes.size();
+  known_bytes_ += stored.bytes.size();
+  known_[name] = std::move(stored);
 }
 
-std::optional<std::string> WriteBehindStore::get(const std::string& name) {
+std::optional<Stored> WriteBehindStore::find(const std::string& name) {
   {
     const std::lock_guard lock(mutex_);
-    if (auto found = find(name)) return found;
+    if (auto found = remembered(name)) return found;
   }
   if (slow_ == nullptr) return std::nullopt;
-  std::optional<std::string> bytes = slow_->get(name);
-  if (bytes && is_quick(name)) {
+  std::optional<Stored> stored = slow_->find(name);
+  if (stored && is_quick(name)) {
     const std::lock_guard lock(mutex_);
-    remember(name, *bytes);
+    remember(name, *stored);
   }
-  return bytes;
+  return stored;
 }
 
-std::optional<std::string> WriteBehindStore::get_of_others(const std::string& name) {
-  return slow_ == nullptr ? std::nullopt : slow_->get_of_others(name);
+std::optional<Stored> WriteBehindStore::find_of_others(const std::string& name) {
+  return slow_ == nullptr ? std::nullopt : slow_->find_of_others(name);
 }
 
-bool WriteBehindStore::put(const std::string& name, std::string_view bytes) {
+bool WriteBehindStore::keep(const std::string& name, std::string_view bytes, const Origin& origin) {
   std::unique_lock lock(mutex_);
-  if (slow_ == nullptr || is_quick(name)) remember(name, bytes);
+  Stored stored{std::string(bytes), origin};
+  if (slow_ == nullptr || is_quick(name)) remember(name, stored);
   if (slow_ == nullptr) return true;
   changed_.wait(lock, [this] { return waiting_bytes_ < kMostBytes; });
-  waiting_.push_back({name, std::string(bytes)});
+  waiting_.push_back({name, std::move(stored)});
   waiting_bytes_ += bytes.size();
   changed_.notify_all();
   return true;

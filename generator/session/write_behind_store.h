@@ -26,24 +26,25 @@ class WriteBehindStore : public Store {
   WriteBehindStore(const WriteBehindStore&) = delete;
   WriteBehindStore& operator=(const WriteBehindStore&) = delete;
 
-  std::optional<std::string> get(const std::string& name) override;
-  bool put(const std::string& name, std::string_view bytes) override;
-  std::optional<std::string> get_of_others(const std::string& name) override;
+  std::optional<Stored> find(const std::string& name) override;
+  bool keep(const std::string& name, std::string_view bytes, const Origin& origin) override;
+  std::optional<Stored> find_of_others(const std::string& name) override;
   std::size_t at_once() const override { return slow_ == nullptr ? 1 : slow_->at_once(); }
 
  private:
   struct Entry {
-    std::string name, bytes;
+    std::string name;
+    Stored stored;
   };
 
   void hand_on();
-  std::optional<std::string> find(const std::string& name) const;
-  void remember(const std::string& name, std::string_view bytes);
+  std::optional<Stored> remembered(const std::string& name) const;
+  void remember(const std::string& name, Stored stored);
 
   Store* slow_;
   std::mutex mutex_;
   std::condition_variable changed_;
-  std::map<std::string, std::string> known_;
+  std::map<std::string, Stored> known_;
   std::deque<Entry> waiting_;  // for the other store, in the order in which they came
   std::size_t known_bytes_ = 0, waiting_bytes_ = 0;
   bool stopped_ = false;

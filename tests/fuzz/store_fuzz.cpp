@@ -27,12 +27,12 @@ class AnyStore : public Store {
   AnyStore(std::string list, std::string entry)
       : list_(std::move(list)), entry_(std::move(entry)) {}
 
-  std::optional<std::string> get(const std::string& name) override {
-    if (name.starts_with("cas/")) return list_;
+  std::optional<Stored> find(const std::string& name) override {
+    if (name.starts_with("cas/")) return Stored{list_};
     asked_ = !asked_;
-    return asked_ ? list_ : entry_;
+    return Stored{asked_ ? list_ : entry_};
   }
-  bool put(const std::string&, std::string_view) override { return true; }
+  bool keep(const std::string&, std::string_view, const Origin&) override { return true; }
 
  private:
   std::string list_, entry_;

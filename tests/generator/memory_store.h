@@ -10,20 +10,20 @@ namespace mjcourse {
 
 class MemoryStore : public Store {
  public:
-  std::optional<std::string> get(const std::string& name) override {
+  std::optional<Stored> find(const std::string& name) override {
     const std::lock_guard lock(mutex_);
     const auto found = kept_.find(name);
     return found == kept_.end() ? std::nullopt : std::optional(found->second);
   }
-  bool put(const std::string& name, std::string_view bytes) override {
+  bool keep(const std::string& name, std::string_view bytes, const Origin& origin) override {
     const std::lock_guard lock(mutex_);
-    kept_[name] = bytes;
+    kept_[name] = {std::string(bytes), origin};
     return true;
   }
 
  private:
   std::mutex mutex_;
-  std::map<std::string, std::string> kept_;
+  std::map<std::string, Stored> kept_;
 };
 
 }  // namespace mjcourse

@@ -30,13 +30,16 @@ int main(int count, char** words) {
 // A store in which somebody may change what was kept: an answer behind the line of its question.
 class ChangingStore : public MemoryStore {
  public:
-  std::optional<std::string> get(const std::string& name) override {
-    auto bytes = MemoryStore::get(name);
-    if (!change || !bytes || !name.starts_with("ac/")) return bytes;
-    const std::size_t begin = bytes->find('\n') + 1;
-    return bytes->substr(0, begin) + change(bytes->substr(begin));
+  std::optional<Stored> find(const std::string& name) override {
+    auto stored = MemoryStore::find(name);
+    if (stored && from && name.starts_with("ac/")) stored->origin = *from;
+    if (!change || !stored || !name.starts_with("ac/")) return stored;
+    const std::size_t begin = stored->bytes.find('\n') + 1;
+    stored->bytes = stored->bytes.substr(0, begin) + change(stored->bytes.substr(begin));
+    return stored;
   }
   std::function<std::string(std::string)> change;
+  std::optional<Origin> from;
 };
 
 // A course with a header and a model, and a store that outlives its runs.
@@ -110,6 +113,25 @@ TEST_F(NativeProgramTest, IsFoundWithAllThatItGave) {
   EXPECT_EQ(later.trace.names(), run.trace.names());
   EXPECT_EQ(later.trace.found().size(),
             run.trace.names().size() + run.trace.sets().size() + run.trace.headers().size());
+}
+
+// What is made of it is from there, too, also where it is remembered.
+TEST_F(NativeProgramTest, IsFromWhereItWasFound) {
+  Run first(*this);
+  NativeProgram one = program(first);
+  ASSERT_TRUE(one.compile().succeeded);
+  one.run({});
+  EXPECT_TRUE(first.trace.origin().is_made_here());
+  store_.from = Origin::unsigned_one();
+  Run later(*this);
+  for (int i = 0; i < 2; ++i) {
+    Trace task(root_);
+    const ActionContext context{root_, compiler_, later.actions, task};
+    ASSERT_TRUE(NativeProgram({"a", "examples/a.cpp", kProgram}, context).find({}));
+    EXPECT_EQ(task.origin(), Origin::unsigned_one()) << i;
+    task.clear();
+    EXPECT_TRUE(task.origin().is_made_here());
+  }
 }
 
 TEST_F(NativeProgramTest, IsNotFoundInTheSameRunOnceAFileHasChanged) {

@@ -19,15 +19,15 @@ class OneOfMany : public MemoryStore {
  public:
   explicit OneOfMany(MemoryStore& shared) : shared_(shared) {}
 
-  std::optional<std::string> get(const std::string& name) override {
-    auto own = MemoryStore::get(name);
-    return own ? own : shared_.get(name);
+  std::optional<Stored> find(const std::string& name) override {
+    auto own = MemoryStore::find(name);
+    return own ? own : shared_.find(name);
   }
-  bool put(const std::string& name, std::string_view bytes) override {
-    return shared_.put(name, bytes) && MemoryStore::put(name, bytes);
+  bool keep(const std::string& name, std::string_view bytes, const Origin& origin) override {
+    return shared_.keep(name, bytes, origin) && MemoryStore::keep(name, bytes, origin);
   }
-  std::optional<std::string> get_of_others(const std::string& name) override {
-    return shared_.get(name);
+  std::optional<Stored> find_of_others(const std::string& name) override {
+    return shared_.find(name);
   }
 
  private:
@@ -147,15 +147,52 @@ TEST_F(ResultStoreTest, RemembersSeveralWaysToLook) {
   EXPECT_EQ(found(recipe_), "nothing");
 }
 
+// Of what was found, and of what is made of that.
+TEST_F(ResultStoreTest, SaysWhereAResultIsFrom) {
+  const Origin theirs = Origin::unsigned_one(), a = Origin::signed_by(std::string(64, 'a'));
+  keep(recipe_, "made here");
+  EXPECT_EQ(results_.find(recipe_)->origin, Origin());
+  trace_.found({}, a);
+  keep(recipe_, "made of what one has signed");
+  EXPECT_EQ(results_.find(recipe_)->origin, a);
+  Trace other(folder_.path());
+  other.found({}, theirs);
+  trace_.add(other);
+  keep(recipe_, "and of what nobody has");
+  EXPECT_EQ(results_.find(recipe_)->origin, theirs);
+}
+
+// A list is joined of those of several.
+TEST_F(ResultStoreTest, SaysWhereAListIsFrom) {
+  class Named : public MemoryStore {
+   public:
+    bool keep(const std::string& name, std::string_view bytes, const Origin& origin) override {
+      if (name.starts_with("list/")) list = origin;
+      return MemoryStore::keep(name, bytes, origin);
+    }
+    std::optional<Stored> find_of_others(const std::string&) override { return others; }
+    std::optional<Stored> others;
+    std::optional<Origin> list;
+  };
+  Named store;
+  ResultStore results(store, prints_);
+  std::this_thread::sleep_for(50ms);
+  results.keep(recipe_, trace_, Clock::now(), "result");
+  EXPECT_EQ(store.list, Origin());
+  store.others = Stored{"[[\"course:other\"]]", Origin::unsigned_one()};
+  results.keep(recipe_, trace_, Clock::now(), "result");
+  EXPECT_EQ(store.list, Origin::unsigned_one());
+}
+
 // A store that others write into may say that there are a million.
 TEST_F(ResultStoreTest, LooksInNoMoreWaysThanItRemembers) {
   class ListsAll : public OneOfMany {
    public:
     ListsAll(MemoryStore& shared, std::size_t ways) : OneOfMany(shared), ways_(ways) {}
-    std::optional<std::string> get(const std::string& name) override {
-      return name.starts_with("list/") ? lists() : OneOfMany::get(name);
+    std::optional<Stored> find(const std::string& name) override {
+      return name.starts_with("list/") ? Stored{lists()} : OneOfMany::find(name);
     }
-    std::optional<std::string> get_of_others(const std::string&) override { return lists(); }
+    std::optional<Stored> find_of_others(const std::string&) override { return Stored{lists()}; }
 
    private:
     std::string lists() const {

@@ -9,7 +9,7 @@ namespace {
 
 class Full : public MemoryStore {
  public:
-  bool put(const std::string&, std::string_view) override { return false; }
+  bool keep(const std::string&, std::string_view, const Origin&) override { return false; }
 };
 
 TEST(SharedStore, TakesFromTheRemoteStoreWhatTheDiskDoesNotHave) {
@@ -77,7 +77,7 @@ TEST(SharedStore, HasTheListsOfOthersApart) {
   remote.put("list/1", "theirs");
   SharedStore store(disk, remote, SharedStore::Sends::puts);
   EXPECT_EQ(store.get("list/1"), "own");
-  EXPECT_EQ(store.get_of_others("list/1"), "theirs");
+  EXPECT_EQ(store.find_of_others("list/1")->bytes, "theirs");
 }
 
 TEST(SharedStore, SendsWhatTheDiskHadBeforeWhereThatIsWanted) {
@@ -91,6 +91,37 @@ TEST(SharedStore, SendsWhatTheDiskHadBeforeWhereThatIsWanted) {
   EXPECT_EQ(remote.get("ac/1"), "result");
   EXPECT_EQ(remote.get("list/1"), std::nullopt) << "it would take another's place";
   EXPECT_FALSE(store.came_from_there("ac/1"));
+}
+
+// What came from elsewhere is nothing to be sent on, nor is what was made of it.
+TEST(SharedStore, SendsNothingThatWasNotMadeHere) {
+  const Origin theirs = Origin::unsigned_one(),
+               signed_one = Origin::signed_by(std::string(64, 'a'));
+  MemoryStore disk, remote;
+  disk.keep("ac/1", "result", theirs);
+  disk.keep("ac/2", "result", signed_one);
+  disk.put("ac/3", "result");
+  SharedStore store(disk, remote, SharedStore::Sends::all);
+  for (const char* name : {"ac/1", "ac/2", "ac/3"}) EXPECT_EQ(store.get(name), "result");
+  store.wait();
+  EXPECT_EQ(remote.get("ac/1"), std::nullopt);
+  EXPECT_EQ(remote.get("ac/2"), std::nullopt);
+  EXPECT_EQ(remote.get("ac/3"), "result");
+}
+
+TEST(SharedStore, KeepsWhereAllIsFrom) {
+  const Origin theirs = Origin::unsigned_one();
+  MemoryStore disk, remote;
+  remote.keep("ac/1", "of another machine", theirs);
+  SharedStore store(disk, remote, SharedStore::Sends::puts);
+  EXPECT_EQ(store.find("ac/1")->origin, theirs);
+  EXPECT_EQ(disk.find("ac/1")->origin, theirs);
+  store.keep("ac/2", "made of it", theirs);
+  EXPECT_EQ(disk.find("ac/2")->origin, theirs);
+  store.put("ac/3", "made here");
+  EXPECT_EQ(disk.find("ac/3")->origin, Origin());
+  store.wait();
+  EXPECT_EQ(remote.find("ac/2")->origin, theirs);
 }
 
 TEST(SharedStore, KnowsWhatItGotFromThere) {

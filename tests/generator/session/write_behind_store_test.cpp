@@ -14,9 +14,9 @@ namespace {
 // Counts how often it is asked.
 class Counting : public MemoryStore {
  public:
-  std::optional<std::string> get(const std::string& name) override {
+  std::optional<Stored> find(const std::string& name) override {
     ++asked;
-    return MemoryStore::get(name);
+    return MemoryStore::find(name);
   }
   int asked = 0;
 };
@@ -58,9 +58,9 @@ TEST(WriteBehindStore, HandsOnWhatIsPut) {
 // As one whose disk is slow.
 class Waiting : public MemoryStore {
  public:
-  bool put(const std::string& name, std::string_view bytes) override {
+  bool keep(const std::string& name, std::string_view bytes, const Origin& origin) override {
     released.wait(false);
-    return !full && MemoryStore::put(name, bytes);
+    return !full && MemoryStore::keep(name, bytes, origin);
   }
   std::atomic<bool> released = false;
   bool full = false;
@@ -76,6 +76,17 @@ TEST(WriteBehindStore, DoesNotWaitForTheOther) {
   EXPECT_EQ(slow.get("cas/1"), std::nullopt);
   slow.released = true;
   slow.released.notify_all();
+}
+
+TEST(WriteBehindStore, KnowsWhereAllIsFrom) {
+  MemoryStore slow;
+  {
+    WriteBehindStore store(&slow);
+    store.keep("ac/1", "result", Origin::unsigned_one());
+    EXPECT_EQ(store.find("ac/1")->origin, Origin::unsigned_one());
+  }
+  EXPECT_EQ(slow.find("ac/1")->origin, Origin::unsigned_one());
+  EXPECT_EQ(WriteBehindStore(&slow).find("ac/1")->origin, Origin::unsigned_one());
 }
 
 TEST(WriteBehindStore, HasWhatTheOtherCannotKeep) {
