@@ -4,15 +4,15 @@
 //   node tests/store/damaged.mjs MJCOURSE COURSE
 
 import { spawnSync } from "node:child_process";
-import { createHash } from "node:crypto";
-import { globSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { globSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
-import { join, relative, resolve } from "node:path";
+import { join, resolve } from "node:path";
+
+import { readSealed, sealOnDisk } from "./sealed.mjs";
 
 const [mjcourse, course] = process.argv.slice(2).map((path) => resolve(path));
 const home = mkdtempSync(join(tmpdir(), "mjcourse-test-"));
 const store = join(home, "store");
-const mark = "mjcourse-store 2 ";
 
 function check() {
   const words = ["check", "--course", course, "--store", store];
@@ -20,25 +20,13 @@ function check() {
   return `${stderr}${stdout.replace(/\d+\.\d s$/m, "N s")}exit ${status}`;
 }
 
-// As the store hashes several parts.
-const part = (bytes) => Buffer.concat([Buffer.from(`${bytes.length}:`), bytes]);
-
-// The seal of `bytes` in `file`, as an entry of this kind.
-function seal(kind, file, bytes) {
-  const name = Buffer.from(`${kind}/${relative(join(store, "ac"), file).replaceAll("/", "")}`);
-  return createHash("sha256").update(part(name)).update(part(bytes)).digest("hex");
-}
-
 // Writes `bytes` as the content of the entry in `file`.
 function write(file, bytes) {
-  const former = readFileSync(file);
-  const sealed = former.subarray(mark.length, mark.length + 64).toString();
-  const kind = ["ac", "list", "here"].find((one) => seal(one, file, content(file)) === sealed);
-  if (kind === undefined) throw new Error(`${file} has another seal`);
-  writeFileSync(file, Buffer.concat([Buffer.from(`${mark}${seal(kind, file, bytes)}\n`), bytes]));
+  const { name, origin } = readSealed(file);
+  writeFileSync(file, Buffer.concat([Buffer.from(sealOnDisk(name, bytes, origin)), bytes]));
 }
 
-const content = (file) => readFileSync(file).subarray(mark.length + 65);
+const content = (file) => readSealed(file).bytes;
 // What an answer begins with, which is its question.
 const question = (bytes) => bytes.subarray(0, bytes.indexOf("\n") + 1);
 const isAnswer = (bytes) => bytes.includes("\n");

@@ -4,10 +4,10 @@
 //   node tests/store/remote_signed.mjs MJCOURSE [CASE]
 
 import { spawnSync } from "node:child_process";
-import { createHash } from "node:crypto";
 import { readFileSync, statSync } from "node:fs";
 import { join } from "node:path";
 
+import { sealOnItsWay } from "./sealed.mjs";
 import {
   all,
   check,
@@ -20,17 +20,6 @@ import {
   test,
 } from "./shared_machines.mjs";
 import { strange } from "./servers.mjs";
-
-// The first line of an entry, as base/store_entry.cpp has it: what stands in an address under ac/ may
-// be a result or a list.
-function sealOf(name, content) {
-  const parts = (...all) => {
-    const hash = createHash("sha256");
-    for (const part of all) hash.update(`${part.length}:`).update(part);
-    return hash.digest("hex");
-  };
-  return `mjcourse-store 2 ${parts(Buffer.from(name), content)}\n`;
-}
 
 await test("signed", async () => {
   const key = (name) => {
@@ -81,7 +70,7 @@ await test("signed", async () => {
     const end = bytes.lastIndexOf("\x3a\x80\x01"); // field 7, of 128 bytes
     const content = Buffer.from(bytes.subarray(bytes.indexOf("\n", begin) + 1, end));
     content[content.length - 1] ^= 1;
-    const seal = sealOf(name, content);
+    const seal = sealOnItsWay(name, content);
     server.kept.set(
       name,
       Buffer.concat([bytes.subarray(0, begin), Buffer.from(seal), content, bytes.subarray(end)]),
