@@ -104,11 +104,15 @@ TEST(ExerciseText, TakesTheTextOfARegionOutOfAProgramAndIntoAnother) {
   EXPECT_EQ(with_code_in_region("f {\n// #region answer\n", "answer", "a;\n", "h"), std::nullopt);
 }
 
-TEST(ExerciseText, TellsWhereARegionEnds) {
-  EXPECT_EQ(behind_region("a;\n // #region answer \nb;\n// #endregion\nc;", "answer"), 40u);
-  EXPECT_EQ(behind_region("// #region answer\n// #endregion", "answer"), 31u);
-  EXPECT_EQ(behind_region("// #region answer\n", "answer"), std::nullopt);
-  EXPECT_EQ(behind_region("// #endregion\n", "answer"), std::nullopt);
+TEST(ExerciseText, SaysWhereAHandInsCodeBegins) {
+  Diagnostics none;
+  const std::string program =
+      "// #region first\n// #endregion\n  // #region answer\n  one();\n  // #starter\n  // two();\n"
+      "  // #endregion\n";
+  const auto exercise = read_exercise(SourceText("a.cpp", program), "answer", none);
+  const std::string whole = exercise->program("three();\n");
+  EXPECT_EQ(whole.substr(exercise->code_begin(), 8), "three();");
+  EXPECT_EQ(exercise->solution_line(), 4);
 }
 
 TEST(ExerciseText, StandsCarriageReturns) {
