@@ -23,14 +23,17 @@ tl::expected<std::string, TemplateError> Templates::render(const std::string& na
   const std::string key = name + "\n" + text;
   if (const std::string* known = known_.find(key)) return *known;
   auto answer = engine_.call("render", {name, text});
-  if (!answer) return tl::unexpected(TemplateError{name, answer.error().message, 0});
+  if (!answer) {
+    return tl::unexpected(TemplateError{name, answer.error().message, 0, answer.error().cure});
+  }
   if (answer->starts_with('=')) {
     answer->erase(0, 1);
     known_.keep(key, *answer);
     return *std::move(answer);
   }
   const auto result = json_of(*answer);
-  return tl::unexpected(TemplateError{result.at("name"), result.at("message"), result.at("line")});
+  return tl::unexpected(
+      TemplateError{result.at("name"), result.at("message"), result.at("line"), result.at("cure")});
 }
 
 }  // namespace mjcourse

@@ -1,5 +1,8 @@
 // Templates: Handlebars in strict mode, where a name that the data does not have is an error.
 //
+// A course's theme may be a stranger's. So a template ends after the engine's time, and is of a
+// bounded size, as is what it makes.
+//
 // Enter with render(). Templates may include each other as partials, `{{> name}}`. They are
 // compiled when first used. What came of some data is remembered, as far as there is memory for it:
 // small data often comes again.
@@ -18,7 +21,8 @@ namespace mjcourse {
 struct TemplateError {
   std::string name;  // of the template with the mistake: a partial's own, not its user's
   std::string message;
-  int line = 0;  // from 1; 0 when unknown
+  int line = 0;        // from 1; 0 when unknown
+  std::string cure{};  // where the message does not say it
 };
 
 class Templates {

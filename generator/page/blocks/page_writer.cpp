@@ -57,6 +57,9 @@ bool stays_whole(cmark_node* node) {
 }
 
 // A function for each kind of block, for std::visit.
+// To compile one takes thousands of times its size.
+constexpr std::size_t kMostOfATemplate = 256 << 10;  // bytes
+
 template <typename... Functions>
 struct Cases : Functions... {
   using Functions::operator()...;
@@ -73,6 +76,11 @@ Templates site_templates(const Files& assets, std::size_t memory) {
     const std::string own = name.substr(0, name.size() - 4);
     auto source = assets.read("templates/" + name);
     if (!source) throw BrokenTemplate(TemplateError{own, source.error()});
+    if (source->size() > kMostOfATemplate) {
+      throw BrokenTemplate(TemplateError{
+          own, "is larger than " + std::to_string(kMostOfATemplate >> 10) + " KiB", 0,
+          "put parts of it into templates of their own, and what is no template into a file"});
+    }
     sources[own] = *std::move(source);
   }
   return {script_bundle(assets, "templates"), sources, memory};

@@ -59,12 +59,12 @@ Diagnostic template_mistake(const TemplateError& error, const Files& course) {
     const int line = std::min(error.line, source.line_count());
     const std::size_t begin = source.line_start(line);
     return error_at(place_of(source, {begin, begin + source.line(line).size()}), "E-template",
-                    error.message);
+                    error.message, error.cure);
   }
   Place place;
   place.file = text ? path : "site/press/" + std::string(kTemplates) + error.name + ".hbs";
   place.line = error.line;
-  return error_at(std::move(place), "E-template", error.message);
+  return error_at(std::move(place), "E-template", error.message, error.cure);
 }
 
 }  // namespace mjcourse

@@ -1,6 +1,6 @@
 /**
  * Handlebars in strict mode. `addTemplate(name, source)` first, then `render(name, data)` gives "="
- * and the HTML, or the JSON `{name, message, line}` of the template with the mistake.
+ * and the HTML, or the JSON `{name, message, line, cure}` of the template with the mistake.
  */
 import Handlebars from "handlebars";
 import known from "computed:templates";
@@ -15,10 +15,30 @@ class Mistake extends Error {
     readonly template: string,
     message: string,
     readonly line: number,
+    readonly cure = "",
   ) {
     super(message);
   }
 }
+
+const mostMade = 128 << 20; // characters, of a page; the largest that a lesson may have is a third
+
+// What the loops of this page have made so far. A loop in a loop is counted in both.
+let madeInLoops = 0;
+
+class TooMuch extends Error {}
+
+const each = handlebars.helpers["each"]!;
+const boundedEach = function (this: unknown, items: unknown, options: Handlebars.HelperOptions) {
+  const fn = (item: unknown, settings?: Handlebars.RuntimeOptions): string => {
+    const made = options.fn(item, settings);
+    madeInLoops += made.length;
+    if (madeInLoops > 4 * mostMade) throw new TooMuch();
+    return made;
+  };
+  return each.call(this, items, { ...options, fn }) as string;
+};
+handlebars.registerHelper("each", boundedEach as Handlebars.HelperDelegate);
 
 function addTemplate(name: string, source: string): string {
   const template = lazily(() => {
@@ -28,8 +48,11 @@ function addTemplate(name: string, source: string): string {
   });
   const tagged: Handlebars.TemplateDelegate = (data: unknown, options) => {
     try {
-      return template()(data, options);
+      const made = template()(data, options);
+      if (made.length > mostMade) throw new TooMuch();
+      return made;
     } catch (error) {
+      if (error instanceof TooMuch) throw tooMuchOf(name);
       throw error instanceof Mistake ? error : mistakeIn(name, error as HandlebarsError);
     }
   };
@@ -58,15 +81,22 @@ function mistakeIn(name: string, { message, lineNumber }: HandlebarsError): Mist
   return new Mistake(name, text, line);
 }
 
+function tooMuchOf(name: string): Mistake {
+  const cure = "look for a loop in a loop, and for a template that includes another one twice";
+  return new Mistake(name, `makes more than ${mostMade >> 20} MiB of a page`, 0, cure);
+}
+
 /** `data` is JSON. HTML goes as it is: to make JSON of it and to read that takes long. */
 function render(name: string, data: string): string {
   const template = handlebars.partials[name] as Handlebars.TemplateDelegate | undefined;
+  madeInLoops = 0;
   try {
     if (template === undefined) throw new Mistake(name, "there is no such template", 0);
     return `=${template(JSON.parse(data))}`;
   } catch (error) {
     if (!(error instanceof Mistake)) throw error;
-    return JSON.stringify({ name: error.template, message: error.message, line: error.line });
+    const { template: of, message, line, cure } = error;
+    return JSON.stringify({ name: of, message, line, cure });
   }
 }
 

@@ -354,5 +354,18 @@ TEST_F(PageWriterTest, KeepsCodeWithAHyphenOnOneLine) {
             "<code>a long command with --an-option</code></p>\n");
 }
 
+TEST(SiteTemplates, AreOfABoundedSize) {
+  const MemoryFiles assets({{"templates/page.hbs", std::string((256 << 10) + 1, 'a')}});
+  try {
+    site_templates(assets);
+    FAIL() << "it was compiled";
+  } catch (const BrokenTemplate& broken) {
+    EXPECT_EQ(broken.error().name, "page");
+    EXPECT_EQ(broken.error().message, "is larger than 256 KiB");
+    EXPECT_EQ(broken.error().cure,
+              "put parts of it into templates of their own, and what is no template into a file");
+  }
+}
+
 }  // namespace
 }  // namespace mjcourse
