@@ -23,6 +23,8 @@ using tinyxml2::XMLNode;
 constexpr const char* kPlain =
     "use only elements that draw; most programs can save a \"plain\" SVG, which has nothing else";
 
+constexpr std::size_t kMostFaults = 100;
+
 // What of CSS and of presentation attributes does not compute from numbers.
 constexpr std::array kFunctions{
     "calc",  "clamp",     "cubic-bezier", "first-child", "hsl",  "hsla",        "matrix", "max",
@@ -91,8 +93,10 @@ class SvgReader {
   }
 
  private:
-  // Each kind once: a program that writes such things writes thousands of them.
+  // Each kind once: a program that writes such things writes thousands of them. Nobody mends a
+  // hundred kinds by hand.
   void refuse(Span span, const std::string& message, const std::string& cure = kPlain) {
+    if (faults_.size() == kMostFaults) return;
     if (told_.insert(message).second) faults_.push_back({span, message, cure});
   }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace mjcourse {
 namespace {
 
@@ -122,6 +124,14 @@ TEST(SvgFaults, AreWhatBrowsersReadOtherwise) {
 TEST(SvgFaults, AreToldOnceOfEachKind) {
   EXPECT_EQ(inside("<g onclick='a'/><g onclick='b'/><script/><script/>"),
             attribute("onclick") + "\n" + element("script"));
+}
+
+TEST(SvgFaults, AreAHundredAtMost) {
+  std::string content;
+  for (int i = 0; i < 300; ++i) content += "<b" + std::to_string(i) + " a='1'/>";
+  const std::string all = inside(content);
+  EXPECT_EQ(std::ranges::count(all, '\n'), 99);
+  EXPECT_TRUE(all.ends_with(element("b99")));
 }
 
 }  // namespace
