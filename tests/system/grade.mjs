@@ -191,8 +191,9 @@ const names = [...expected.keys()];
 expect(names.length >= 50, `only ${names.length} hand-ins`);
 const scratch = join(folder, "scratch");
 mkdirSync(scratch, { mode: 0o777 });
-const grade = (format, ...hand_ins) =>
-  spawnSync(mjcourse, ["grade", "--against", course, "--format", format, ...hand_ins], {
+const grade = (format, ...hand_ins) => gradeIn(course, format, ...hand_ins);
+const gradeIn = (against, format, ...hand_ins) =>
+  spawnSync(mjcourse, ["grade", "--against", against, "--format", format, ...hand_ins], {
     cwd: folder,
     encoding: "utf8",
     env: { ...process.env, TMPDIR: scratch },
@@ -234,9 +235,10 @@ escapes
 // What the course's own solution does, is right: it calls what stands behind it, and its lines end
 // as Windows ends them.
 mkdirSync(join(folder, "author"));
-const own_solution = readFileSync(join(course, "examples/root.cpp"), "utf8");
+const answers = join(course, "../answers");
+const own_solution = readFileSync(join(answers, "examples/root.cpp"), "utf8");
 writeFileSync(join(folder, "author/root.cpp"), own_solution.replaceAll("\n", "\r\n"));
-const author = grade("text", "author");
+const author = gradeIn(answers, "text", "author");
 expect(
   author.stdout === "author\n  root: 4 of 4 points, 2 of them at its own word\n1 hand-in\n",
   author.stdout + author.stderr,
