@@ -30,12 +30,17 @@ void add_included(const DiskFiles& files, std::string_view text, const fs::path&
 
 }  // namespace
 
+std::vector<std::string> included_headers(const DiskFiles& files, std::string_view program) {
+  std::set<std::string> found;
+  add_included(files, program, "", found);
+  return {found.begin(), found.end()};
+}
+
 LentHeaders::LentHeaders(fs::path from, fs::path to, std::string_view program)
     : from_(std::move(from)) {
   if (from_.empty()) return;
   const DiskFiles files(from_);
-  std::set<std::string> found;
-  add_included(files, program, "", found);
+  const std::vector<std::string> found = included_headers(files, program);
   for (const std::string& name : found) {
     fs::create_directories((to / name).parent_path());
     write_file(to / name, files.read(name).value());

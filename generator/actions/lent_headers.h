@@ -11,9 +11,14 @@
 #include <string_view>
 #include <vector>
 
+#include "base/files.h"
 #include "toolchain/compiler.h"
 
 namespace mjcourse {
+
+// The headers of `files` that a program beside them includes, and those that these include: their
+// names in there, sorted.
+std::vector<std::string> included_headers(const DiskFiles& files, std::string_view program);
 
 class LentHeaders {
  public:

@@ -124,23 +124,25 @@ const Compiled& NativeProgram::compile() {
   const fs::path source = folder_->path() / (source_.name + ".cpp");
   binary_ = folder_->path() / source_.name;
   write_file(source, "#line 1 \"" + source_.file + "\"\n" + source_.text);
-  const auto compile = [&](const fs::path& beside) {
-    return context_.compiler.compile(source, binary_, folder_->path(), source_.optimize, beside,
-                                     !source_.handed_in);
-  };
-  if (source_.handed_in && !beside_.empty()) {
-    const LentHeaders headers(beside_, folder_->path() / ".headers" / beside_.filename(),
-                              source_.text);
-    compiled_ = compile(headers.folder());
-    headers.name_originals(*compiled_);
-  } else {
-    compiled_ = compile(beside_);
+  std::optional<LentHeaders> lent;
+  seen_beside_ = beside_;
+  if (source_.handed_in) {
+    lent.emplace(beside_, folder_->path() / ".headers" / beside_.filename(), source_.text);
+    seen_beside_ = lent->folder();
   }
+  compiled_ = context_.compiler.compile(source, binary_, folder_->path(), source_.optimize,
+                                        seen_beside_, !source_.handed_in);
+  if (lent) lent->name_originals(*compiled_);
   IncludeFolders looked_in = context_.compiler.include_folders();
   if (!beside_.empty()) looked_in.push_back(beside_);
   trace_compilation(*compiled_, source, looked_in, context_.root, compiling_);
   context_.trace.add(compiling_);
   return *compiled_;
+}
+
+std::optional<std::string> NativeProgram::preprocessed() const {
+  return context_.compiler.preprocess(folder_->path() / (source_.name + ".cpp"), folder_->path(),
+                                      source_.optimize, seen_beside_, !source_.handed_in);
 }
 
 std::string NativeProgram::refusal() {

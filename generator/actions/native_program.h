@@ -86,6 +86,8 @@ class NativeProgram {
 
   // At its first call.
   const Compiled& compile();
+  // After compile(): what the preprocessor makes of it. Nothing where that fails.
+  std::optional<std::string> preprocessed() const;
   // After compile(), and what the compiler said.
   std::string refusal();
   // After compile(), which succeeded.
@@ -101,6 +103,7 @@ class NativeProgram {
   NativeSource source_;
   const ActionContext context_;
   std::filesystem::path beside_;
+  std::filesystem::path seen_beside_;  // by the compiler
   std::chrono::system_clock::time_point begin_;
   Trace compiling_;  // what that looked at
   std::unique_ptr<TemporaryFolder> folder_;

@@ -92,15 +92,17 @@ class KeptVerdicts {
   std::string seed(const std::string& seed, bool is_wanted) const {
     if (!folder_) return seed;
     const auto kept = DiskFiles(folder_->path()).read("seed");
-    if (kept && !is_wanted) return kept->substr(0, kept->find('\n'));
+    const std::string known = kept ? kept->substr(0, kept->find('\n')) : "";
+    if (!known.empty() && !is_wanted) return known;
     folder_->write("seed", seed + "\n");
     return seed;
   }
 
-  std::optional<Grade> find(const std::string& key) const {
+  // One that is damaged is none.
+  std::optional<Grade> find(const std::string& key, const Grade& like) const {
     if (!folder_) return std::nullopt;
     const auto bytes = DiskFiles(folder_->path()).read("verdicts/" + key + ".json");
-    return bytes ? grade_of_json(json::parse(*bytes, nullptr, false)) : std::nullopt;
+    return bytes ? grade_of_json(json::parse(*bytes, nullptr, false), like) : std::nullopt;
   }
 
   void keep(const std::string& key, const Grade& grade) const {
@@ -164,9 +166,11 @@ std::optional<Refusal> unknown(const GradeOptions& options, const Course& course
 }
 
 // All that the verdict on a text depends on, beside the text.
-std::string key_of(const JudgedExercise& judged, const fs::path& course) {
+std::string key_of(const JudgedExercise& judged, const std::string& seed, const fs::path& course) {
   const DiskFiles files(course);
-  std::string all = std::string(judged.files.text.file().text()) +
+  const Example& program = judged.exercise->program;
+  json options{seed, program.seconds, program.exit_code, program.optimize, program.arguments};
+  std::string all = options.dump() + std::string(judged.files.text.file().text()) +
                     judged.files.hidden.value_or("") + judged.shown.key() + judged.hidden.key();
   for (const std::string& source : judged.sources) {
     all += source + sha256(files.read(source).value_or(""));
@@ -195,6 +199,7 @@ class Grading {
       const Grade& made = made_.at(key);
       grade->checks = made.checks;
       grade->faults = made.faults;
+      grade->is_hidden_fault = made.is_hidden_fault;
     }
     return std::move(graded_);
   }
@@ -217,7 +222,7 @@ class Grading {
     grade.handed_in = found.is_there();
     if (options_.due && found.changed && *found.changed > *options_.due) {
       const auto late = std::chrono::ceil<std::chrono::minutes>(*found.changed - *options_.due);
-      grade.minutes_late = static_cast<int>(late.count());
+      grade.minutes_late = late.count();
     }
     if (code) {
       const std::string key = sha256(task.key + *code);
@@ -239,7 +244,8 @@ class Grading {
     }
     std::vector<std::string> left;
     for (const auto& [key, text] : texts_) {
-      auto known = kept_.find(key);
+      auto known = kept_.find(key, grade_of(text.task->judged, text.task->listed.title,
+                                            nothing_made(text.task->judged)));
       if (known) made_[key] = *std::move(known);
       if (!made_.contains(key)) left.push_back(key);
     }
@@ -318,7 +324,7 @@ int grade_all(const GradeOptions& options, const Verified& verified, const HandI
                                       : std::nullopt;
     if (!judged) continue;
     tasks.push_back({listed, *std::move(judged), ""});
-    tasks.back().key = key_of(tasks.back().judged, options.course);
+    tasks.back().key = key_of(tasks.back().judged, key.seed, options.course);
   }
   if (!diagnostics.empty()) {
     print_diagnostics(diagnostics);

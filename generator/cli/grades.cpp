@@ -70,7 +70,9 @@ std::string as_json(const std::vector<GradedHandIn>& graded) {
 // What a spreadsheet would take for a formula is text.
 std::string cell(const std::string& text) {
   const bool is_formula = text.find_first_of("=+-@\t") == 0;
-  return csv_field((is_formula ? "'" : "") + readable(text));
+  const std::string field = csv_field((is_formula ? "'" : "") + readable(text));
+  // Where a comma stands in numbers, a semicolon parts the fields.
+  return field.find(';') == field.npos || field.starts_with('"') ? field : "\"" + field + "\"";
 }
 
 std::string row(const std::vector<std::string>& cells) {
@@ -146,13 +148,25 @@ std::string letter_line(const GradedCheck& check) {
   return line + "\n";
 }
 
+// Of what ended a program, the kind alone: its words may tell of hidden checks, or of the teacher's
+// machine.
+std::string letter_fault(const Grade& grade) {
+  const std::string id = grade.faults.empty() ? "" : grade.faults.front().value("id", "");
+  if (!grade.handed_in || id == "E-hand-in" || id == "E-example-compile") return grade.fault();
+  if (id == "E-example-timeout") return "the program took too long, and was stopped";
+  if (id == "E-example-throws") return "the program threw an exception";
+  if (id == "E-example-signal") return "the program crashed";
+  return "the program did not come to its end";
+}
+
 std::string letter_part(const Grade& grade) {
   const std::string title = grade.title.empty() ? grade.exercise : grade.title;
   std::string text = "\n## " + plain(title) + ": " + points_text(grade.points(), grade.most()) +
                      "\n\n`" + grade.exercise + ".cpp`, lesson " + grade.lesson;
-  const std::string late = grade.late(), fault = grade.fault();
+  const std::string late = grade.late();
   text += (late.empty() ? "" : ", " + late) + ".\n\n";
-  if (!fault.empty()) return text + plain(fault) + ".\n";
+  const bool is_faulty = !grade.fault().empty();
+  if (is_faulty && !grade.is_hidden_fault) return text + plain(letter_fault(grade)) + ".\n";
   const auto add = [&](bool hidden, const std::string& before) {
     const auto is = [&](const GradedCheck& check) { return check.is_hidden == hidden; };
     if (std::ranges::none_of(grade.checks, is)) return;
@@ -162,7 +176,8 @@ std::string letter_part(const Grade& grade) {
     }
   };
   add(false, "");
-  add(true, "\nChecks that the page does not show:\n\n");
+  const std::string hidden = "\nChecks that the page does not show";
+  add(true, hidden + (is_faulty ? ", in which " + plain(letter_fault(grade)) : "") + ":\n\n");
   return text;
 }
 
@@ -200,8 +215,8 @@ std::string Grade::fault() const {
 
 std::string Grade::late() const {
   if (!minutes_late) return "";
-  const int days = *minutes_late / 1440, hours = *minutes_late / 60 % 24,
-            minutes = *minutes_late % 60;
+  const std::int64_t days = *minutes_late / 1440, hours = *minutes_late / 60 % 24,
+                     minutes = *minutes_late % 60;
   if (days > 0) return counted(days, "day") + " " + std::to_string(hours) + " h late";
   return (hours > 0 ? std::to_string(hours) + " h " : "") + std::to_string(minutes) + " min late";
 }
@@ -227,6 +242,7 @@ Grade grade_of(const JudgedExercise& exercise, const std::string& title, const V
   for (const JudgedCheck& check : verdict.shown) grade.checks.push_back({check, false});
   for (const JudgedCheck& check : verdict.hidden) grade.checks.push_back({check, true});
   for (const Diagnostic& fault : verdict.faults) grade.faults.push_back(mjcourse::json_of(fault));
+  grade.is_hidden_fault = verdict.is_hidden_fault;
   return grade;
 }
 
@@ -241,14 +257,12 @@ json judgement_json(const Grade& grade) {
                       {"meaning", check.meaning},
                       {"found", check.found}});
   }
-  return {{"exercise", grade.exercise},
-          {"title", grade.title},
-          {"lesson", grade.lesson},
-          {"checks", std::move(checks)},
-          {"faults", grade.faults}};
+  return {{"exercise", grade.exercise}, {"title", grade.title},
+          {"lesson", grade.lesson},     {"checks", std::move(checks)},
+          {"faults", grade.faults},     {"hidden_fault", grade.is_hidden_fault}};
 }
 
-std::optional<Grade> grade_of_json(const json& judgement) {
+std::optional<Grade> grade_of_json(const json& judgement, const Grade& like) {
   try {
     Grade grade{judgement.at("exercise").get<std::string>(),
                 judgement.at("title").get<std::string>(),
@@ -263,8 +277,22 @@ std::optional<Grade> grade_of_json(const json& judgement) {
       check.is_its_word = one.at("own_word").get<bool>();
       check.is_hidden = one.at("hidden").get<bool>();
     }
-    grade.faults = judgement.at("faults");
-    return grade.faults.is_array() ? std::optional(std::move(grade)) : std::nullopt;
+    for (const json& fault : judgement.at("faults")) {
+      if (!fault.is_object()) return std::nullopt;
+      grade.faults.push_back(fault);
+    }
+    grade.is_hidden_fault = judgement.at("hidden_fault").get<bool>();
+    const auto is_same = [](const GradedCheck& a, const GradedCheck& b) {
+      return a.what == b.what && a.points == b.points && a.is_hidden == b.is_hidden;
+    };
+    // Behind those of the solution, others may stand, which give no points.
+    const bool fits = grade.exercise == like.exercise && grade.most() == like.most() &&
+                      std::ranges::all_of(like.checks, [&](const GradedCheck& due) {
+                        return std::ranges::any_of(grade.checks, [&](const GradedCheck& one) {
+                          return is_same(one, due);
+                        });
+                      });
+    return fits ? std::optional(std::move(grade)) : std::nullopt;
   } catch (const json::exception&) {
     return std::nullopt;
   }

@@ -4,6 +4,7 @@
 // Tested by tests/generator/cli/grades_test.cpp.
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
@@ -25,7 +26,9 @@ struct Grade {
   std::vector<GradedCheck> checks = {};
   // Why there are no checks that count: JSON of diagnostics, as reports have it.
   nlohmann::json faults = nlohmann::json::array();
-  std::optional<int> minutes_late = {};  // of a file that was changed after the time it was due
+  bool is_hidden_fault = false;
+  std::optional<std::int64_t> minutes_late =
+      {};  // of a file that was changed after the time it was due
 
   double points() const;
   double most() const;  // points that can be had
@@ -39,9 +42,10 @@ struct Grade {
 // Of a judgement; and of what was not handed in, or cannot be judged.
 Grade grade_of(const JudgedExercise& exercise, const std::string& title, const Verdict& verdict);
 
-// What a judgement comes to, without what belongs to a student. Nothing where that is none.
+// What a judgement comes to, without what belongs to a student. Nothing where that is none, or not
+// of the same checks as `like`.
 nlohmann::json judgement_json(const Grade& grade);
-std::optional<Grade> grade_of_json(const nlohmann::json& judgement);
+std::optional<Grade> grade_of_json(const nlohmann::json& judgement, const Grade& like);
 
 struct GradedHandIn {
   std::string student, folder;

@@ -25,9 +25,8 @@ fs::path without_slash(std::string word) {
 }
 
 std::string name_of(const fs::path& folder) {
-  const fs::path name = folder.filename();
-  if (!name.empty() && name != "." && name != "..") return name;
-  return fs::absolute(folder).lexically_normal().filename();
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  return whole.has_filename() ? whole.filename() : whole.parent_path().filename();
 }
 
 std::string lower(std::string text) {
@@ -43,10 +42,11 @@ std::optional<std::chrono::sys_seconds> changed_at(const fs::path& file) {
   return std::chrono::sys_seconds(std::chrono::seconds(status.st_mtim.tv_sec));
 }
 
-// Windows ends lines with two characters. A carriage return that stands alone stays.
+// Windows ends lines with two characters, and may put a mark in front of all. A carriage return
+// that stands alone stays.
 std::string with_line_feeds(const std::string& text) {
   std::string lines;
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  for (std::size_t i = text.starts_with("\xef\xbb\xbf") ? 3 : 0; i < text.size(); ++i) {
     if (text[i] != '\r' || i + 1 == text.size() || text[i + 1] != '\n') lines += text[i];
   }
   return lines;
@@ -95,6 +95,8 @@ HandIns find_hand_ins(const std::vector<std::string>& words) {
       hand_ins.all.push_back({name_of(folder), folder, "it is a link, and may lead to another's"});
     } else if (!fs::is_directory(status)) {
       hand_ins.notes.push_back(shown + " is no folder, and left out");
+    } else if (fs::exists(folder / "verdicts") && fs::exists(folder / "students.csv")) {
+      hand_ins.notes.push_back(shown + " has results, and is left out");
     } else if (const fs::path true_path = fs::weakly_canonical(folder, fault);
                std::ranges::count(known, true_path) > 0) {
       hand_ins.notes.push_back(shown + " is named twice, and graded once");
@@ -120,6 +122,10 @@ HandedIn read_handed_in(const HandIn& hand_in, const std::string& name) {
     }
     const auto text = files.read(path);
     if (!text) return {{}, "it cannot be read"};
+    if (text->find('\0') != text->npos) return {{}, "it is no text in UTF-8: save it as such"};
+    if (text->find('\n') == text->npos && text->find('\r') != text->npos) {
+      return {{}, "its lines end with carriage returns alone: save it with line feeds"};
+    }
     return {with_line_feeds(*text), "", changed_at(hand_in.folder / path)};
   }
   return {};
@@ -139,19 +145,28 @@ std::vector<std::string> notes_on(const HandIn& hand_in, const std::vector<std::
   if (below.empty()) note("the folder is empty, or cannot be read");
   for (const DiskFiles::Entry& entry : below) {
     const fs::path path(entry.path);
-    if (entry.is_folder || missing.empty()) continue;
+    if (entry.is_folder) continue;
     const std::string stem = path.stem();
-    if (std::ranges::count(names, stem) > 0) {
+    if (path == fs::path(stem) / (stem + ".cpp") && files.exists(stem + ".cpp")) {
+      note(readable(stem) + ".cpp is graded, and " + readable(entry.path) + " is not");
+    }
+    if (missing.empty()) continue;
+    if (path.extension() == ".cpp" && std::ranges::count(names, stem) > 0) {
       if (std::ranges::count(missing, stem) == 0) continue;
       note(readable(entry.path) + " is not where it is looked for: " + stem + ".cpp, or " + stem +
            "/" + stem + ".cpp");
-    } else if (lower(path.extension()) == ".cpp") {
-      const auto part = std::ranges::find_if(missing, [&](const std::string& name) {
-        return lower(name).ends_with(lower(stem)) || lower(stem).ends_with(lower(name));
-      });
-      note(readable(entry.path) + " has the name of no exercise" +
-           (part != missing.end() ? ": is it " + *part + ".cpp?" : "; " + suggest(stem, missing)));
+      continue;
     }
+    // Some systems hide the end of a name, and put another behind it: "fall.cpp.txt".
+    const std::string file = lower(path.filename());
+    const std::size_t end = file.find(".cpp");
+    if (end == file.npos) continue;
+    const std::string meant = file.substr(0, end);
+    const auto part = std::ranges::find_if(missing, [&](const std::string& name) {
+      return lower(name).ends_with(meant) || meant.ends_with(lower(name));
+    });
+    note(readable(entry.path) + " has the name of no exercise" +
+         (part != missing.end() ? ": is it " + *part + ".cpp?" : "; " + suggest(meant, missing)));
   }
   return notes;
 }

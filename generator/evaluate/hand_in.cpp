@@ -20,14 +20,21 @@ struct Program {
   const Answers& answers;
 };
 
-Program shown_program(const JudgedExercise& judged, const std::string& code) {
-  return {judged.exercise->program, judged.files.text.program(code), judged.shown};
+std::string in_marks(const JudgedExercise& judged, const std::string& code, const JudgeKey& key) {
+  return marked_code(key, code, judged.files.text.code_line(), judged.exercise->program.file.text);
 }
 
-std::optional<Program> program_with_hidden(const JudgedExercise& judged, const std::string& code) {
+Program shown_program(const JudgedExercise& judged, const std::string& code, const JudgeKey& key) {
+  return {judged.exercise->program, judged.files.text.numbered_program(in_marks(judged, code, key)),
+          judged.shown};
+}
+
+std::optional<Program> program_with_hidden(const JudgedExercise& judged, const std::string& code,
+                                           const JudgeKey& key) {
   if (!judged.exercise->hidden) return std::nullopt;
   return Program{hidden_program(*judged.exercise),
-                 hidden_text(*judged.exercise, judged.files, code), judged.hidden};
+                 hidden_text(*judged.exercise, judged.files, in_marks(judged, code, key)),
+                 judged.hidden};
 }
 
 void keep_errors(Diagnostics& diagnostics) {
@@ -118,9 +125,14 @@ std::optional<JudgedExercise> ExerciseJudge::prepare(const Lesson& lesson, const
     diagnostics.back().detail = fails->found;
     return false;
   };
-  if (!run(shown_program(judged, solution), judged.shown)) return std::nullopt;
-  if (const auto hidden = program_with_hidden(judged, solution)) {
+  if (!run(shown_program(judged, solution, key_), judged.shown)) return std::nullopt;
+  if (const auto hidden = program_with_hidden(judged, solution, key_)) {
     if (!run(*hidden, judged.hidden)) return std::nullopt;
+  }
+  const Program shown = shown_program(judged, solution, key_);
+  if (const auto code = expanded_code(shown.example, shown.text, key_, lesson, worker_context)) {
+    const auto tokens = raw_tokens({*code}, run_context_.compiler()->toolchain());
+    if (tokens) judged.rules.allow_expanded(*code, tokens->front());
   }
   // Those of both programs.
   std::ranges::sort(judged.sources);
@@ -149,8 +161,8 @@ Verdict ExerciseJudge::judge(const JudgedExercise& exercise, const std::string& 
   }
   const auto run = [&](const Program& program, std::vector<JudgedCheck>& into) {
     Diagnostics all;
-    auto ran = run_handed_in(program.example, program.text, program.answers, *exercise.lesson,
-                             worker_context, key_, all);
+    auto ran = run_handed_in({program.example, program.text, program.answers, exercise.rules, key_},
+                             *exercise.lesson, worker_context, all);
     if (!ran) {
       keep_errors(all);
       verdict.faults = std::move(all);
@@ -159,9 +171,12 @@ Verdict ExerciseJudge::judge(const JudgedExercise& exercise, const std::string& 
     into = std::move(ran->verdict);
     if (verdict.output.empty()) verdict.output = std::move(ran->result.output);
   };
-  run(shown_program(exercise, code), verdict.shown);
-  const auto more = hidden ? program_with_hidden(exercise, code) : std::nullopt;
-  if (more && verdict.faults.empty()) run(*more, verdict.hidden);
+  run(shown_program(exercise, code, key_), verdict.shown);
+  const auto more = hidden ? program_with_hidden(exercise, code, key_) : std::nullopt;
+  if (more && verdict.faults.empty()) {
+    run(*more, verdict.hidden);
+    verdict.is_hidden_fault = !verdict.faults.empty();
+  }
   // The hand-in's reader knows nothing of the lesson's text.
   for (Diagnostic& fault : verdict.faults) {
     fault.notes.clear();

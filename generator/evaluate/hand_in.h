@@ -39,7 +39,8 @@ struct Verdict {
   std::vector<JudgedCheck> shown, hidden;
   // Why the text has no checks, or none that count: it does not compile, does not end …
   Diagnostics faults;
-  std::string output = {};  // of the program that its reader knows
+  bool is_hidden_fault = false;  // are these of the program with the hidden checks?
+  std::string output = {};       // of the program that its reader knows
 
   bool holds() const;
   double points() const;

@@ -18,6 +18,7 @@ namespace fs = std::filesystem;
 constexpr const char* kDependencies = ".dependencies";
 constexpr const char* kOverlay = ".overlay.json";
 constexpr const char* kObject = ".program.o";
+constexpr const char* kPreprocessed = ".program.ii";
 constexpr const char* kNeedsMuch = "needed more than 4 GiB of memory, and was stopped";
 
 template <typename... Words>
@@ -131,25 +132,27 @@ void Compiler::make_header(const std::vector<std::string>& roots, Warmth warmth)
   warm_->make_header(roots, warmth);
 }
 
-Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& header,
-                           const WarmObjects::Entry& handlers, bool fast) const {
-  std::vector<std::string> beside;
+std::vector<std::string> Compiler::command_of(const Program& program,
+                                              const WarmObjects::Entry& header) const {
+  std::vector<std::string> command =
+      toolchain_.command(program.optimize, header ? warm_->headers().shown() : include_);
   if (!program.beside.empty()) {
-    append(beside, "-iquote", program.beside.string(),
+    append(command, "-iquote", program.beside.string(),
            file_names_in(program.beside, program.beside.filename().string()));
   }
-  std::vector<std::string> plain = toolchain_.command(program.optimize, include_);
-  plain.insert(plain.end(), beside.begin(), beside.end());
-  std::vector<std::string> command = plain, link;
-  if (header) {
-    const fs::path overlay = program.folder / kOverlay, object = header->folder / "header.o";
-    write_file(overlay, warm_->headers().overlay(header->folder.parent_path() / "header.hpp"));
-    command = toolchain_.command(program.optimize, warm_->headers().shown());
-    command.insert(command.end(), beside.begin(), beside.end());
-    append(command, "-ivfsoverlay", overlay.string(), "-include-pch",
-           (header->folder / "header.pch").string());
-    if (fs::exists(object)) append(link, object.string());
-  }
+  if (!header) return command;
+  const fs::path overlay = program.folder / kOverlay;
+  write_file(overlay, warm_->headers().overlay(header->folder.parent_path() / "header.hpp"));
+  append(command, "-ivfsoverlay", overlay.string(), "-include-pch",
+         (header->folder / "header.pch").string());
+  return command;
+}
+
+Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& header,
+                           const WarmObjects::Entry& handlers, bool fast) const {
+  std::vector<std::string> command = command_of(program, header), link;
+  const fs::path object = header ? header->folder / "header.o" : fs::path();
+  if (header && fs::exists(object)) append(link, object.string());
   append(command, program.source.string());
   if (handlers) append(link, (handlers->folder / "handlers.o").string());
   for (const std::string& library : program.libraries) append(link, "-l" + library);
@@ -173,11 +176,11 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
     take(command, at, compiled);
   } else {
     // In two steps, as a compiler lists the files of one source alone.
-    const std::string object = program.folder / kObject;
-    append(command, "-c", "-o", object);
+    const std::string compiled_object = program.folder / kObject;
+    append(command, "-c", "-o", compiled_object);
     take(command, at, compiled);
-    command = plain;
-    append(command, object, source.string());
+    command = command_of(program, nullptr);
+    append(command, compiled_object, source.string());
     command.insert(command.end(), link.begin(), link.end());
     if (compiled.succeeded) take(command, at, compiled);
   }
@@ -193,6 +196,23 @@ Compiled Compiler::attempt(const Program& program, const WarmObjects::Entry& hea
   compiled.header = header;
   compiled.handlers = handlers;
   return compiled;
+}
+
+std::optional<std::string> Compiler::preprocess(const fs::path& source, const fs::path& folder,
+                                                bool optimize, const fs::path& beside,
+                                                bool ours) const {
+  const std::string text =
+      DiskFiles(source.parent_path()).read(source.filename().string()).value_or("");
+  const Program program{source, {}, folder, beside, {}, optimize, ours};
+  WarmObjects::Entry header;
+  if (!optimize) header = warm_->header(warm_roots(text, include_));
+  std::vector<std::string> command = command_of(program, header);
+  append(command, "-E", "-w", source.string(), "-o", (folder / kPreprocessed).string());
+  std::vector<fs::path> reads = ours ? read_for(include_) : include_;
+  if (header) reads.push_back(header->folder.parent_path());
+  if (!succeeded(run_tool(std::move(command), folder, reads))) return std::nullopt;
+  const auto made = DiskFiles(folder).read(kPreprocessed);
+  return made ? std::optional(*made) : std::nullopt;
 }
 
 Compiled Compiler::compile(const fs::path& source, const fs::path& binary, const fs::path& folder,

@@ -73,10 +73,18 @@ class Compiler {
                    const std::filesystem::path& folder, bool optimize = false,
                    const std::filesystem::path& beside = {}, bool ours = true) const;
 
+  // What the preprocessor makes of it; of a warm header, it has nothing. Nothing where that fails.
+  std::optional<std::string> preprocess(const std::filesystem::path& source,
+                                        const std::filesystem::path& folder, bool optimize = false,
+                                        const std::filesystem::path& beside = {},
+                                        bool ours = true) const;
+
  private:
   struct Program;
   Compiled attempt(const Program& program, const WarmObjects::Entry& header,
                    const WarmObjects::Entry& handlers, bool fast) const;
+  std::vector<std::string> command_of(const Program& program,
+                                      const WarmObjects::Entry& header) const;
 
   Toolchain toolchain_;
   IncludeFolders include_;

@@ -112,7 +112,7 @@ code(
   `  return 0;\n}\nstruct Last { ~Last() { std::_Exit(0); } } last;\ndouble other(double t) {\n  return t;`,
 );
 code("digraph-brace", 0, braces, `  return 0;\n%>\nvoid other() <%`);
-code("overload", 0, own, `  {\n    namespace m = mjcourse;\n    (void)m::id_of;\n  }\n  return 0;`);
+code("overload", 0, "", `  {\n    namespace m = mjcourse;\n    (void)m::id_of;\n  }\n  return 0;`);
 code("another-function", 4, "", `  const double fallen(9.81 * t * t / 2);\n  return fallen;`);
 // What compilers read in another way than it looks.
 code(
@@ -149,8 +149,26 @@ code(
   `  struct Near {\n    double x;\n    operator double() const { return x; }\n  };\n  return Near{1};`,
 );
 // It is right once, and then ends the program as if all were well.
-code("leaves-after-one", 0, own, all("static int n = 0; if (++n > 1) std::exit(0);"));
-code("leaves-by-a-thread", 0, own, all("static int n = 0; if (++n > 1) ::pthread_exit(nullptr);"));
+// It is right in the first of three calls of a check, and then ends the program: two checks were not
+// made, and of the hidden ones all.
+const first = "static int n = 0; if (++n > 3)";
+code("leaves-after-one", 3, "", all(`${first} std::exit(0);`));
+code("leaves-by-a-thread", 3, "", all(`${first} ::pthread_exit(nullptr);`));
+code("closes-its-ears", 3, "", all(`${first} ::close(0);`));
+code(
+  "fails-one-and-leaves",
+  0,
+  "",
+  `  ${first.replace("3", "2")} std::exit(0);\n  return t > 1 ? 19.62 : 0;`,
+);
+code("macro-assembler", 0, "becomes `asm` by a macro", all('EIGEN_CAT(as, m)("nop");'));
+code(
+  "macro-check",
+  0,
+  "becomes `expect` by a macro",
+  all('mjcourse::EIGEN_CAT(exp, ect)(1, "x");'),
+);
+code("macro-of-all", 4, "", all("assert(t < NAN || true); (void)INFINITY; errno = 0;"));
 // What earlier reports left in memory, and what others write into it.
 code(
   "reads-memory",

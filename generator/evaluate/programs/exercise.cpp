@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "actions/lent_headers.h"
 #include "base/files.h"
 #include "base/nearest.h"
 #include "evaluate/programs/hand_in_text.h"
@@ -181,6 +182,7 @@ class Trials {
       diagnostics_.push_back(*std::move(why));
       return false;
     }
+    if (!read_headers(run_context.compiler()->toolchain())) return false;
     const auto own = hand_in_rules(files_.text, run_context.compiler()->toolchain());
     if (!own) return refuse("the exercise cannot be handed in: " + own.error(), "");
     for (std::size_t i = 0; i < own->faults.size(); ++i) {
@@ -199,6 +201,30 @@ class Trials {
     return true;
   }
 
+  // A check in a header beside the program is heard by nobody: what includes it has the plain ones.
+  bool read_headers(const Toolchain& toolchain) {
+    const std::filesystem::path folder =
+        std::filesystem::path(exercise_.program.file.text).parent_path();
+    const DiskFiles files(worker_context_.root() / folder);
+    const std::vector<std::string> names =
+        included_headers(files, shown_.text.text + files_.hidden.value_or(""));
+    std::vector<std::string> texts;
+    for (const std::string& name : names) texts.push_back(files.read(name).value_or(""));
+    const auto tokens = texts.empty()
+                            ? std::vector<RawTokens>()
+                            : raw_tokens(texts, toolchain).value_or(std::vector<RawTokens>());
+    for (std::size_t i = 0; i < tokens.size(); ++i) {
+      for (const RawToken& token : tokens[i]) {
+        const std::string_view word = token.in(texts[i]);
+        if (word != "expect" && word != "expect_near" && word != "expect_alike") continue;
+        return refuse("a header makes a check, which `grade` does not hear",
+                      "make it in the program itself: the header may have what it is made of",
+                      place_of(SourceText(folder / names[i], texts[i]), {token.begin, token.end}));
+      }
+    }
+    return true;
+  }
+
   // What is reported of it says of which text it is. Warnings are of its program.
   template <typename Run>
   auto run_solution(const Run& run) {
@@ -206,15 +232,18 @@ class Trials {
     auto result = run(found);
     std::erase_if(found, [](const Diagnostic& one) { return one.severity == Severity::warning; });
     if (found.empty()) return result;
-    // What follows from a macro that was misread is of no help.
+    if (found.front().id == "E-example-compile") {
+      const Diagnostic& first = found.front();
+      refuse(
+          "the solution, handed in, does not compile",
+          "there, expect_near() is a macro: put an argument that has a comma in braces or <> into "
+          "parentheses");
+      diagnostics_.back().detail = first.detail.empty() ? first.message : first.detail;
+      return result;
+    }
     Diagnostic& first = diagnostics_.emplace_back(std::move(found.front()));
     first.notes.push_back(
         {"so it is with the solution, handed in", place_of(*lesson_.source, exercise_.span)});
-    if (first.id == "E-example-compile") {
-      first.cure =
-          "handed in, expect_near() is a macro: put an argument that has a comma in braces or <> "
-          "into parentheses";
-    }
     return result;
   }
 

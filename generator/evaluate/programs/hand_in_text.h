@@ -30,6 +30,11 @@ class HandInRules {
 
   std::optional<TextFault> fault(const std::string& text, const RawTokens& tokens) const;
 
+  // The same of what the preprocessor has made of a text, by macros of headers: a word that is
+  // refused, or "". What it has made of the solution, is allowed before.
+  std::string expanded_fault(const std::string& text, const RawTokens& tokens) const;
+  void allow_expanded(const std::string& text, const RawTokens& tokens);
+
  private:
   std::optional<TextFault> word_fault(const std::string& text, const RawTokens& tokens) const;
   std::optional<TextFault> scope_fault(const std::string& text, const RawTokens& tokens) const;

@@ -90,7 +90,8 @@ std::optional<std::string> body_of(const std::vector<std::string_view>& lines, s
 }  // namespace
 
 std::optional<std::string> joined_programs(const std::vector<Version>& versions,
-                                           const std::string& path, const std::string& shared) {
+                                           const std::string& path, const std::string& shared,
+                                           const std::string& at_end) {
   std::string includes, bodies, choice;
   for (std::size_t i = 0; i < versions.size(); ++i) {
     const std::vector<std::string_view> lines = lines_of(versions[i].text);
@@ -101,8 +102,9 @@ std::optional<std::string> joined_programs(const std::vector<Version>& versions,
     if (!body || own != includes) return std::nullopt;
     bodies += versions[i].before + "namespace " + name_of(i) + " {\n" + line_mark(begin, path) +
               *body + "}\n";
-    choice += "  if (index == " + std::to_string(i) + ") return call(" + name_of(i) +
-              "::main_of_version, count - 1, words + 1);\n";
+    choice += "  if (index == " + std::to_string(i) + ") return " + at_end +
+              (at_end.empty() ? "call(" : "(call(") + name_of(i) +
+              "::main_of_version, count - 1, words + 1)" + (at_end.empty() ? "" : ")") + ";\n";
   }
   return includes + kNoWarnings + shared + bodies + kSwitch + choice + "  return 1;\n}\n";
 }

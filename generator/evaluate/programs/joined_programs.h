@@ -23,7 +23,8 @@ struct Version {
 // otherwise, have other directives behind that, or a main() that is not found or has a region of an
 // exercise, in which anything may stand.
 std::optional<std::string> joined_programs(const std::vector<Version>& versions,
-                                           const std::string& path, const std::string& shared = "");
+                                           const std::string& path, const std::string& shared = "",
+                                           const std::string& at_end = "");
 
 // One program, with `inserted` behind its leading includes.
 std::string with_behind_includes(const std::string& program, const std::string& inserted,

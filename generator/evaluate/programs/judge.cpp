@@ -17,12 +17,8 @@ using nlohmann::json;
 
 constexpr std::size_t kMarkDigits = 16;
 
-std::uint64_t next_mark(std::uint64_t& state) {
-  std::uint64_t mark = (state += 0x9e3779b97f4a7c15U);
-  mark = (mark ^ (mark >> 30)) * 0xbf58476d1ce4e5b9U;
-  mark = (mark ^ (mark >> 27)) * 0x94d049bb133111ebU;
-  return mark ^ (mark >> 31);
-}
+// Of checks that the solution's run does not make.
+constexpr std::size_t kMostOthers = 100;
 
 // "1.5", or "[ 1.5 2" of a vector. Nothing where that is no text of numbers.
 std::optional<Found> found_in(const std::string& text) {
@@ -65,6 +61,14 @@ std::string listed(const std::vector<double>& numbers) {
   return "[" + text + "]";
 }
 
+// A long vector is cut.
+std::string shown(const Found& value) {
+  constexpr std::size_t most = 7;
+  if (!value.is_vector) return printed("%.6g", value.numbers[0]);
+  if (value.numbers.size() > most) return "a vector of " + counted(value.numbers.size(), "number");
+  return listed(value.numbers);
+}
+
 std::string how_far(const Found& value, const Found& expected, double tolerance) {
   const std::vector<double>&a = value.numbers, &b = expected.numbers;
   if (a.size() != b.size() || value.is_vector != expected.is_vector) {
@@ -98,6 +102,7 @@ struct Judge::Report {
   std::string what, meaning;
   double points = 0;
   int line = 0;
+  bool is_end = false;                          // the program came to its end
   std::optional<bool> holds;                    // of a plain check
   std::optional<Found> value, expected, other;  // of one with numbers
   double tolerance = 0;
@@ -115,6 +120,8 @@ std::optional<Judge::Report> Judge::Report::read(std::string_view line) {
       return all.contains(name) ? found_in(all.at(name).get<std::string>()) : std::nullopt;
     };
     Report report;
+    report.is_end = all.contains("ended");
+    if (report.is_end) return report;
     report.what = all.at("what").get<std::string>();
     report.meaning = all.at("meaning").get<std::string>();
     const json& points = all.at("points");
@@ -148,7 +155,7 @@ bool Answers::hold() const {
 }
 
 std::string Answers::key() const {
-  std::string all;
+  std::string all = is_ended ? "" : "not ended\n";
   for (const Known& known : checks) {
     all += json(known.check.what).dump(-1, ' ', true, json::error_handler_t::replace);
     for (const KnownCall& call : known.calls) {
@@ -173,52 +180,73 @@ JudgedCheck& Judge::made(const Report& report) {
   return check;
 }
 
-// The call of the solution's run that the `call`th, from 1, of a check is held against; null where
-// there is none. A program whose checks hold so far has made the same calls. Behind one that does
-// not, it may leave some out, so the next in the order of all is meant.
-const KnownCall* Judge::known_call(const Answers::Known& known, int call) {
-  const bool holds = std::ranges::all_of(made_, &JudgedCheck::holds);
-  auto is = known.calls.begin();
-  if (holds) {
-    if (call > static_cast<int>(known.calls.size())) return nullptr;
-    is += call - 1;
-  } else {
-    is = std::ranges::upper_bound(known.calls, order_, {}, &KnownCall::order);
+// Numbers are held against the same call of the solution's run. A program whose checks hold so far
+// has made the same calls. Behind one that does not it may leave some out, so it is not known which
+// one is meant: then any that is left may be.
+bool Judge::judge_numbers(const Report& report, const Answers::Known& known, JudgedCheck& check) {
+  if (!report.value) return false;
+  const auto is_met = [&](const KnownCall& call) {
+    return is_near(*report.value, *call.expected, call.tolerance);
+  };
+  if (std::ranges::all_of(made_, &JudgedCheck::holds)) {
+    const auto index = static_cast<std::size_t>(check.calls) - 1;
+    if (index >= known.calls.size()) {
+      check.found = "the solution's run makes it " + counted(known.calls.size(), "time");
+      return false;
+    }
+    const KnownCall& call = known.calls[index];
+    order_ = call.order;
+    if (is_met(call)) return true;
+    check.found = how_far(*report.value, *call.expected, call.tolerance);
+    return false;
   }
-  if (is == known.calls.end()) return nullptr;
-  order_ = is->order;
-  return &*is;
+  const auto left = std::ranges::upper_bound(known.calls, order_, {}, &KnownCall::order);
+  const auto met = std::find_if(left, known.calls.end(), is_met);
+  if (met != known.calls.end()) {
+    order_ = met->order;
+    return true;
+  }
+  check.found =
+      "it is " + shown(*report.value) + ", which the solution's run expects nowhere behind";
+  return false;
 }
 
 // Whether this call holds; what it found is in `check`.
 bool Judge::judge(const Report& report, JudgedCheck& check) {
-  const auto near = [&](const Found& expected, double tolerance) {
-    if (is_near(*report.value, expected, tolerance)) return true;
-    check.found = how_far(*report.value, expected, tolerance);
+  const auto near = [&](const Found& expected) {
+    if (is_near(*report.value, expected, report.tolerance)) return true;
+    check.found = how_far(*report.value, expected, report.tolerance);
     return false;
   };
   const Answers::Known* known = answers_ == nullptr ? nullptr : answers_->find(report.what);
-  const KnownCall* call = known == nullptr ? nullptr : known_call(*known, check.calls);
   // A check that the solution has judged is not taken at the program's word.
-  if (known != nullptr && !known->check.is_its_word) {
-    return report.value && call != nullptr && near(*call->expected, call->tolerance);
-  }
+  if (known != nullptr && !known->check.is_its_word) return judge_numbers(report, *known, check);
   if (report.holds) return *report.holds;
-  if (report.other) return near(*report.other, report.tolerance);
-  return answers_ == nullptr && report.expected && near(*report.expected, report.tolerance);
+  if (report.other) return near(*report.other);
+  return answers_ == nullptr && report.expected && near(*report.expected);
 }
 
-std::string Judge::hear(std::string_view line) {
+std::optional<Judge::Report> Judge::read(std::string_view line) {
   std::uint64_t mark = 0;
   const std::string_view digits = line.substr(0, kMarkDigits);
   const auto [end, fault] = std::from_chars(digits.data(), digits.data() + digits.size(), mark, 16);
-  const auto report =
-      fault == std::errc() && end == digits.data() + kMarkDigits && mark == next_mark(mark_)
-          ? Report::read(line.substr(kMarkDigits))
-          : std::nullopt;
-  if (!report) {
+  if (fault != std::errc() || end != line.data() + kMarkDigits) return std::nullopt;
+  const std::string_view text = line.substr(kMarkDigits);
+  const std::string numbered = std::to_string(number_++).append(text) + "\n";
+  if (mark != sip_hash(mark_, numbered.data(), numbered.size())) return std::nullopt;
+  return Report::read(text);
+}
+
+std::string Judge::hear(std::string_view line) {
+  const auto report = is_forged_ ? std::nullopt : read(line);
+  const std::size_t known = answers_ == nullptr ? made_.size() : answers_->checks.size();
+  if (!report || made_.size() > known + kMostOthers) {
     is_forged_ = true;
     return "0";  // a program may wait for it
+  }
+  if (report->is_end) {
+    is_ended_ = true;
+    return "";
   }
   JudgedCheck& check = made(*report);
   ++check.calls;
@@ -241,7 +269,8 @@ std::string Judge::hear(std::string_view line) {
 
 std::vector<JudgedCheck> Judge::verdict() const {
   std::vector<JudgedCheck> all;
-  const bool fails = std::ranges::any_of(made_, [](const auto& check) { return !check.holds; });
+  const bool may_leave_out =
+      is_ended_ && !std::ranges::all_of(made_, [](const auto& check) { return check.holds; });
   for (const Answers::Known& known : answers_->checks) {
     JudgedCheck& check = all.emplace_back(known.check);
     const auto is = std::ranges::find(made_, check.what, &JudgedCheck::what);
@@ -254,8 +283,11 @@ std::vector<JudgedCheck> Judge::verdict() const {
     check.meaning = is->meaning;
     check.found = is->found;
     const int due = known.check.calls;
-    const bool is_otherwise = check.calls > due || (check.calls < due && !fails);
-    if (!check.holds || check.is_its_word || !is_otherwise) continue;
+    if (!check.holds || check.calls == due) continue;
+    // How often a plain check is made may depend on what is checked.
+    const bool is_cut = answers_->is_ended && !is_ended_ && check.calls < due;
+    const bool is_otherwise = check.calls > due || !may_leave_out;
+    if (check.is_its_word ? !is_cut : !is_otherwise) continue;
     check.holds = false;
     check.found = "it was made " + counted(check.calls, "time") + ", and " + counted(due, "time") +
                   " with the solution";
@@ -270,6 +302,7 @@ std::vector<JudgedCheck> Judge::verdict() const {
 
 Answers Judge::answers() const {
   Answers answers;
+  answers.is_ended = is_ended_;
   for (std::size_t i = 0; i < made_.size(); ++i) {
     answers.checks.push_back({made_[i], known_[i].calls});
   }

@@ -6,7 +6,8 @@
 // are those of the solution's run: of each check, what was expected, and how far off one may be.
 //
 // A plain true or false is the program's word, and so are two numbers that are held against each
-// other. A forged one has to know the mark of its report, a number in the machine code.
+// other. Each report has a mark, a hash under a key that is in the machine code alone. A forged one
+// has to find it there; one that is left out, is missed.
 //
 //   Judge author(mark);            // hears the solution's run
 //   Answers answers = author.answers();
@@ -16,12 +17,12 @@
 // Tested by tests/generator/evaluate/programs/judge_test.cpp.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/sip_hash.h"
 #include "findings/result.h"
 
 namespace mjcourse {
@@ -52,6 +53,7 @@ struct Answers {
     std::vector<KnownCall> calls;
   };
   std::vector<Known> checks;  // in the order in which they were made first
+  bool is_ended = false;      // did the solution's run say that it came to its end?
 
   const Known* find(std::string_view what) const;
   bool hold() const;
@@ -63,11 +65,10 @@ struct Answers {
 
 class Judge {
  public:
-  // Of the solution's run, which knows itself what is expected. Reports have marks that follow
-  // from `mark`.
-  explicit Judge(std::uint64_t mark) : mark_(mark) {}
+  // Of the solution's run, which knows itself what is expected. Reports have marks under this key.
+  explicit Judge(const SipKey& mark) : mark_(mark) {}
   // Of another's. The answers must outlive it.
-  Judge(const Answers& answers, std::uint64_t mark) : answers_(&answers), mark_(mark) {}
+  Judge(const Answers& answers, const SipKey& mark) : answers_(&answers), mark_(mark) {}
 
   // A report, a line; gives what the program then reads ("1" where it holds, "0" where it does not,
   // "" where it does not ask).  What is no report of the checks' own holds nothing.
@@ -78,8 +79,9 @@ class Judge {
   // In the order in which they were made first.
   const std::vector<JudgedCheck>& made() const { return made_; }
   // Those of the answers, in their order, and behind them what the solution does not check. One
-  // that was not made fails. So does one that was made more often than the solution's run made it;
-  // or less often, unless another fails, from which that may follow.
+  // that was not made fails. So does one with numbers that was made more often than in the
+  // solution's run; and one that was made less often, unless the program came to its end and either
+  // another fails, from which that may follow, or it is a plain one.
   std::vector<JudgedCheck> verdict() const;
   // Of the solution's run.
   Answers answers() const;
@@ -87,13 +89,15 @@ class Judge {
  private:
   struct Report;
   bool judge(const Report& report, JudgedCheck& check);
-  const KnownCall* known_call(const Answers::Known& known, int call);
+  bool judge_numbers(const Report& report, const Answers::Known& known, JudgedCheck& check);
+  std::optional<Report> read(std::string_view line);
   JudgedCheck& made(const Report& report);
 
   const Answers* answers_ = nullptr;
-  std::uint64_t mark_;
-  bool is_forged_ = false;
-  int order_ = 0;  // in the solution's run: of the latest call, or of the next
+  SipKey mark_;
+  unsigned long number_ = 0;  // of the next report
+  bool is_forged_ = false, is_ended_ = false;
+  int order_ = 0;  // in the solution's run, of the latest call
   std::vector<JudgedCheck> made_;
   std::vector<Answers::Known> known_;  // of the solution's run
 };

@@ -122,12 +122,17 @@ Diagnostic killed(const Outcome& outcome, const ExpectedRun& expected) {
   found.id = "E-example-signal";
   found.message = "the " + expected.what + " was killed: " + strsignal(outcome.code);
   found.detail = tail(outcome.err);
+  if (outcome.code == SIGILL) {
+    found.cure = "look for a function that comes to its end without the `return` of its value";
+  }
   if (outcome.code == SIGXFSZ) {
     found.cure =
         "a file of a " + expected.what + " may be " + size_in_words(expected.sandbox.file_bytes);
   }
   return found;
 }
+
+constexpr std::size_t kMostPrinted = (1 << 20) - 1;
 
 }  // namespace
 
@@ -149,7 +154,10 @@ std::optional<Diagnostic> judge_run(const Outcome& outcome, const ExpectedRun& e
       break;
     case Outcome::End::flooded:
       found.id = "E-example-flood";
-      found.message = "the " + expected.what + " printed more than 1 MiB, and was stopped";
+      found.message = "the " + expected.what +
+                      (outcome.out.size() + outcome.err.size() > kMostPrinted
+                           ? " printed more than 1 MiB, and was stopped"
+                           : " reported more than 16 MiB, and was stopped");
       found.cure = "print what a reader wants to read";
       break;
     case Outcome::End::refused:

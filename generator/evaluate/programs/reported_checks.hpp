@@ -2,7 +2,7 @@
 // whether that holds.
 //
 // The judge puts this behind the includes of a program, with two macros in front of it:
-// MJCOURSE_JUDGE, a name that the program cannot know, and MJCOURSE_MARK, a number of 64 bits.
+// MJCOURSE_JUDGE, a name that the program cannot know, and MJCOURSE_MARK, the key of its marks.
 // Macros (judged_text.cpp) then give each check a Call as its first argument, and leave out what
 // the program is not to know. Stdin is a socket to the judge.
 #include <unistd.h>
@@ -10,20 +10,11 @@
 #include <cerrno>
 #include <cstdint>
 #include <mjcourse/mjcourse.hpp>
+#include <type_traits>
 
 namespace MJCOURSE_JUDGE {
 
 struct Call {};
-
-// Each report has another in front of it (splitmix64), so what is left of one in memory makes no
-// other. next_mark() in judge.cpp is the same.
-inline std::uint64_t next_mark() {
-  static std::uint64_t state = MJCOURSE_MARK;
-  std::uint64_t mark = (state += 0x9e3779b97f4a7c15u);
-  mark = (mark ^ (mark >> 30)) * 0xbf58476d1ce4e5b9u;
-  mark = (mark ^ (mark >> 27)) * 0x94d049bb133111ebu;
-  return mark ^ (mark >> 31);
-}
 
 inline void send(const char* bytes, std::size_t size) {
   while (size > 0) {
@@ -34,12 +25,21 @@ inline void send(const char* bytes, std::size_t size) {
   }
 }
 
+// Each report has a mark in front: a hash of its number and its text under a key.
 inline void say(const std::string& report) {
+  static unsigned long number = 0;
+  const std::string numbered = std::to_string(number++) + report;
   char mark[17];
-  std::snprintf(mark, sizeof mark, "%016llx", static_cast<unsigned long long>(next_mark()));
-  send(mark, sizeof mark - 1);
-  for (volatile char& digit : mark) digit = 0;
-  send(report.data(), report.size());
+  std::snprintf(mark, sizeof mark, "%016llx",
+                static_cast<unsigned long long>(
+                    mjcourse::sip_hash(MJCOURSE_MARK, numbered.data(), numbered.size())));
+  send((mark + report).data(), sizeof mark - 1 + report.size());
+}
+
+// A program that comes to its end says so, and gives its exit code.
+inline int ended(int code) {
+  say("{\"ended\": true}\n");
+  return code;
 }
 
 // Whether it holds.
@@ -66,6 +66,18 @@ inline std::string numbers(const Eigen::Ref<const Eigen::VectorXd>& vector) {
     all += text;
   }
   return all + '"';
+}
+
+// A value as the overload for what it is held against takes it, of which only the type is known.
+template <typename Expected, typename Value>
+  requires std::is_convertible_v<Expected, double>
+double like(const Value& value) {
+  return value;
+}
+template <typename Expected, typename Value>
+  requires(!std::is_convertible_v<Expected, double>)
+Eigen::VectorXd like(const Value& value) {
+  return Eigen::Ref<const Eigen::VectorXd>(value);
 }
 
 struct Words {

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/text_lines.h"
+#include "base/utf8.h"
 #include "evaluate/programs/joined_programs.h"
 #include "evaluate/programs/page_run.h"
 
@@ -21,7 +22,7 @@ std::optional<std::string> joined(const std::vector<std::string>& versions, cons
                                   const std::string& path) {
   std::vector<Version> all{{versions[0], tell_answers(key)}};
   for (const std::string& version : versions) all.push_back({version, tell_findings(key)});
-  return joined_programs(all, path, reporting_checks(key));
+  return joined_programs(all, path, reporting_checks(key), end_of_checks(key));
 }
 
 // All but the solution, which its page compiles as a program of its own.
@@ -44,6 +45,13 @@ struct Heard {
   }
 };
 
+// What a program printed may be no text: it is no fault of a hand-in.
+std::string shown_output(const std::string& output) {
+  std::string text;
+  for (const std::string_view line : lines_of(output)) text += readable_output(line) + "\n";
+  return text;
+}
+
 struct Judged {
   const Example& program;
   const Lesson& lesson;
@@ -59,22 +67,48 @@ struct Judged {
 
   std::optional<Heard> heard(const LocatedText& text, NativeRun run) const {
     std::string reports = std::exchange(run.records, "").value_or("");
+    if (!key.is_kept) run.outcome.out = shown_output(run.outcome.out);
     auto result = judge_native(program, text, std::move(run), lesson, diagnostics);
     if (!result) return std::nullopt;
     return Heard{*std::move(result), std::move(reports)};
   }
 
-  // `told` stands behind the includes of `text`, which messages quote.
-  std::optional<Heard> run_alone(const std::string& text, const std::string& told,
-                                 const RunAs& as) const {
+  // One text, of which `told` says what its checks tell. In a namespace, what it defines takes the
+  // place of no function of the C library.
+  struct Alone {
+    Example program;
+    LocatedText whole;
+    std::optional<NativeProgram> native;  // nothing (reported) where nothing can be run
+  };
+  Alone alone(const std::string& text, const std::string& told) const {
+    const std::string& path = program.file.text;
+    Alone one{program, {}, std::nullopt};
+    const std::string checks = reporting_checks(key);
+    if (auto joined = joined_programs({{text, told}}, path, checks, end_of_checks(key))) {
+      one.whole.text = *std::move(joined);
+      one.program.arguments = joined_arguments(0, program.arguments);
+    } else {
+      one.whole.text = with_behind_includes(text, checks + told, path);
+    }
+    auto native = native_program(one.program, one.whole, lesson, worker_context, diagnostics, true);
+    if (native) one.native.emplace(*std::move(native));
+    return one;
+  }
+
+  // Messages quote `text`.
+  std::optional<Heard> run(Alone& alone, const std::string& text, const RunAs& as) const {
     const LocatedText quoted{text, {}};
-    const LocatedText whole{
-        with_behind_includes(text, reporting_checks(key) + told, program.file.text), {}};
-    auto alone = native_program(program, whole, lesson, worker_context, diagnostics, true);
-    if (!alone) return std::nullopt;
-    auto run = compiled_run(program, quoted, *alone, lesson, worker_context, diagnostics, as);
+    if (!alone.native) return std::nullopt;
+    auto run =
+        compiled_run(alone.program, quoted, *alone.native, lesson, worker_context, diagnostics, as);
     if (!run) return std::nullopt;
     return heard(quoted, *std::move(run));
+  }
+
+  std::optional<Heard> run_alone(const std::string& text, const std::string& told,
+                                 const RunAs& as) const {
+    Alone one = alone(text, told);
+    return run(one, text, as);
   }
 
   std::optional<JudgedRun> judged(std::optional<Heard> heard, const Answers& answers) const {
@@ -93,16 +127,49 @@ struct Judged {
   }
 };
 
+// The word that no hand-in may have, in what a preprocessor has made of it; "" for none. Nothing
+// where that cannot be said.
+std::optional<std::string> refused_word(const NativeProgram& program, const JudgeKey& key,
+                                        const HandInRules& rules, const Toolchain& toolchain) {
+  const auto whole = program.preprocessed();
+  const auto code = whole ? find_marked_code(key, *whole) : std::nullopt;
+  if (!code) return std::nullopt;
+  const auto tokens = raw_tokens({*code}, toolchain);
+  return tokens ? std::optional(rules.expanded_fault(*code, tokens->front())) : std::nullopt;
+}
+
 }  // namespace
 
-std::optional<JudgedRun> run_handed_in(const Example& program, const std::string& text,
-                                       const Answers& answers, const Lesson& lesson,
-                                       WorkerContext& worker_context, const JudgeKey& key,
-                                       Diagnostics& diagnostics) {
-  const Judged judged{program, lesson, worker_context, key, diagnostics};
-  Judge judge(answers, key.mark);
-  return judged.judged(judged.run_alone(text, tell_findings(key), judged.as(judge, answers.key())),
-                       answers);
+std::optional<JudgedRun> run_handed_in(const HandedInProgram& handed_in, const Lesson& lesson,
+                                       WorkerContext& worker_context, Diagnostics& diagnostics) {
+  const JudgeKey& key = handed_in.key;
+  const Judged judged{handed_in.program, lesson, worker_context, key, diagnostics};
+  Judge judge(handed_in.answers, key.mark);
+  auto one = judged.alone(handed_in.text, tell_findings(key));
+  if (one.native && one.native->compile().succeeded) {
+    const auto word = refused_word(*one.native, key, handed_in.rules,
+                                   worker_context.run_context().compiler()->toolchain());
+    if (word != "") {
+      diagnostics.push_back(
+          error_at(place_of(*lesson.source, handed_in.program.span), "E-hand-in",
+                   word ? "what is written becomes `" + *word + "` by a macro, which no hand-in may"
+                        : "what the preprocessor makes of the text cannot be read"));
+      return std::nullopt;
+    }
+  }
+  return judged.judged(judged.run(one, handed_in.text, judged.as(judge, handed_in.answers.key())),
+                       handed_in.answers);
+}
+
+std::optional<std::string> expanded_code(const Example& program, const std::string& text,
+                                         const JudgeKey& key, const Lesson& lesson,
+                                         WorkerContext& worker_context) {
+  Diagnostics none;
+  const Judged judged{program, lesson, worker_context, key, none};
+  auto one = judged.alone(text, tell_findings(key));
+  if (!one.native || !one.native->compile().succeeded) return std::nullopt;
+  const auto whole = one.native->preprocessed();
+  return whole ? find_marked_code(key, *whole) : std::nullopt;
 }
 
 VersionRuns::VersionRuns(Example program, std::vector<std::string> versions, const Lesson& lesson,

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "evaluate/programs/example.h"
+#include "evaluate/programs/hand_in_text.h"
 #include "evaluate/programs/judge.h"
 #include "evaluate/programs/judged_text.h"
 
@@ -22,12 +23,25 @@ struct JudgedRun {
   std::vector<JudgedCheck> verdict;
 };
 
-// `text` is the whole of `program` with what was handed in. Nothing (reported) where its run went
-// wrong, or it was forged.
-std::optional<JudgedRun> run_handed_in(const Example& program, const std::string& text,
-                                       const Answers& answers, const Lesson& lesson,
-                                       WorkerContext& worker_context, const JudgeKey& key,
-                                       Diagnostics& diagnostics);
+// A program with what was handed in, as it is judged. All must outlive it.
+struct HandedInProgram {
+  const Example& program;
+  const std::string& text;  // all of it, with the code in marks (judged_text.h)
+  const Answers& answers;
+  const HandInRules& rules;
+  const JudgeKey& key;
+};
+
+// Nothing (reported) where its run went wrong, was forged, or is not to be: of what the
+// preprocessor has made of the code, there may be a word that no hand-in has.
+std::optional<JudgedRun> run_handed_in(const HandedInProgram& handed_in, const Lesson& lesson,
+                                       WorkerContext& worker_context, Diagnostics& diagnostics);
+
+// What the preprocessor makes of the code that is in marks in `text`. Nothing where it is not
+// found.
+std::optional<std::string> expanded_code(const Example& program, const std::string& text,
+                                         const JudgeKey& key, const Lesson& lesson,
+                                         WorkerContext& worker_context);
 
 class VersionRuns {
  public:

@@ -104,6 +104,17 @@ std::size_t ExerciseText::code_begin() const {
   return without.size();
 }
 
+int ExerciseText::code_line() const {
+  return SourceText(file_.path(), program("")).position(code_begin()).line;
+}
+
+std::string ExerciseText::numbered_program(std::string_view code) const {
+  const std::string without = program("");
+  const std::size_t begin = code_begin();
+  return without.substr(0, begin).append(code) + "#line " + std::to_string(end_) + " \"" +
+         file_.path() + "\"\n" + without.substr(begin);
+}
+
 std::string ExerciseText::in_place(const Variant& variant) const {
   std::string text;
   for (int line = 1; line <= file_.line_count(); ++line) {
@@ -248,16 +259,16 @@ bool begins_variant(std::string_view line) {
 
 std::optional<std::string> code_in_region(std::string_view program, std::string_view region) {
   std::string code;
-  bool inside = false;
+  int depth = 0;  // a text may fold parts of its own
   for (const std::string_view line : lines_of(program)) {
     const auto mark = mark_in(line);
-    if (!inside) {
-      inside = opens(line, region);
-    } else if (mark && mark->word == "endregion") {
-      return code;
-    } else {
-      code.append(line).append("\n");
+    if (depth == 0) {
+      depth = opens(line, region) ? 1 : 0;
+      continue;
     }
+    if (mark && mark->word == "region") ++depth;
+    if (mark && mark->word == "endregion" && --depth == 0) return code;
+    code.append(line).append("\n");
   }
   return std::nullopt;
 }

@@ -45,8 +45,11 @@ class ExerciseText {
   // The file with `code` in the region, whose marks stay, as a reader has it: other regions' are
   // left out.
   std::string program(std::string_view code) const;
-  // Where the code begins in there.
+  // Where the code begins in there, and in which line.
   std::size_t code_begin() const;
+  int code_line() const;
+  // The same, whose lines behind the region a compiler counts as in the file.
+  std::string numbered_program(std::string_view code) const;
   // The file with the variant in the solution's place. Each of its words is in the same line as
   // in the file, so the words of a compiler lead there.
   std::string in_place(const Variant& variant) const;

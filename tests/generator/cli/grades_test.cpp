@@ -25,7 +25,8 @@ std::vector<GradedHandIn> graded() {
   Grade whole{"fall", "A *fall*", "1.1", true, {falls, rests, hidden}};
   Grade broken{"fall", "A *fall*", "1.1", true, {no_fall, no_rest, hidden}};
   broken.minutes_late = 65;
-  broken.faults = {{{"message", "expected ';'"}, {"place", {{"line", 7}}}}};
+  broken.faults = {
+      {{"id", "E-example-compile"}, {"message", "expected ';'"}, {"place", {{"line", 7}}}}};
   Grade missing{"fall", "", "1.1", false, {no_fall, no_rest, hidden}};
   return {{"ann", "in/ann", "", {whole}},
           {"=cmd", "in/=cmd", "", {broken}},
@@ -55,9 +56,9 @@ TEST(Grades, AreATableOfChecksWithoutFormulas) {
             "ann,1.1,fall,it falls,no,yes,yes,2,2,no,\r\n"
             "ann,1.1,fall,it rests,no,no,no,0,1,no,\r\n"
             "ann,1.1,fall,\"it, \"\"too\"\"\",yes,no,no,0,1,no,\r\n"
-            "'=cmd,1.1,fall,it falls,no,yes,no,0,2,yes,expected ';' in line 7\r\n"
-            "'=cmd,1.1,fall,it rests,no,no,no,0,1,yes,expected ';' in line 7\r\n"
-            "'=cmd,1.1,fall,\"it, \"\"too\"\"\",yes,no,no,0,1,yes,expected ';' in line 7\r\n"
+            "'=cmd,1.1,fall,it falls,no,yes,no,0,2,yes,\"expected ';' in line 7\"\r\n"
+            "'=cmd,1.1,fall,it rests,no,no,no,0,1,yes,\"expected ';' in line 7\"\r\n"
+            "'=cmd,1.1,fall,\"it, \"\"too\"\"\",yes,no,no,0,1,yes,\"expected ';' in line 7\"\r\n"
             "cid,1.1,fall,it falls,no,yes,no,0,2,no,not handed in\r\n"
             "cid,1.1,fall,it rests,no,no,no,0,1,no,not handed in\r\n"
             "cid,1.1,fall,\"it, \"\"too\"\"\",yes,no,no,0,1,no,not handed in\r\n");
@@ -67,7 +68,7 @@ TEST(Grades, AreATableOfStudents) {
   EXPECT_EQ(students_csv(graded()),
             "student,points,of,fall,own_word,late,missing,remark\r\n"
             "ann,2,4,2,2,,,\r\n"
-            "'=cmd,0,4,0,0,fall: 1 h 5 min late,,fall: expected ';' in line 7\r\n"
+            "'=cmd,0,4,0,0,fall: 1 h 5 min late,,\"fall: expected ';' in line 7\"\r\n"
             "cid,0,4,0,0,,fall,it is a link\r\n");
 }
 
@@ -101,6 +102,35 @@ expected ';' in line 7.
 )");
 }
 
+// The words of an exception may hold what a hidden check was made of.
+TEST(Grades, AreLettersThatTellOfAFaultItsKindAlone) {
+  GradedHandIn ann = graded()[0];
+  ann.grades[0].faults = {{{"id", "E-example-throws"}, {"message", "threw 0.75"}}};
+  ann.grades[0].is_hidden_fault = true;
+  EXPECT_EQ(letter(ann), R"(# ann
+
+2 of 4 points.
+
+## A \*fall\*: 2 of 4 points
+
+`fall.cpp`, lesson 1.1.
+
+- ✓ it falls (2 points)
+- ✗ it rests (1 point)  
+  it is pushed  
+  it is 1, and should be 0 ± 1e\-09
+
+Checks that the page does not show, in which the program threw an exception:
+
+- ✗ it, "too" (1 point)
+)");
+  ann.grades[0].is_hidden_fault = false;
+  EXPECT_NE(letter(ann).find("lesson 1.1.\n\nthe program threw an exception.\n"),
+            std::string::npos);
+  ann.student = "x;=1";
+  EXPECT_NE(students_csv({ann}).find("\"x;=1\",2,4,"), std::string::npos);
+}
+
 TEST(Grades, AreJson) {
   const auto all = nlohmann::json::parse(grades_text(graded(), GradeFormat::json));
   ASSERT_EQ(all.size(), 3u);
@@ -124,14 +154,20 @@ TEST(Grades, AreTestsToOthers) {
 
 TEST(Grades, AreTakenUpAsTheyWereKept) {
   const Grade grade = graded()[1].grades[0];
-  const auto again = grade_of_json(judgement_json(grade));
+  const auto again = grade_of_json(judgement_json(grade), grade);
   ASSERT_TRUE(again);
   EXPECT_EQ(judgement_json(*again), judgement_json(grade));
   for (const char* damaged : {"null", "[]", "{}", R"({"exercise": 1})",
                               R"({"exercise": "a", "title": "", "lesson": "", "checks": [1],
                                   "faults": []})"}) {
-    EXPECT_FALSE(grade_of_json(nlohmann::json::parse(damaged))) << damaged;
+    EXPECT_FALSE(grade_of_json(nlohmann::json::parse(damaged), grade)) << damaged;
   }
+  nlohmann::json richer = judgement_json(grade);
+  richer["checks"][0]["points"] = 9;
+  EXPECT_FALSE(grade_of_json(richer, grade)) << "the check has other points";
+  nlohmann::json odd = judgement_json(grade);
+  odd["faults"] = {1};
+  EXPECT_FALSE(grade_of_json(odd, grade));
 }
 
 }  // namespace

@@ -79,6 +79,36 @@ TEST_F(HandInsTest, AreReadWithoutLinks) {
   EXPECT_FALSE(read_handed_in({"ann", path("ann"), "a fault"}, "fall").is_there());
 }
 
+TEST_F(HandInsTest, SayWhatIsWrongWithTheirText) {
+  write("ann/one.cpp", std::string("\xff\xfe/\0/\0", 6));
+  write("ann/two.cpp", "a\rb\r");
+  write("ann/three.cpp", "\xef\xbb\xbfint x;\n");
+  const HandIn ann{"ann", path("ann")};
+  EXPECT_EQ(read_handed_in(ann, "one").fault, "it is no text in UTF-8: save it as such");
+  EXPECT_EQ(read_handed_in(ann, "two").fault,
+            "its lines end with carriage returns alone: save it with line feeds");
+  EXPECT_EQ(read_handed_in(ann, "three").text, "int x;\n");
+}
+
+TEST_F(HandInsTest, HaveOneFileForAnExercise) {
+  write("ann/fall.cpp", "");
+  write("ann/fall/fall.cpp", "");
+  EXPECT_EQ(notes_on({"ann", path("ann")}, {"fall"}),
+            (Notes{"ann: fall.cpp is graded, and fall/fall.cpp is not"}));
+  write("bob/Fall.cpp.txt", "");
+  EXPECT_EQ(notes_on({"bob", path("bob")}, {"fall"}),
+            (Notes{"bob: Fall.cpp.txt has the name of no exercise: is it fall.cpp?"}));
+}
+
+TEST_F(HandInsTest, AreNoResults) {
+  write("results/students.csv", "");
+  write("results/verdicts/a.json", "");
+  const HandIns found = find({"results"});
+  EXPECT_TRUE(found.all.empty());
+  EXPECT_EQ(shown(found.notes), (Notes{"results has results, and is left out"}));
+  EXPECT_EQ(find_hand_ins({path("results/..") + "/results/verdicts/."}).all[0].student, "verdicts");
+}
+
 TEST_F(HandInsTest, WithNamesThatMissTheirExerciseAreTold) {
   fs::create_directory(path("empty"));
   write("ann/rate.cpp", "");

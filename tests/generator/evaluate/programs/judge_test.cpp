@@ -7,17 +7,17 @@
 namespace mjcourse {
 namespace {
 
-// Reports as a program with the mark 7 makes them.
-class ReportsOf7 {
+const SipKey kKey{7, 8};
+
+// Reports as a program with that key makes them.
+class Reports7 {
  public:
   std::string of(const std::string& json) {
-    state_ += 0x9e3779b97f4a7c15U;
-    std::uint64_t mark = state_;
-    mark = (mark ^ (mark >> 30)) * 0xbf58476d1ce4e5b9U;
-    mark = (mark ^ (mark >> 27)) * 0x94d049bb133111ebU;
+    const std::string numbered = std::to_string(number_++) + json + "\n";
     char digits[17];
-    std::snprintf(digits, sizeof digits, "%016llx",
-                  static_cast<unsigned long long>(mark ^ (mark >> 31)));
+    std::snprintf(
+        digits, sizeof digits, "%016llx",
+        static_cast<unsigned long long>(sip_hash(kKey, numbered.data(), numbered.size())));
     return digits + json;
   }
   std::string check(const std::string& what, const std::string& found) {
@@ -26,27 +26,30 @@ class ReportsOf7 {
   }
 
  private:
-  std::uint64_t state_ = 7;
+  int number_ = 0;
 };
 
 // Twice `near`, once `plain`, in the solution's run.
 Answers answers() {
-  ReportsOf7 reports;
-  Judge author(7);
+  Reports7 reports;
+  Judge author(kKey);
   const std::string expected = R"(, "expected": "2", "tolerance": "0.1")";
   EXPECT_EQ(author.hear(reports.check("near", R"("value": "2.05")" + expected)), "1");
   EXPECT_EQ(author.hear(reports.check("near", R"("value": "1.95")" + expected)), "1");
   EXPECT_EQ(author.hear(reports.check("plain", R"("holds": true)")), "");
+  author.hear(reports.of(R"({"ended": true})"));
   EXPECT_TRUE(author.answers().hold());
   return author.answers();
 }
 
 // What the checks come to of a program that reports these.
-std::vector<JudgedCheck> verdict(const std::vector<std::pair<std::string, std::string>>& made) {
+std::vector<JudgedCheck> verdict(const std::vector<std::pair<std::string, std::string>>& made,
+                                 bool is_ended = true) {
   const Answers known = answers();
-  ReportsOf7 reports;
-  Judge judge(known, 7);
+  Reports7 reports;
+  Judge judge(known, kKey);
   for (const auto& [what, found] : made) judge.hear(reports.check(what, found));
+  if (is_ended) judge.hear(reports.of(R"({"ended": true})"));
   EXPECT_FALSE(judge.is_forged());
   return judge.verdict();
 }
@@ -93,13 +96,15 @@ TEST(Judge, CountsCalls) {
   EXPECT_EQ(one[0].found, "it was made 1 time, and 2 times with the solution");
   const auto failing = verdict({{"near", right}, {"plain", R"("holds": false)"}});
   EXPECT_TRUE(failing[0].holds) << "the rest may depend on what fails";
+  const auto cut = verdict({{"near", right}, {"plain", R"("holds": false)"}}, false);
+  EXPECT_FALSE(cut[0].holds) << "or the program has been ended in between";
   EXPECT_FALSE(verdict({{"near", right}, {"near", right}, {"near", right}})[0].holds);
 }
 
 // In three rounds, the solution's run makes `a` and then `b`, which `a` guards.
 TEST(Judge, LeavesOutCallsBehindOneThatFails) {
-  ReportsOf7 author_reports, reports;
-  Judge author(7);
+  Reports7 author_reports, reports;
+  Judge author(kKey);
   for (const int round : {1, 2, 3}) {
     const std::string number = std::to_string(round);
     for (const char* what : {"a", "b"}) {
@@ -108,7 +113,7 @@ TEST(Judge, LeavesOutCallsBehindOneThatFails) {
     }
   }
   const Answers known = author.answers();
-  Judge judge(known, 7);
+  Judge judge(known, kKey);
   const auto hear = [&](const char* what, const char* number) {
     return judge.hear(reports.check(what, "\"value\": \"" + std::string(number) + "\""));
   };
@@ -119,6 +124,7 @@ TEST(Judge, LeavesOutCallsBehindOneThatFails) {
   EXPECT_EQ(hear("b", "3"), "1") << "of the third round, though it is the second call";
   EXPECT_EQ(hear("b", "3"), "0") << "there is none behind it";
   EXPECT_FALSE(judge.verdict()[0].holds);
+  EXPECT_EQ(judge.verdict()[1].found, "it is 3, which the solution's run expects nowhere behind");
 }
 
 TEST(Judge, GivesNoPointsForChecksThatTheSolutionDoesNotMake) {
@@ -133,15 +139,14 @@ TEST(Judge, KnowsReportsOfSomebodyElse) {
   const std::string report =
       R"({"what": "plain", "meaning": "", "points": 1, "line": 3, "holds": true})";
   for (const std::string& line : std::vector<std::string>{
-           "", "x", report, "0000000000000007" + report, ReportsOf7().of("{}"),
-           ReportsOf7().of("[]"), ReportsOf7().check("plain", R"("holds": "true")"),
-           "63cbe1e459320dd7"}) {
-    Judge judge(known, 7);
+           "", "x", report, "0000000000000007" + report, Reports7().of("{}"), Reports7().of("[]"),
+           Reports7().check("plain", R"("holds": "true")"), "63cbe1e459320dd7"}) {
+    Judge judge(known, kKey);
     EXPECT_EQ(judge.hear(line), "0") << line;
     EXPECT_TRUE(judge.is_forged()) << line;
   }
-  Judge judge(known, 7);
-  const std::string line = ReportsOf7().of(report);
+  Judge judge(known, kKey);
+  const std::string line = Reports7().of(report);
   judge.hear(line);
   EXPECT_FALSE(judge.is_forged());
   judge.hear(line);
@@ -149,17 +154,17 @@ TEST(Judge, KnowsReportsOfSomebodyElse) {
 }
 
 TEST(Judge, TellsOfAVectorWhichNumberIsOff) {
-  ReportsOf7 author_reports, reports;
-  Judge author(7);
+  Reports7 author_reports, reports;
+  Judge author(kKey);
   author.hear(author_reports.check(
       "v", R"("value": "[ 1 2 3", "expected": "[ 1 2 3", "tolerance": "1e-9")"));
   const Answers known = author.answers();
-  Judge judge(known, 7);
+  Judge judge(known, kKey);
   EXPECT_EQ(judge.hear(reports.check("v", R"("value": "[ 1 2.5 3")")), "0");
   EXPECT_EQ(judge.verdict()[0].found,
             "it is [1, 2.5, 3], and should be [1, 2, 3] ± 1e-09: off by 0.5");
-  Judge shorter(known, 7);
-  shorter.hear(ReportsOf7().check("v", R"("value": "[ 1 2")"));
+  Judge shorter(known, kKey);
+  shorter.hear(Reports7().check("v", R"("value": "[ 1 2")"));
   EXPECT_EQ(shorter.verdict()[0].found, "it has 2 numbers, and should have 3");
 }
 

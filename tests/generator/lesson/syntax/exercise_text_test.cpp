@@ -113,6 +113,12 @@ TEST(ExerciseText, SaysWhereAHandInsCodeBegins) {
   const std::string whole = exercise->program("three();\n");
   EXPECT_EQ(whole.substr(exercise->code_begin(), 8), "three();");
   EXPECT_EQ(exercise->solution_line(), 4);
+  EXPECT_EQ(exercise->code_line(), 2);
+  EXPECT_EQ(exercise->numbered_program("three();\n"),
+            "  // #region answer\nthree();\n#line 7 \"a.cpp\"\n  // #endregion\n");
+  EXPECT_EQ(
+      code_in_region("// #region a\nb\n// #region own\nc\n// #endregion\n// #endregion\n", "a"),
+      "b\n// #region own\nc\n// #endregion\n");
 }
 
 TEST(ExerciseText, StandsCarriageReturns) {
