@@ -161,7 +161,8 @@ Verdict ExerciseJudge::judge(const JudgedExercise& exercise, const std::string& 
   }
   const auto run = [&](const Program& program, std::vector<JudgedCheck>& into) {
     Diagnostics all;
-    auto ran = run_handed_in({program.example, program.text, program.answers, exercise.rules, key_},
+    auto ran = run_handed_in({program.example, program.text, exercise.files.text.program(code),
+                              program.answers, exercise.rules, key_},
                              *exercise.lesson, worker_context, all);
     if (!ran) {
       keep_errors(all);

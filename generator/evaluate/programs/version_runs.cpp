@@ -157,7 +157,7 @@ std::optional<JudgedRun> run_handed_in(const HandedInProgram& handed_in, const L
       return std::nullopt;
     }
   }
-  return judged.judged(judged.run(one, handed_in.text, judged.as(judge, handed_in.answers.key())),
+  return judged.judged(judged.run(one, handed_in.quoted, judged.as(judge, handed_in.answers.key())),
                        handed_in.answers);
 }
 

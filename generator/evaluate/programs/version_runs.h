@@ -27,6 +27,7 @@ struct JudgedRun {
 struct HandedInProgram {
   const Example& program;
   const std::string& text;  // all of it, with the code in marks (judged_text.h)
+  std::string quoted;       // by messages: the same as its reader has it
   const Answers& answers;
   const HandInRules& rules;
   const JudgeKey& key;
