@@ -41,7 +41,7 @@ set(session_includes evaluate course base)
 set(page/html_includes findings course lesson/blocks lesson/syntax report base)
 set(page/blocks_includes page/html script findings course lesson/blocks report base)
 set(page_includes page/blocks page/html script findings course lesson lesson/json lesson/syntax
-    report base)
+    report process base)
 set(preview_includes page page/blocks page/html session report process base)
 set(lsp_includes session evaluate physics course lesson lesson/blocks lesson/json report base)
 set(cli_includes lsp preview page page/blocks page/html session evaluate evaluate/claims toolchain

@@ -71,8 +71,8 @@ class SiteBuild {
     if (!options_.base_url.empty()) course.url = options_.base_url;
     write_site(
         course, evaluation,
-        {options_.course, assets_folder(), site(), options_.jobs, compress,
-         !options_.without_solutions},
+        {options_.course, std::filesystem::absolute(assets_folder()), own_program(), site(),
+         options_.jobs, compress, !options_.without_solutions},
         [&](const Lesson& lesson) { return claims_of_prose(lesson, evaluation); },
         history_->changes);
   }

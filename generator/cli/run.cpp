@@ -18,6 +18,7 @@
 #include "evaluate/worker.h"
 #include "page/course_data.h"
 #include "page/foreign_files.h"
+#include "page/template_process.h"
 #include "process/mesa.h"
 #include "process/our_command.h"
 #include "remote/store_address.h"
@@ -187,6 +188,10 @@ int run_command(const std::vector<std::string>& arguments) {
   try {
     if (arguments[0] == kWorkCommand && arguments.size() == 3) {
       answer_questions(arguments[1], DiskFiles(arguments[2]));
+      return kClean;
+    }
+    if (arguments[0] == kRenderCommand && arguments.size() == 2) {
+      render_templates(DiskFiles(arguments[1]));
       return kClean;
     }
     std::vector<std::string> names;

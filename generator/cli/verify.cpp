@@ -89,13 +89,16 @@ std::filesystem::path assets_folder() {
   return std::filesystem::exists(built / "manifest.json") ? built : prefix / "share" / "mjcourse";
 }
 
+std::filesystem::path own_program() {
+  return std::filesystem::read_symlink("/proc/self/exe");
+}
+
 EvaluationSettings evaluation_settings(const CourseOptions& options, const Files& assets,
                                        Store* store) {
   EvaluationSettings settings{options.course, assets, store, options.jobs,
                               assets_folder() / "examples" / "include"};
   settings.without_landlock = options.without_landlock;
-  settings.worker = {std::filesystem::read_symlink("/proc/self/exe"),
-                     std::filesystem::absolute(assets_folder())};
+  settings.worker = {own_program(), std::filesystem::absolute(assets_folder())};
   settings.page = assets_folder() / "cpp";
   const std::filesystem::path folder = store_folder(options.store);
   if (store != nullptr && !folder.empty()) settings.prepared = prepared_folder(folder);

@@ -40,6 +40,9 @@ Verified verify_course(const VerifyOptions& options, const ShowNative& show = {}
 // own place: in a build tree `../assets`, where it is installed `../share/mjcourse`.
 std::filesystem::path assets_folder();
 
+// The generator's own file.
+std::filesystem::path own_program();
+
 // Of a course, for evaluating it; `store` may be null.
 EvaluationSettings evaluation_settings(const CourseOptions& options, const Files& assets,
                                        Store* store);

@@ -1,9 +1,5 @@
 #include "evaluate/work_loop.h"
 
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -14,48 +10,12 @@
 #include "evaluate/work_message.h"
 #include "lesson/read_glossary.h"
 #include "lesson/read_lesson.h"
+#include "process/question_stream.h"
 
 namespace mjcourse {
 namespace {
 
 namespace fs = std::filesystem;
-
-// False at the end of the stream.
-bool read_all(int descriptor, char* to, std::size_t size) {
-  while (size > 0) {
-    const ssize_t count = read(descriptor, to, size);
-    if (count == 0 || (count < 0 && errno != EINTR)) return false;
-    if (count < 0) continue;
-    to += count;
-    size -= static_cast<std::size_t>(count);
-  }
-  return true;
-}
-
-bool write_all(int descriptor, const char* from, std::size_t size) {
-  while (size > 0) {
-    const ssize_t count = write(descriptor, from, size);
-    if (count < 0 && errno != EINTR) return false;
-    if (count < 0) continue;
-    from += count;
-    size -= static_cast<std::size_t>(count);
-  }
-  return true;
-}
-
-std::optional<std::string> next_message() {
-  std::uint64_t size = 0;
-  if (!read_all(STDIN_FILENO, reinterpret_cast<char*>(&size), sizeof size)) return std::nullopt;
-  std::string message(size, '\0');
-  if (!read_all(STDIN_FILENO, message.data(), size)) return std::nullopt;
-  return message;
-}
-
-bool say(int descriptor, const std::string& message) {
-  const std::uint64_t size = message.size();
-  return write_all(descriptor, reinterpret_cast<const char*>(&size), sizeof size) &&
-         write_all(descriptor, message.data(), message.size());
-}
 
 // A course of one page, and all that is to be found out about it.
 struct Page {
@@ -134,14 +94,12 @@ class Answerer {
 }  // namespace
 
 void answer_questions(const fs::path& root, const Files& assets) {
-  // Whatever a library prints must not come between answers.
-  const int answers = dup(STDOUT_FILENO);
-  dup2(STDERR_FILENO, STDOUT_FILENO);
+  const QuestionStream questions;
   Answerer answerer(root, assets);
-  while (const auto message = next_message()) {
+  while (const auto message = questions.next()) {
     const auto question = decode_question(*message);
     if (!question) throw std::runtime_error("this is no question");
-    if (!say(answers, encode(answerer.answer(*question)))) return;
+    if (!questions.answer(encode(answerer.answer(*question)))) return;
   }
 }
 

@@ -38,8 +38,8 @@ nlohmann::json fonts_of(const PageHead& head, const SiteData& site, const std::s
 
 }  // namespace
 
-PageEngines::PageEngines(const Files& assets, std::size_t memory)
-    : templates(site_templates(assets, memory)),
+PageEngines::PageEngines(const Files& assets, std::size_t memory, const RendererOf& renderer_of)
+    : templates(site_templates(assets, memory, renderer_of)),
       highlighter(script_bundle(assets, "highlight"), memory) {}
 
 PageContext PageRenderer::context(InlineStyles& styles, const std::string& path) {

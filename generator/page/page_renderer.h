@@ -33,7 +33,8 @@ struct PagePart {
 // The script engines of a renderer, which serve any number of sites one after the other.
 struct PageEngines {
   // A caller that writes the same pages again and again gives more `memory`, in bytes for each.
-  explicit PageEngines(const Files& assets, std::size_t memory = kLittleMemory);
+  explicit PageEngines(const Files& assets, std::size_t memory = kLittleMemory,
+                       const RendererOf& renderer_of = {});
   Templates templates;
   Highlighter highlighter;
 };

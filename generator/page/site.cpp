@@ -15,6 +15,7 @@
 #include "page/site_data.h"
 #include "page/site_directory.h"
 #include "page/site_pages.h"
+#include "page/template_process.h"
 
 namespace mjcourse {
 namespace {
@@ -38,10 +39,13 @@ void write_site(const Course& course, const Evaluation& evaluation, const SitePa
   SitePages pages(course, evaluation, paths.course, assets, directory, false, std::move(changes),
                   claims_of_outline);
   if (!paths.solutions) pages.withhold_solutions();
+  const RendererOf renders = renderer_of(assets, paths.program, paths.assets);
   // Made on the thread that works with it, at its first page.
   std::vector<std::unique_ptr<PageEngines>> engines(paths.threads);
   const auto engines_of = [&](std::size_t thread) -> PageEngines& {
-    if (!engines[thread]) engines[thread] = std::make_unique<PageEngines>(assets);
+    if (!engines[thread]) {
+      engines[thread] = std::make_unique<PageEngines>(assets, kLittleMemory, renders);
+    }
     return *engines[thread];
   };
   for_each_index(course.lessons.size(), paths.threads, [&](std::size_t index, std::size_t thread) {

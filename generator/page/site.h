@@ -23,11 +23,13 @@ inline constexpr const char* kProvisional = "assets/provisional.txt";
 
 struct SitePaths {
   std::filesystem::path course;  // the course's folder
-  std::filesystem::path assets;  // what site/bundle/build.mjs made
-  std::filesystem::path out;     // the site
-  std::size_t threads = 1;       // on which the lessons are written
-  bool compress = false;         // precompressed.h
-  bool solutions = true;         // without_solutions.h
+  std::filesystem::path assets;  // what site/bundle/build.mjs made; absolute
+  // The generator's own file, which renders what a theme has; absolute.
+  std::filesystem::path program;
+  std::filesystem::path out;  // the site
+  std::size_t threads = 1;    // on which the lessons are written
+  bool compress = false;      // precompressed.h
+  bool solutions = true;      // without_solutions.h
 };
 
 // `claims_of_outline` is asked for the claims of lessons of which an outline is kept, from any

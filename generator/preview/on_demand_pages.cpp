@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "page/html/site_paths.h"
+#include "page/template_process.h"
 #include "preview/inside.h"
 
 namespace mjcourse {
@@ -45,9 +46,11 @@ std::vector<fs::path> template_folders(const fs::path& root, const fs::path& edi
 
 }  // namespace
 
-OnDemandPages::OnDemandPages(fs::path root, fs::path assets, const fs::path& templates)
+OnDemandPages::OnDemandPages(fs::path root, fs::path assets, const fs::path& templates,
+                             fs::path program)
     : root_(std::move(root)),
       assets_folder_(std::move(assets)),
+      program_(std::move(program)),
       assets_(assets_folder_, template_folders(root_, templates)),
       thread_([this] { work(); }) {}
 
@@ -109,7 +112,10 @@ OnDemandPages::Made& OnDemandPages::newest() {
     engines_.reset();
     made_.reset();
   }
-  if (!engines_) engines_ = std::make_unique<PageEngines>(assets_, kMemory);
+  if (!engines_) {
+    engines_ = std::make_unique<PageEngines>(
+        assets_, kMemory, renderer_of(assets_, program_, fs::absolute(assets_folder_)));
+  }
   if (!made_ || made_->snapshot != snapshot_) {
     old_ = std::exchange(made_, std::make_unique<Made>());
     made_->snapshot = snapshot_;

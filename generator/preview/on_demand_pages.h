@@ -27,9 +27,10 @@ namespace mjcourse {
 class OnDemandPages {
  public:
   // `root` is the course's folder, `assets` the folder that site/bundle/build.mjs filled,
-  // `templates` one with other templates, or empty.
+  // `templates` one with other templates, or empty; and `program` is the generator's own file,
+  // which renders these.
   OnDemandPages(std::filesystem::path root, std::filesystem::path assets,
-                const std::filesystem::path& templates);
+                const std::filesystem::path& templates, std::filesystem::path program);
   ~OnDemandPages();
   OnDemandPages(const OnDemandPages&) = delete;
   OnDemandPages& operator=(const OnDemandPages&) = delete;
@@ -69,7 +70,7 @@ class OnDemandPages {
   void make_lesson(Made& made, std::size_t index);
   void make_others(Made& made);
 
-  std::filesystem::path root_, assets_folder_;
+  std::filesystem::path root_, assets_folder_, program_;
   ThemedAssets assets_;
   std::mutex mutex_;
   std::condition_variable woken_;

@@ -96,7 +96,8 @@ Preview::Preview(const PreviewSetup& setup, std::function<void(const Snapshot&)>
       built_css_(css_of(setup.assets)),
       folders_(watched_folders(setup)),
       pages_(setup.settings.root, setup.assets,
-             setup.site.empty() ? fs::path() : setup.site / "press/templates") {
+             setup.site.empty() ? fs::path() : setup.site / "press/templates",
+             setup.settings.worker ? setup.settings.worker->file : fs::path()) {
   if (!setup.site.empty()) stylesheet_.emplace(setup.site);
   session_ = std::make_unique<LiveSession>(
       setup_.settings, std::make_shared<DiskFiles>(setup_.settings.root),

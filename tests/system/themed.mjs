@@ -117,3 +117,16 @@ test("a mistake in a template is shown at its line, and the old site stays", () 
   );
   assert.match(readFileSync(join(folder, "site/index.html"), "utf8"), /No\. <b/);
 });
+
+test("templates that take much are an error, and not the generator's end", () => {
+  write("templates/stamp.hbs", "{{number}}".repeat(25000));
+  const { status, stderr } = build();
+  assert.equal(
+    stderr,
+    `theme/templates/card.hbs: error: takes more than 512 MiB of memory [E-template]
+  cure: look for a loop in a loop, and for a template of many parts
+
+`,
+  );
+  assert.equal(status, 1);
+});

@@ -69,7 +69,7 @@ Cases(Functions...) -> Cases<Functions...>;
 
 }  // namespace
 
-Templates site_templates(const Files& assets, std::size_t memory) {
+Templates site_templates(const Files& assets, std::size_t memory, const RendererOf& renderer_of) {
   std::map<std::string, std::string> sources;
   for (const std::string& name : assets.list("templates")) {
     if (!name.ends_with(".hbs")) continue;
@@ -83,6 +83,7 @@ Templates site_templates(const Files& assets, std::size_t memory) {
     }
     sources[own] = *std::move(source);
   }
+  if (renderer_of) return Templates(renderer_of(std::move(sources)), memory);
   return {script_bundle(assets, "templates"), sources, memory};
 }
 

@@ -5,6 +5,9 @@
 // here.
 #pragma once
 
+#include <functional>
+#include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string>
@@ -62,8 +65,14 @@ class PageWriter {
   LessonContext context_;
 };
 
-// The templates that the site's build left in `assets`, with their engine.
-Templates site_templates(const Files& assets, std::size_t memory = kLittleMemory);
+// Makes who renders templates, by their names and texts.
+using RendererOf =
+    std::function<std::unique_ptr<TemplateRenderer>(std::map<std::string, std::string>)>;
+
+// The templates that the site's build left in `assets`, with their engine, unless `renderer_of`
+// makes another one.
+Templates site_templates(const Files& assets, std::size_t memory = kLittleMemory,
+                         const RendererOf& renderer_of = {});
 
 // Why a template could not be rendered, with its name and line.
 class BrokenTemplate : public std::runtime_error {

@@ -17,6 +17,13 @@ ThemedAssets::ThemedAssets(const std::filesystem::path& assets,
   for (const std::filesystem::path& folder : templates) templates_.emplace_back(folder);
 }
 
+bool ThemedAssets::is_themed() const {
+  return std::ranges::any_of(templates_, [](const DiskFiles& folder) {
+    return std::ranges::any_of(folder.list(""),
+                               [](const std::string& name) { return name.ends_with(".hbs"); });
+  });
+}
+
 tl::expected<std::string, std::string> ThemedAssets::read(const std::string& path) const {
   if (path.starts_with(kTemplates)) {
     const std::string name = path.substr(kTemplates.size());

@@ -20,6 +20,9 @@ class ThemedAssets : public Files {
   ThemedAssets(const std::filesystem::path& assets,
                const std::vector<std::filesystem::path>& templates);
 
+  // Has one of the folders a template?
+  bool is_themed() const;
+
   tl::expected<std::string, std::string> read(const std::string& path) const override;
   bool exists(const std::string& path) const override;
   std::vector<std::string> list(const std::string& folder) const override;

@@ -11,7 +11,7 @@ namespace {
 // A browser whose tab stayed open asks before anything is known.
 TEST(OnDemandPages, HasNothingBeforeTheFirstSnapshot) {
   const TemporaryFolder course;
-  OnDemandPages pages(course.path(), MJCOURSE_ASSETS, "");
+  OnDemandPages pages(course.path(), MJCOURSE_ASSETS, "", "");
   const OnDemandPages::Page page = pages.page("index.html");
   EXPECT_EQ(page.html, "");
   EXPECT_EQ(page.snapshot, nullptr);
@@ -30,7 +30,7 @@ TEST(OnDemandPages, KeepsAPageThatCannotBeMadeAnyMore) {
   results->lessons.resize(1);
   known->evaluation = results;
   known->readable = true;
-  OnDemandPages pages(course.path(), MJCOURSE_ASSETS, "");
+  OnDemandPages pages(course.path(), MJCOURSE_ASSETS, "", "");
   pages.show(known);
   const std::string html = pages.page("1-a/1.1-b.html").html;
   EXPECT_NE(html.find("<p>Text.</p>"), std::string::npos);
