@@ -55,7 +55,7 @@ struct NativeRequest {
   std::vector<std::string> arguments = {};
   double seconds = 10;    // wall clock
   int exit_code = 0;      // with which it is to end
-  std::string seed = "";  // what the helper header's seed() gives; "" for its own
+  std::string seed = {};  // what the helper header's seed() gives; "" for its own
   std::optional<RunListener> listener = {};
   bool is_kept = true;  // may its run be found another time?
 };

@@ -92,7 +92,7 @@ class KeptVerdicts {
   std::string seed(const std::string& seed, bool is_wanted) const {
     if (!folder_) return seed;
     const auto kept = DiskFiles(folder_->path()).read("seed");
-    const std::string known = kept ? kept->substr(0, kept->find('\n')) : "";
+    std::string known = kept ? kept->substr(0, kept->find('\n')) : "";
     if (!known.empty() && !is_wanted) return known;
     folder_->write("seed", seed + "\n");
     return seed;
@@ -169,7 +169,7 @@ std::optional<Refusal> unknown(const GradeOptions& options, const Course& course
 std::string key_of(const JudgedExercise& judged, const std::string& seed, const fs::path& course) {
   const DiskFiles files(course);
   const Example& program = judged.exercise->program;
-  json options{seed, program.seconds, program.exit_code, program.optimize, program.arguments};
+  const json options{seed, program.seconds, program.exit_code, program.optimize, program.arguments};
   std::string all = options.dump() + std::string(judged.files.text.file().text()) +
                     judged.files.hidden.value_or("") + judged.shown.key() + judged.hidden.key();
   for (const std::string& source : judged.sources) {

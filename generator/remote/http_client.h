@@ -65,7 +65,7 @@ class HttpClient {
   void read_answers();
   void take(Message message);
   void connect();
-  void end(const std::string& why);
+  void end(const std::string& said);
 
   const Server server_;
   const Command command_;

@@ -28,7 +28,7 @@ struct StoreAddress {
 
 // Of http://…, https://… and unix:/path. What is wrong with it never has a part of it, which may be
 // one of a password.
-tl::expected<StoreAddress, std::string> read_store_address(std::string_view address);
+tl::expected<StoreAddress, std::string> read_store_address(std::string_view text);
 
 // `text`, which may be anything that a user wrote, without the name and the password of an address
 // in it: "https://…@host".

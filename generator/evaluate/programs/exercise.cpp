@@ -361,7 +361,7 @@ class Trials {
   }
 
   // Gives false.
-  bool refuse(std::string message, std::string cure, std::optional<Place> place = {}) {
+  bool refuse(std::string message, std::string cure, const std::optional<Place>& place = {}) {
     const Place lessons = place_of(*lesson_.source, exercise_.span);
     Diagnostic& wrong = diagnostics_.emplace_back(error_at(
         place.value_or(lessons), "E-exercise-hand-in", std::move(message), std::move(cure)));
