@@ -1,6 +1,7 @@
 #include "actions/lent_headers.h"
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -12,27 +13,30 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The headers that a file in `folder` of `files` includes, with what these include.
-void add_included(const DiskFiles& files, std::string_view text, const fs::path& folder,
-                  std::set<std::string>& found) {
-  for (const std::string& name : quoted_includes(text)) {
-    // A compiler looks beside the file first, and then beside the program.
-    for (const fs::path& candidate : {(folder / name).lexically_normal(), fs::path(name)}) {
-      if (found.contains(candidate)) break;
-      const auto header = files.read(candidate);
-      if (!header) continue;
-      found.insert(candidate);
-      add_included(files, *header, candidate.parent_path(), found);
-      break;
-    }
+// A compiler looks beside the file that includes, and then beside the program.
+std::optional<std::string> find_header(const DiskFiles& files, const fs::path& folder,
+                                       const std::string& name) {
+  for (const fs::path& candidate : {(folder / name).lexically_normal(), fs::path(name)}) {
+    if (files.read(candidate)) return candidate;
   }
+  return std::nullopt;
 }
 
 }  // namespace
 
 std::vector<std::string> included_headers(const DiskFiles& files, std::string_view program) {
   std::set<std::string> found;
-  add_included(files, program, "", found);
+  // Not by recursion: a chain of headers may have any length.
+  std::vector<std::pair<fs::path, std::string>> open{{"", std::string(program)}};
+  while (!open.empty()) {
+    const auto [folder, text] = std::move(open.back());
+    open.pop_back();
+    for (const std::string& name : quoted_includes(text)) {
+      const auto header = find_header(files, folder, name);
+      if (!header || !found.insert(*header).second) continue;
+      open.emplace_back(fs::path(*header).parent_path(), files.read(*header).value_or(""));
+    }
+  }
   return {found.begin(), found.end()};
 }
 

@@ -1,4 +1,4 @@
-// LentHeaders: what a stranger's text may include from beside its program, and nothing more.
+// LentHeaders: the headers beside its program that a stranger's text may include.
 //
 // The folder of a program has the other programs of the course, its solutions and hidden checks
 // among them. A text that is compiled in there could copy them into its own program. So it gets a
@@ -26,7 +26,7 @@ class LentHeaders {
   // into `to`, which must not be there. `program` is what includes them.
   LentHeaders(std::filesystem::path from, std::filesystem::path to, std::string_view program);
 
-  // Where the copies are; "" where there are none.
+  // The copies are there; "" where nothing is included.
   const std::filesystem::path& folder() const { return to_; }
 
   // Names the files themselves where the compiler named copies.

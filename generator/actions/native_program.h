@@ -45,7 +45,7 @@ struct NativeSource {
   bool handed_in = false;
 };
 
-// Who hears what a program reports, in place of the file of its records.
+// A listener hears what a program reports, in place of the file of its records.
 struct RunListener {
   std::string key;                                      // all that its answers depend on
   std::function<std::string(std::string_view)> answer;  // to a line, as Command::hears

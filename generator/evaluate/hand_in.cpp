@@ -1,7 +1,6 @@
 #include "evaluate/hand_in.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "evaluate/programs/version_runs.h"
@@ -41,25 +40,7 @@ void keep_errors(Diagnostics& diagnostics) {
   std::erase_if(diagnostics, [](const Diagnostic& one) { return one.severity != Severity::error; });
 }
 
-double points_of(const std::vector<JudgedCheck>& checks) {
-  return std::accumulate(
-      checks.begin(), checks.end(), 0.0,
-      [](double sum, const JudgedCheck& check) { return sum + (check.holds ? check.points : 0); });
-}
-
 }  // namespace
-
-double JudgedExercise::points() const {
-  double all = 0;
-  for (const Answers* answers : {&shown, &hidden}) {
-    for (const auto& known : answers->checks) all += known.check.points;
-  }
-  return all;
-}
-
-double Verdict::points() const {
-  return points_of(shown) + points_of(hidden);
-}
 
 bool Verdict::holds() const {
   return faults.empty() && std::ranges::all_of(shown, &JudgedCheck::holds) &&

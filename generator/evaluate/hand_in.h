@@ -29,9 +29,6 @@ struct JudgedExercise {
   HandInRules rules;
   Answers shown = {}, hidden = {};
   std::vector<std::string> sources = {};  // what its programs are made of (ExampleResult::files)
-
-  // What can be had.
-  double points() const;
 };
 
 struct Verdict {
@@ -43,7 +40,6 @@ struct Verdict {
   std::string output = {};       // of the program that its reader knows
 
   bool holds() const;
-  double points() const;
 };
 
 // Of a hand-in that has nothing to be run.

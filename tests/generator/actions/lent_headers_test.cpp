@@ -37,6 +37,16 @@ TEST(LentHeaders, AreThoseThatAProgramIncludesAndNoOthers) {
             (std::vector<std::string>{from / "parts/a.hpp", "/usr/include/stdio.h"}));
 }
 
+TEST(LentHeaders, MayIncludeEachOtherInAChainOfAnyLength) {
+  const TemporaryFolder folder;
+  constexpr std::size_t kLength = 20000;
+  for (std::size_t i = 0; i < kLength; ++i) {
+    write_file(folder.path() / (std::to_string(i) + ".hpp"),
+               "#include \"" + std::to_string(i + 1) + ".hpp\"\n");
+  }
+  EXPECT_EQ(included_headers(DiskFiles(folder.path()), "#include \"0.hpp\"\n").size(), kLength);
+}
+
 TEST(LentHeaders, AreNoneOfAProgramThatIncludesNone) {
   const TemporaryFolder folder;
   EXPECT_EQ(LentHeaders(folder.path(), folder.path() / "lent", "#include <vector>\n").folder(), "");
