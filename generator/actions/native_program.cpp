@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "actions/lent_headers.h"
 #include "actions/native_trace.h"
 #include "actions/program_files.h"
 #include "base/arithmetic.h"
@@ -117,32 +116,34 @@ std::optional<std::string> NativeProgram::find_refusal() const {
   return context_.store.find(recipe("native refusal"), context_.trace);
 }
 
-const Compiled& NativeProgram::compile() {
-  if (compiled_) return *compiled_;
+// With the source in it.
+void NativeProgram::make_folder() {
+  if (folder_) return;
   begin_ = std::chrono::system_clock::now();
   folder_ = std::make_unique<TemporaryFolder>();
-  const fs::path source = folder_->path() / (source_.name + ".cpp");
+  write_file(source_path(), "#line 1 \"" + source_.file + "\"\n" + source_.text);
+  if (!source_.handed_in) return;
+  lent_.emplace(beside_, folder_->path() / ".headers" / beside_.filename(), source_.text);
+}
+
+const Compiled& NativeProgram::compile() {
+  if (compiled_) return *compiled_;
+  make_folder();
   binary_ = folder_->path() / source_.name;
-  write_file(source, "#line 1 \"" + source_.file + "\"\n" + source_.text);
-  std::optional<LentHeaders> lent;
-  seen_beside_ = beside_;
-  if (source_.handed_in) {
-    lent.emplace(beside_, folder_->path() / ".headers" / beside_.filename(), source_.text);
-    seen_beside_ = lent->folder();
-  }
-  compiled_ = context_.compiler.compile(source, binary_, folder_->path(), source_.optimize,
-                                        seen_beside_, !source_.handed_in);
-  if (lent) lent->name_originals(*compiled_);
+  compiled_ = context_.compiler.compile(source_path(), binary_, folder_->path(), source_.optimize,
+                                        lent_ ? lent_->folder() : beside_, !source_.handed_in);
+  if (lent_) lent_->name_originals(*compiled_);
   IncludeFolders looked_in = context_.compiler.include_folders();
   if (!beside_.empty()) looked_in.push_back(beside_);
-  trace_compilation(*compiled_, source, looked_in, context_.root, compiling_);
+  trace_compilation(*compiled_, source_path(), looked_in, context_.root, compiling_);
   context_.trace.add(compiling_);
   return *compiled_;
 }
 
-std::optional<std::string> NativeProgram::preprocessed() const {
-  return context_.compiler.preprocess(folder_->path() / (source_.name + ".cpp"), folder_->path(),
-                                      source_.optimize, seen_beside_, !source_.handed_in);
+std::optional<std::string> NativeProgram::preprocessed() {
+  make_folder();
+  return context_.compiler.preprocess(source_path(), folder_->path(), source_.optimize,
+                                      lent_ ? lent_->folder() : beside_, !source_.handed_in);
 }
 
 std::string NativeProgram::refusal() {

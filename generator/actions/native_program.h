@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "actions/action_store.h"
+#include "actions/lent_headers.h"
 #include "base/temporary_folder.h"
 #include "cache/trace.h"
 #include "process/subprocess.h"
@@ -86,14 +87,16 @@ class NativeProgram {
 
   // At its first call.
   const Compiled& compile();
-  // After compile(): what the preprocessor makes of it. Nothing where that fails.
-  std::optional<std::string> preprocessed() const;
+  // What the preprocessor makes of it. Nothing where that fails.
+  std::optional<std::string> preprocessed();
   // After compile(), and what the compiler said.
   std::string refusal();
   // After compile(), which succeeded.
   NativeRun run(const NativeRequest& request);
 
  private:
+  void make_folder();
+  std::filesystem::path source_path() const { return folder_->path() / (source_.name + ".cpp"); }
   Dependencies recipe(const std::string& kind,
                       const std::vector<std::string>& arguments = {}) const;
   Dependencies recipe_of(const NativeRequest& request) const;
@@ -103,7 +106,7 @@ class NativeProgram {
   NativeSource source_;
   const ActionContext context_;
   std::filesystem::path beside_;
-  std::filesystem::path seen_beside_;  // by the compiler
+  std::optional<LentHeaders> lent_;
   std::chrono::system_clock::time_point begin_;
   Trace compiling_;  // what that looked at
   std::unique_ptr<TemporaryFolder> folder_;

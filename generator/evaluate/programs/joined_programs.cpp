@@ -102,9 +102,8 @@ std::optional<std::string> joined_programs(const std::vector<Version>& versions,
     if (!body || own != includes) return std::nullopt;
     bodies += versions[i].before + "namespace " + name_of(i) + " {\n" + line_mark(begin, path) +
               *body + "}\n";
-    choice += "  if (index == " + std::to_string(i) + ") return " + at_end +
-              (at_end.empty() ? "call(" : "(call(") + name_of(i) +
-              "::main_of_version, count - 1, words + 1)" + (at_end.empty() ? "" : ")") + ";\n";
+    choice += "  if (index == " + std::to_string(i) + ") return " + at_end + "(call(" + name_of(i) +
+              "::main_of_version, count - 1, words + 1));\n";
   }
   return includes + kNoWarnings + shared + bodies + kSwitch + choice + "  return 1;\n}\n";
 }

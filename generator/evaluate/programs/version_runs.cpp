@@ -127,12 +127,16 @@ struct Judged {
   }
 };
 
-// The word that no hand-in may have, in what a preprocessor has made of it; "" for none. Nothing
-// where that cannot be said.
-std::optional<std::string> refused_word(const NativeProgram& program, const JudgeKey& key,
-                                        const HandInRules& rules, const Toolchain& toolchain) {
+std::optional<std::string> expand(NativeProgram& program, const JudgeKey& key) {
   const auto whole = program.preprocessed();
-  const auto code = whole ? find_marked_code(key, *whole) : std::nullopt;
+  return whole ? find_marked_code(key, *whole) : std::nullopt;
+}
+
+// The word that no hand-in may have, in what the preprocessor has made of it; "" for none. Nothing
+// where that cannot be said.
+std::optional<std::string> refused_word(NativeProgram& program, const JudgeKey& key,
+                                        const HandInRules& rules, const Toolchain& toolchain) {
+  const auto code = expand(program, key);
   if (!code) return std::nullopt;
   const auto tokens = raw_tokens({*code}, toolchain);
   return tokens ? std::optional(rules.expanded_fault(*code, tokens->front())) : std::nullopt;
@@ -167,9 +171,7 @@ std::optional<std::string> expanded_code(const Example& program, const std::stri
   Diagnostics none;
   const Judged judged{program, lesson, worker_context, key, none};
   auto one = judged.alone(text, tell_findings(key));
-  if (!one.native || !one.native->compile().succeeded) return std::nullopt;
-  const auto whole = one.native->preprocessed();
-  return whole ? find_marked_code(key, *whole) : std::nullopt;
+  return one.native ? expand(*one.native, key) : std::nullopt;
 }
 
 VersionRuns::VersionRuns(Example program, std::vector<std::string> versions, const Lesson& lesson,

@@ -44,8 +44,8 @@ inline int call(int (*version)(int, char**), int count, char** words) {
 int main(int count, char** words) {
   const int index = words[1][0] - 'a';
   words[1] = words[0];
-  if (index == 0) return call(version_0::main_of_version, count - 1, words + 1);
-  if (index == 1) return call(version_1::main_of_version, count - 1, words + 1);
+  if (index == 0) return (call(version_0::main_of_version, count - 1, words + 1));
+  if (index == 1) return (call(version_1::main_of_version, count - 1, words + 1));
   return 1;
 }
 )");
