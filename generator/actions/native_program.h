@@ -41,8 +41,8 @@ struct NativeSource {
   std::string file;  // as the course has it: "examples/l0_1_parabola.cpp"
   std::string text;
   bool optimize = false;
-  // A stranger may have written a part of it: of what lies beside it, it can include the headers
-  // that it names, and nothing else is in reach of its compiler.
+  // A stranger may have written a part of it: its compiler can read the headers beside it that it
+  // includes, and no other file of its folder.
   bool handed_in = false;
 };
 

@@ -35,8 +35,8 @@ class DiskStore : public Store {
 
   const std::filesystem::path& folder() const { return folder_; }
   bool can_be_written() const { return writable_; }
-  // What the user should know, each a sentence: a damaged entry, a full disk, one that nobody who
-  // is trusted has signed.
+  // Sentences for the user: of a damaged entry, of a full disk, of an entry that nobody who is
+  // trusted has signed.
   std::vector<std::string> notes() const;
 
  private:

@@ -1,4 +1,4 @@
-// Where an entry of a store is from: whether it was made here, and if not, who vouches for it.
+// An Origin says whether an entry of a store was made here, and if not, who vouches for it.
 //
 // A server's word is believed for as long as no keys are trusted. Once there are, what came without
 // a signature before is as good as nothing, and so is what was made of it. So an entry of the disk

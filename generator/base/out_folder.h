@@ -62,7 +62,7 @@ class OutFolder {
 // The end of a path that a user has named, where the course may be a stranger's.
 struct OutPath {
   std::filesystem::path path;  // absolute and without links; it need not exist
-  // Where links may be a stranger's: the checkout that the course lies in, or the course.
+  // The checkout that the course lies in, or else the course: links in there may be a stranger's.
   std::filesystem::path root;
   std::string inside;    // `path` as seen from there; "" where it lies elsewhere
   bool is_link = false;  // one that lies in there, at which the way ends

@@ -65,7 +65,7 @@ class Removal {
     return folder;
   }
 
-  // What lies in the folder `name` at the top: files go, folders come to lie beside it.
+  // Files of the folder `name` at the top go; its folders come to lie beside it.
   void empty(const std::string& name) {
     const Descriptor folder = opened(top_.get(), name);
     if (!folder.is_open()) return;

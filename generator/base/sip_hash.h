@@ -1,8 +1,8 @@
-// SipHash-2-4 (Aumasson and Bernstein, 2012): a hash of bytes under a key, of 64 bits. Who does not
-// know the key can neither make one nor learn it from others.
+// SipHash-2-4 (Aumasson and Bernstein, 2012): a hash of bytes under a key, of 64 bits. Nobody who
+// lacks the key can make one, or learn it from others.
 //
-// The text of this file also goes into programs (evaluate/programs/judged_text.cpp), so it includes
-// nothing else of ours.
+// The text of this file also goes into programs (evaluate/programs/judged_text.cpp), so it
+// includes the standard library alone.
 // Tested by tests/generator/base/sip_hash_test.cpp.
 #pragma once
 

@@ -9,8 +9,8 @@
 //
 // A caller that asks must be ready to make the bytes anew: a store may lose anything at any time,
 // and never gives other bytes than those that were put. With them it gives where they are from
-// (origin.h): whoever makes something of them says so when that is put. The bytes of a hash are
-// what they are, wherever they are from.
+// (origin.h), and a caller that makes something of them says so when that is put. The bytes of a
+// hash are the same wherever they are from.
 #pragma once
 
 #include <cstddef>

@@ -29,7 +29,7 @@ int try_lock(const fs::path& folder) {
   int descriptor = open(folder.c_str(), flags);
   if (descriptor < 0 && errno == EACCES &&
       fchmodat(AT_FDCWD, folder.c_str(), kMode, AT_SYMLINK_NOFOLLOW) == 0) {
-    descriptor = open(folder.c_str(), flags);  // a program of ours had closed it
+    descriptor = open(folder.c_str(), flags);  // one of our programs had closed it
   }
   if (descriptor >= 0 && flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
   if (descriptor >= 0) close(descriptor);

@@ -10,24 +10,12 @@
 #include <optional>
 #include <string>
 
-#include "evaluate/context/worker_context.h"
+#include "evaluate/programs/exercise_files.h"
 #include "findings/result.h"
 #include "lesson/blocks/lesson.h"
-#include "lesson/syntax/exercise_text.h"
 #include "report/diagnostic.h"
 
 namespace mjcourse {
-
-// The text of an exercise's files, as they were read.
-struct ExerciseFiles {
-  ExerciseText text;
-  std::optional<std::string> hidden;  // of the program with checks that no page shows
-};
-
-// Nothing (reported) where one of them cannot be read, or says nothing that can be understood.
-std::optional<ExerciseFiles> read_exercise_files(const Exercise& exercise, const Lesson& lesson,
-                                                 WorkerContext& worker_context,
-                                                 Diagnostics& diagnostics);
 
 std::optional<ExerciseResult> evaluate_exercise(const Exercise& exercise,
                                                 const ExerciseFiles& files, const Lesson& lesson,
@@ -44,12 +32,6 @@ std::optional<PageRun> evaluate_exercise_in_page(const Exercise& exercise,
 // Is it likely that evaluate_exercise() compiles nothing?
 bool is_known(const Exercise& exercise, const ExerciseFiles& files, const Lesson& lesson,
               WorkerContext& worker_context);
-
-// The program with the hidden checks of an exercise that has them, and its text with `code` in the
-// region.
-Example hidden_program(const Exercise& exercise);
-std::string hidden_text(const Exercise& exercise, const ExerciseFiles& files,
-                        const std::string& code);
 
 // The checks of `program` that do not hold though it is the solution; their lines are those of its
 // text, `code`.
