@@ -106,8 +106,6 @@ inline std::string other_of(const char* name, const std::string& other, double t
 
 namespace mjcourse {
 
-using Vector = Eigen::Ref<const Eigen::VectorXd>;
-
 inline bool expect(MJCOURSE_JUDGE::Call, bool holds, const std::string& what,
                    const std::string& meaning = "", double points = 1,
                    int line = __builtin_LINE()) {
@@ -117,48 +115,32 @@ inline bool expect(MJCOURSE_JUDGE::Call, bool holds, const std::string& what,
 }
 
 // Of a program that knows what is expected.
-inline bool expect_near(MJCOURSE_JUDGE::Call, double value, double expected, double tolerance,
-                        const std::string& what, const std::string& meaning = "", double points = 1,
-                        int line = __builtin_LINE()) {
+template <typename Value, typename Expected>
+bool expect_near(MJCOURSE_JUDGE::Call, const Value& value, const Expected& expected,
+                 double tolerance, const std::string& what, const std::string& meaning = "",
+                 double points = 1, int line = __builtin_LINE()) {
   using namespace MJCOURSE_JUDGE;
   return ask(report({what, meaning, points, line},
-                    value_of(numbers(value)) + other_of("expected", numbers(expected), tolerance)));
-}
-inline bool expect_near(MJCOURSE_JUDGE::Call, const Vector& value, const Vector& expected,
-                        double tolerance, const std::string& what, const std::string& meaning = "",
-                        double points = 1, int line = __builtin_LINE()) {
-  using namespace MJCOURSE_JUDGE;
-  return ask(report({what, meaning, points, line},
-                    value_of(numbers(value)) + other_of("expected", numbers(expected), tolerance)));
+                    value_of(numbers(like<Expected>(value))) +
+                        other_of("expected", numbers(like<Expected>(expected)), tolerance)));
 }
 
-// Of one that does not.
-inline bool expect_near(MJCOURSE_JUDGE::Call, double value, const std::string& what,
-                        const std::string& meaning = "", double points = 1,
-                        int line = __builtin_LINE()) {
-  using namespace MJCOURSE_JUDGE;
-  return ask(report({what, meaning, points, line}, value_of(numbers(value))));
-}
-inline bool expect_near(MJCOURSE_JUDGE::Call, const Vector& value, const std::string& what,
-                        const std::string& meaning = "", double points = 1,
-                        int line = __builtin_LINE()) {
+// Of one that does not: the value comes from like().
+template <typename Value>
+bool expect_near(MJCOURSE_JUDGE::Call, const Value& value, const std::string& what,
+                 const std::string& meaning = "", double points = 1, int line = __builtin_LINE()) {
   using namespace MJCOURSE_JUDGE;
   return ask(report({what, meaning, points, line}, value_of(numbers(value))));
 }
 
-inline bool expect_alike(MJCOURSE_JUDGE::Call, double value, double other, double tolerance,
-                         const std::string& what, const std::string& meaning = "",
-                         double points = 1, int line = __builtin_LINE()) {
+template <typename Value, typename Other>
+bool expect_alike(MJCOURSE_JUDGE::Call, const Value& value, const Other& other, double tolerance,
+                  const std::string& what, const std::string& meaning = "", double points = 1,
+                  int line = __builtin_LINE()) {
   using namespace MJCOURSE_JUDGE;
   return ask(report({what, meaning, points, line},
-                    value_of(numbers(value)) + other_of("other", numbers(other), tolerance)));
-}
-inline bool expect_alike(MJCOURSE_JUDGE::Call, const Vector& value, const Vector& other,
-                         double tolerance, const std::string& what, const std::string& meaning = "",
-                         double points = 1, int line = __builtin_LINE()) {
-  using namespace MJCOURSE_JUDGE;
-  return ask(report({what, meaning, points, line},
-                    value_of(numbers(value)) + other_of("other", numbers(other), tolerance)));
+                    value_of(numbers(like<Other>(value))) +
+                        other_of("other", numbers(like<Other>(other)), tolerance)));
 }
 
 }  // namespace mjcourse
