@@ -13,6 +13,7 @@
 #include "base/beneath.h"
 #include "base/counted.h"
 #include "base/replace_file.h"
+#include "base/utf8.h"
 #include "cli/commands.h"
 #include "cli/edit_text.h"
 #include "cli/run.h"
@@ -145,7 +146,7 @@ int accept(const AcceptOptions& options) {
     if (!verified.course) break;
     const auto place = find_place(*verified.course, options.course, text);
     if (!place) {
-      std::cerr << "mjcourse: " << place.error() << '\n';
+      std::cerr << "mjcourse: " << readable(place.error()) << '\n';
       return kWrongUsage;
     }
     where.push_back(*place);

@@ -16,6 +16,7 @@
 #include "base/counted.h"
 #include "base/files.h"
 #include "base/nearest.h"
+#include "base/utf8.h"
 #include "cli/commands.h"
 #include "cli/explanation_file.h"
 #include "cli/new_files.h"
@@ -139,7 +140,7 @@ int explain(const ExplainOptions& options) {
   for (const std::string& text : options.where) {
     const auto place = find_place(*verified.course, options.course, text);
     if (!place) {
-      std::cerr << "mjcourse: " << place.error() << '\n';
+      std::cerr << "mjcourse: " << readable(place.error()) << '\n';
       return kWrongUsage;
     }
     wanted.push_back(*place);

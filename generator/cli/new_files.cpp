@@ -7,6 +7,7 @@
 #include "base/beneath.h"
 #include "base/plain_name.h"
 #include "base/replace_file.h"
+#include "base/utf8.h"
 #include "cli/run.h"
 #include "remote/store_address.h"
 
@@ -90,9 +91,10 @@ tl::expected<void, Refusal> write_new_files(const fs::path& root,
 }
 
 int tell(const Refusal& refusal) {
-  // It may repeat a word of the command line, and that may be an address.
-  std::cerr << "mjcourse: " << without_userinfo(refusal.message) << '\n';
-  if (!refusal.cure.empty()) std::cerr << "  cure: " << refusal.cure << '\n';
+  // It may repeat a word of the command line, and that may be an address; and the name of a file,
+  // which may be anything.
+  std::cerr << "mjcourse: " << readable(without_userinfo(refusal.message)) << '\n';
+  if (!refusal.cure.empty()) std::cerr << "  cure: " << readable(refusal.cure) << '\n';
   return refusal.code;
 }
 

@@ -13,6 +13,7 @@
 
 #include "base/cache_folder.h"
 #include "base/out_folder.h"
+#include "base/utf8.h"
 #include "cli/user_settings.h"
 #include "cli/verify.h"
 #include "report/terminal.h"
@@ -93,7 +94,7 @@ OpenedStore open_store(const fs::path& folder, SharedPlace place) {
   try {
     store = OpenedStore(std::make_unique<DiskStore>(std::move(there), trust_with(server)));
   } catch (const std::system_error& error) {
-    std::cerr << no_results << error.what() << '\n';
+    std::cerr << no_results << readable(error.what()) << '\n';
     return {};
   }
   try {
@@ -104,7 +105,7 @@ OpenedStore open_store(const fs::path& folder, SharedPlace place) {
                                          : Sends::puts;
     if (*server) store.share(assets_folder() / "net" / "mjcourse-net", **server, sends);
   } catch (const std::exception& error) {
-    std::cerr << "note: no shared store is used: " << error.what() << '\n';
+    std::cerr << "note: no shared store is used: " << readable(error.what()) << '\n';
   }
   return store;
 }
@@ -135,7 +136,7 @@ OpenedStore::~OpenedStore() {
   if (!disk_) return;
   shared_.reset();
   const auto print = [](const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) std::cerr << "note: " << note << '\n';
+    for (const std::string& note : notes) std::cerr << "note: " << readable(note) << '\n';
   };
   print(disk_->notes());
   if (remote_) print(remote_->notes());
@@ -146,7 +147,7 @@ OpenedStore::~OpenedStore() {
   try {
     if (is_due(folder / "pruned")) prune_store(folder, kMostKept, false);
   } catch (const std::system_error& error) {
-    std::cerr << "note: the result store cannot be pruned: " << error.what() << '\n';
+    std::cerr << "note: the result store cannot be pruned: " << readable(error.what()) << '\n';
   }
 }
 

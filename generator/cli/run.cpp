@@ -9,6 +9,7 @@
 
 #include "base/cache_folder.h"
 #include "base/nearest.h"
+#include "base/utf8.h"
 #include "cli/command_line.h"
 #include "cli/command_options.h"
 #include "cli/commands.h"
@@ -70,9 +71,9 @@ int run_with(Options options, int (*command)(const Options&)) {
     if (options.out.empty()) options.out = options.course / "build" / "site";
   }
   if constexpr (requires { options.course; }) options.course = whole_path(options.course);
+  const LogGuard guard(people_read(options));
   if (const auto refused = refused_out(out_places(options))) return tell(*refused);
   set_up_mesa(user_cache_folder());
-  const LogGuard guard(people_read(options));
   return command(options);
 }
 
@@ -185,6 +186,7 @@ int run_command(const std::vector<std::string>& arguments) {
     std::cout << "mjcourse " MJCOURSE_VERSION "\n";
     return kClean;
   }
+  const LogGuard told(false);  // also of what ends a command
   try {
     if (arguments[0] == kWorkCommand && arguments.size() == 3) {
       answer_questions(arguments[1], DiskFiles(arguments[2]));
@@ -209,7 +211,7 @@ int run_command(const std::vector<std::string>& arguments) {
   } catch (const std::system_error& error) {
     return tell(failed_call(error));
   } catch (const std::exception& error) {
-    std::cerr << "mjcourse: " << error.what() << '\n';
+    std::cerr << "mjcourse: " << readable(error.what()) << '\n';
     return kOurFault;
   }
 }

@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+#include "base/files.h"
+#include "base/temporary_folder.h"
 #include "cli/ran.h"
 
 namespace mjcourse {
@@ -148,6 +150,17 @@ TEST(Run, NeedsValuesOfTheirKind) {
   EXPECT_EQ(error_of({"store", "prune", "--keep", "much"}),
             "mjcourse: --keep takes a size, such as 2GB, not much");
   EXPECT_EQ(error_of({"accept", ""}), "mjcourse: accept takes [WHERE...], not \"\"");
+}
+
+// A control character is a command for a terminal, and a line with `::` one for GitHub's runner.
+TEST(Run, TellsTheNamesOfFilesAsAnyTerminalShowsThem) {
+  const TemporaryFolder folder;
+  const std::string odd = "\x1b[2J\n::error::forged", shown = R"(\x1b[2J\n::error::forged)";
+  write_file(folder.path() / odd, "");
+  const std::string in = folder.path().string();
+  EXPECT_EQ(ran({"init", in}).err,
+            "mjcourse: " + in + " is not empty: it has " + shown +
+                "\n  cure: name a new or an empty folder; `mjcourse new` adds to a course\n");
 }
 
 }  // namespace
