@@ -7,7 +7,8 @@
 
 namespace mjcourse {
 
-// Absolute and without links; the inner one where one lies in another. Nothing for a folder that is
+// Absolute and without links; the outer one where one lies in another, since a submodule is what the
+// outer one says. A home folder that is a checkout itself is its user's. Nothing for a folder that is
 // in none.
 std::optional<std::filesystem::path> checkout_of(const std::filesystem::path& folder);
 
