@@ -92,6 +92,9 @@ std::string small_text(const fs::path& root, const fs::path& path) {
   return read_beneath(root, path).value_or("");
 }
 
+// Each may include the next, and is walked through within it.
+constexpr std::size_t kMostIncludes = 500;
+
 // Reads MJCF in document order, with each include in its place.
 class SourceWalk {
  public:
@@ -100,6 +103,15 @@ class SourceWalk {
 
   void enter(const std::string& path) {
     if (std::find(texts_.begin(), texts_.end(), path) != texts_.end()) return;  // in a circle
+    if (texts_.size() == kMostIncludes) {
+      if (!broken_) {
+        broken_ =
+            ModelError{current_, 0, 0,
+                       "the model includes more than " + std::to_string(kMostIncludes) + " files",
+                       "put parts of it into one"};
+      }
+      return;
+    }
     XMLDocument document;
     const std::string text = small_text(root_, path);
     if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {

@@ -126,6 +126,18 @@ TEST_F(ModelSourcesTest, AreNoMoreThanMuJoCoCanHold) {
             "the model has 2000 files; in the page MuJoCo has room for 1999");
 }
 
+TEST_F(ModelSourcesTest, AreNoChainWithoutEnd) {
+  for (int i = 0; i < 3000; ++i) {
+    write("models/p" + std::to_string(i) + ".xml",
+          "<mujoco><include file='p" + std::to_string(i + 1) + ".xml'/></mujoco>");
+  }
+  write("models/main.xml", "<mujoco><include file='p0.xml'/></mujoco>");
+  const NamedFiles named = look_at_model_files(folder_.path(""), "models/main.xml");
+  ASSERT_TRUE(named.foreign);
+  EXPECT_EQ(named.foreign->message, "the model includes more than 500 files");
+  EXPECT_EQ(named.foreign->cure, "put parts of it into one");
+}
+
 TEST(FileNamedIn, IsTheFirst) {
   EXPECT_EQ(file_named_in("<mujoco><worldbody/></mujoco>"), "");
   EXPECT_EQ(file_named_in("<mujoco><asset><mesh file='a/b.obj'/><mesh file='c.obj'/></asset>"
