@@ -1,5 +1,7 @@
 #include "course/last_changed.h"
 
+#include <re2/re2.h>
+
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -18,6 +20,11 @@ constexpr const char* kOfShallow =
     "rest, "
     "and so does `fetch-depth: 0` of actions/checkout";
 
+bool is_day(const std::string& text) {
+  static const RE2 form(R"(\d{4}-(?:0[1-9]|1[0-2])-(?:0[1-9]|[12]\d|3[01]))");
+  return RE2::FullMatch(text, form);
+}
+
 // The newest commit comes first: its day and time, then the files that it changed.
 LastChanges changes_of(const std::string& text) {
   LastChanges changes;
@@ -27,6 +34,7 @@ LastChanges changes_of(const std::string& text) {
     if (line.starts_with('\x01')) {
       const std::size_t space = line.find(' ');
       change = {line.substr(1, space - 1), line.substr(space + 1)};
+      if (!is_day(change.day)) change = {};  // git takes any number for a time
     } else if (!line.empty()) {
       changes.try_emplace(line, change);
     }

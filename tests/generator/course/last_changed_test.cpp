@@ -93,6 +93,12 @@ TEST_F(LastChanged, IsNotKnownOfWhatIsInNoCommit) {
   EXPECT_EQ(found.at("content/1/same.md").day, "2026-03-03");
 }
 
+TEST_F(LastChanged, IsNotKnownOfADayThatIsNone) {
+  write("course/content/1/a.md", "a");
+  commit("@100000000000000 +0000");
+  EXPECT_FALSE(changes().at("content/1/a.md").committed());
+}
+
 TEST_F(LastChanged, IsNotGuessedFromAShallowClone) {
   write("course/content/1/a.md", "a");
   commit("2026-03-03T12:00:00Z");
