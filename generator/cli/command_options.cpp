@@ -13,6 +13,7 @@
 #include "cli/shard.h"
 #include "cli/size.h"
 #include "course/web_address.h"
+#include "evaluate/hand_in.h"
 #include "remote/server.h"
 
 namespace mjcourse {
@@ -60,11 +61,6 @@ std::optional<std::chrono::sys_seconds> time_of(const std::string& text) {
   fields.tm_isdst = -1;
   const std::time_t time = zone.empty() ? std::mktime(&fields) : timegm(&fields);
   return std::chrono::sys_seconds(std::chrono::seconds(time));
-}
-
-bool is_seed(const std::string& text) {
-  static const RE2 form(R"([1-9]\d{0,8})");
-  return RE2::FullMatch(text, form);
 }
 
 // The first is for people, the others for another tool.

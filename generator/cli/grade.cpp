@@ -27,6 +27,7 @@
 #include "cli/exercise_list.h"
 #include "cli/grades.h"
 #include "cli/hand_ins.h"
+#include "cli/kept_verdicts.h"
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "evaluate/hand_in.h"
@@ -42,7 +43,7 @@ using nlohmann::json;
 constexpr double kTellSeconds = 15;
 
 void note(const std::string& text) {
-  std::cerr << "note: " << text << '\n';
+  std::cerr << "note: " << readable(text) << '\n';
 }
 
 // How far the work is, and how long it will take.
@@ -76,45 +77,6 @@ class GradeProgress {
   Stopwatch stopwatch_;
   std::size_t all_, done_ = 0;
   double told_ = 0;
-};
-
-// Verdicts that were kept, by what they depend on; none where no folder is given.
-class KeptVerdicts {
- public:
-  explicit KeptVerdicts(const fs::path& out, const fs::path& course) {
-    if (!out.empty()) place_.emplace(open_out_place(out, course));
-    if (place_) folder_.emplace(place_->folder.inner(place_->name));
-  }
-
-  const std::optional<OutFolder>& folder() const { return folder_; }
-
-  // The seed of an earlier run, or `seed`, which is kept.
-  std::string seed(const std::string& seed, bool is_wanted) const {
-    if (!folder_) return seed;
-    const auto kept = DiskFiles(folder_->path()).read("seed");
-    std::string known = kept ? kept->substr(0, kept->find('\n')) : "";
-    if (!known.empty() && !is_wanted) return known;
-    folder_->write("seed", seed + "\n");
-    return seed;
-  }
-
-  // One that is damaged is none.
-  std::optional<Grade> find(const std::string& key, const Grade& like) const {
-    if (!folder_) return std::nullopt;
-    const auto bytes = DiskFiles(folder_->path()).read("verdicts/" + key + ".json");
-    return bytes ? grade_of_json(json::parse(*bytes, nullptr, false), like) : std::nullopt;
-  }
-
-  void keep(const std::string& key, const Grade& grade) const {
-    if (!folder_) return;
-    folder_->write(
-        "verdicts/" + key + ".json",
-        judgement_json(grade).dump(1, ' ', false, json::error_handler_t::replace) + "\n");
-  }
-
- private:
-  std::optional<OutPlace> place_;
-  std::optional<OutFolder> folder_;
 };
 
 struct Task {
@@ -304,14 +266,15 @@ void write_all(const OutFolder& folder, const std::vector<GradedHandIn>& graded)
   folder.write("grades.json", grades_text(graded, GradeFormat::json));
   const std::vector<std::string> names = letter_names(graded);
   for (std::size_t i = 0; i < graded.size(); ++i) folder.write(names[i], letter(graded[i]));
-  note("tables, and a letter for each student, are in " + readable(folder.path().string()));
+  note("tables, and a letter for each student, are in " + folder.path().string());
 }
 
 int grade_all(const GradeOptions& options, const Verified& verified, const HandIns& hand_ins,
               const KeptVerdicts& kept) {
   const Course& course = *verified.course;
   JudgeKey key = JudgeKey::random();
-  key.seed = kept.seed(options.seed.empty() ? key.seed : options.seed, !options.seed.empty());
+  if (!options.seed.empty()) key.seed = options.seed;
+  key.seed = kept.seed(key.seed, !options.seed.empty());
   const DiskFiles assets(assets_folder());
   const ExerciseJudge judge(course, evaluation_settings(options, assets, verified.store.get()),
                             key);

@@ -278,7 +278,9 @@ std::optional<Grade> grade_of_json(const json& judgement, const Grade& like) {
       check.is_hidden = one.at("hidden").get<bool>();
     }
     for (const json& fault : judgement.at("faults")) {
-      if (!fault.is_object()) return std::nullopt;
+      static_cast<void>(fault.at("id").get<std::string>());
+      static_cast<void>(fault.at("message").get<std::string>());
+      static_cast<void>(fault.at("place").at("line").get<int>());
       grade.faults.push_back(fault);
     }
     grade.is_hidden_fault = judgement.at("hidden_fault").get<bool>();

@@ -1,5 +1,7 @@
 #include "evaluate/programs/judged_text.h"
 
+#include <re2/re2.h>
+
 #include <cstdio>
 #include <random>
 
@@ -44,6 +46,11 @@ JudgeKey JudgeKey::random() {
           {random_number(), random_number()},
           std::to_string(random_number() % 999'999'999 + 1),
           false};
+}
+
+bool is_seed(const std::string& text) {
+  static const RE2 form(R"([1-9]\d{0,8})");
+  return RE2::FullMatch(text, form);
 }
 
 std::string reporting_checks(const JudgeKey& key) {

@@ -20,6 +20,9 @@ struct JudgeKey {
   static JudgeKey random();
 };
 
+// Is it a whole number from 1 to 999999999?
+bool is_seed(const std::string& text);
+
 // What stands behind a program's includes; and what its exit code goes through at its end.
 std::string reporting_checks(const JudgeKey& key);
 std::string end_of_checks(const JudgeKey& key);

@@ -166,8 +166,12 @@ TEST(Grades, AreTakenUpAsTheyWereKept) {
   richer["checks"][0]["points"] = 9;
   EXPECT_FALSE(grade_of_json(richer, grade)) << "the check has other points";
   nlohmann::json odd = judgement_json(grade);
-  odd["faults"] = {1};
-  EXPECT_FALSE(grade_of_json(odd, grade));
+  for (const char* faults : {"[1]", "[{}]", R"([{"id": 1, "message": "", "place": {"line": 1}}])",
+                             R"([{"id": "", "message": "", "place": {"line": "1"}}])",
+                             R"([{"id": "", "message": "", "place": []}])"}) {
+    odd["faults"] = nlohmann::json::parse(faults);
+    EXPECT_FALSE(grade_of_json(odd, grade)) << faults;
+  }
 }
 
 }  // namespace
