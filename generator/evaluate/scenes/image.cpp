@@ -8,7 +8,6 @@
 #include "base/files.h"
 #include "base/nearest.h"
 #include "evaluate/scenes/image_size.h"
-#include "evaluate/scenes/svg_bounds.h"
 #include "evaluate/scenes/svg_faults.h"
 #include "lesson/syntax/image_kinds.h"
 #include "lesson/syntax/picture_name.h"
@@ -73,13 +72,12 @@ std::optional<ImageResult> evaluate_image(const Image& image, const Lesson& less
   const auto bytes = files.read(path);
   if (!bytes) return error("E-image-missing", "cannot read " + bytes.error(), "");
   const bool is_drawing = image.file.text.ends_with(".svg");
-  if (is_drawing && excess_of_svg(*bytes)) {
-    check_drawing(path, *bytes, image, lesson, diagnostics);
-    return std::nullopt;
-  }
-  const tl::expected<ImageSize, std::string> size = image_size(image.file.text, *bytes);
-  if (!size) return error("E-image-broken", path + " " + size.error(), "save it again");
   if (is_drawing && !check_drawing(path, *bytes, image, lesson, diagnostics)) return std::nullopt;
+  const tl::expected<ImageSize, std::string> size = image_size(image.file.text, *bytes);
+  if (!size) {
+    return error("E-image-broken", path + " " + size.error(),
+                 is_drawing ? "give its `<svg>` a `viewBox`" : "save it again");
+  }
   return ImageResult{root / path, content_hash(*bytes), size->width, size->height};
 }
 

@@ -1,12 +1,14 @@
 #include "evaluate/scenes/image_size.h"
 
-#include <tinyxml2.h>
 #include <webp/decode.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+
+#include "evaluate/scenes/xml_reader.h"
 
 namespace mjcourse {
 namespace {
@@ -55,36 +57,46 @@ std::optional<ImageSize> webp_size(const std::string& bytes) {
 }
 
 // A number alone or of pixels; 0 for "100%", "12cm" and the like.
-double pixels(const char* text) {
-  if (text == nullptr) return 0;
+double pixels(const std::string& text) {
   char* end = nullptr;
-  const double value = std::strtod(text, &end);
+  const double value = std::strtod(text.c_str(), &end);
   const std::string unit = end;
   return unit.empty() || unit == "px" ? value : 0;
 }
 
-std::optional<ImageSize> svg_size(const std::string& bytes) {
-  tinyxml2::XMLDocument document;
-  if (document.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS) return std::nullopt;
-  const tinyxml2::XMLElement* svg = document.RootElement();
-  if (svg == nullptr || std::string(svg->Name()) != "svg") return std::nullopt;
-  if (const auto size =
-          checked(pixels(svg->Attribute("width")), pixels(svg->Attribute("height")))) {
-    return size;
+// What the first element of an SVG says of its size, and no more of it.
+class SvgSize : public XmlReader {
+ public:
+  using XmlReader::XmlReader;
+
+  std::optional<ImageSize> size() {
+    read();
+    if (const auto size = checked(pixels(width_), pixels(height_))) return size;
+    std::ranges::replace(box_, ',', ' ');
+    double values[4] = {};
+    const char* at = box_.c_str();
+    for (double& value : values) {
+      char* end = nullptr;
+      value = std::strtod(at, &end);
+      at = end;
+    }
+    return checked(values[2], values[3]);
   }
-  const char* box = svg->Attribute("viewBox");
-  if (box == nullptr) return std::nullopt;
-  std::string numbers = box;
-  for (char& c : numbers) c = c == ',' ? ' ' : c;
-  double values[4] = {};
-  const char* at = numbers.c_str();
-  for (double& value : values) {
-    char* end = nullptr;
-    value = std::strtod(at, &end);
-    at = end;
+
+ private:
+  void begin(const XmlElement& element) override {
+    stop();
+    if (element.name.local != "svg") return;
+    for (const XmlAttribute& attribute : element.attributes) {
+      const std::string name = attribute.name.text();
+      if (name == "width") width_ = attribute.value;
+      if (name == "height") height_ = attribute.value;
+      if (name == "viewBox") box_ = attribute.value;
+    }
   }
-  return checked(values[2], values[3]);
-}
+
+  std::string width_, height_, box_;
+};
 
 }  // namespace
 
@@ -96,7 +108,7 @@ tl::expected<ImageSize, std::string> image_size(const std::string& name, const s
   if (name.ends_with(".png")) return or_else(png_size(bytes), "is not a PNG");
   if (name.ends_with(".webp")) return or_else(webp_size(bytes), "is not a WebP");
   if (name.ends_with(".svg")) {
-    return or_else(svg_size(bytes),
+    return or_else(SvgSize(bytes).size(),
                    "is not an SVG that states its size by width and height in "
                    "pixels or by its viewBox");
   }

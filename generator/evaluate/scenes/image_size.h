@@ -11,7 +11,7 @@ struct ImageSize {
 };
 
 // Of a PNG, JPEG, WebP or SVG, as the end of `name` says. The error goes on from the file's name:
-// "is not a PNG".
+// "is not a PNG". Whether an SVG is one in all else, svg_faults.h tells.
 tl::expected<ImageSize, std::string> image_size(const std::string& name, const std::string& bytes);
 
 }  // namespace mjcourse

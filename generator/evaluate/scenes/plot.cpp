@@ -49,7 +49,8 @@ bool is_plain(const PlotDrawing& drawing, const std::string& name) {
   for (const char* barred : {"<!", "<?", "<title", "<desc", "<style", "<svg", "</svg"}) {
     if (drawing.svg.find(barred) != std::string::npos) return false;
   }
-  return is_part_of_page("<svg>" + drawing.svg + "</svg>", name);
+  return is_part_of_page(R"(<svg xmlns="http://www.w3.org/2000/svg">)" + drawing.svg + "</svg>",
+                         name);
 }
 
 json columns_of(const Table& table) {

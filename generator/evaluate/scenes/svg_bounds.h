@@ -1,6 +1,6 @@
 // How much an SVG may hold to be read at all. It is read in the generator's own process, and the
-// XML library looks through all attributes of an element for each of them, and takes several times
-// the memory of the text.
+// XML library keeps all attributes of an element at once, each in several times the memory of its
+// text.
 #pragma once
 
 #include <optional>

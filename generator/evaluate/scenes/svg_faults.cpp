@@ -1,10 +1,7 @@
 #include "evaluate/scenes/svg_faults.h"
 
-#include <tinyxml2.h>
-
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <set>
 #include <string_view>
 #include <utility>
@@ -12,18 +9,18 @@
 #include "base/utf8.h"
 #include "evaluate/scenes/svg_bounds.h"
 #include "evaluate/scenes/svg_names.h"
+#include "evaluate/scenes/xml_reader.h"
 
 namespace mjcourse {
 namespace {
 
-using tinyxml2::XMLAttribute;
-using tinyxml2::XMLElement;
-using tinyxml2::XMLNode;
-
 constexpr const char* kPlain =
     "use only elements that draw; most programs can save a \"plain\" SVG, which has nothing else";
 
+constexpr const char* kOtherLanguage = "a drawing cannot have elements of another language";
+
 constexpr std::size_t kMostFaults = 100;
+constexpr std::size_t kMostDepth = 200;
 
 // What of CSS and of presentation attributes does not compute from numbers.
 constexpr std::array kFunctions{
@@ -70,25 +67,28 @@ bool is_text(std::string_view attribute) {
          attribute.starts_with("data-");
 }
 
-std::string namespace_of(std::string_view attribute) {
-  if (attribute == "xmlns" || attribute == "xmlns:svg") return "http://www.w3.org/2000/svg";
-  if (attribute == "xmlns:xlink") return "http://www.w3.org/1999/xlink";
+constexpr std::string_view kSvg = "http://www.w3.org/2000/svg";
+constexpr std::string_view kXlink = "http://www.w3.org/1999/xlink";
+constexpr std::string_view kXml = "http://www.w3.org/XML/1998/namespace";
+
+// What an attribute is called where its namespaces have their usual prefixes; "" of others.
+std::string usual_name(const XmlName& name) {
+  if (name.space.empty()) return std::string(name.local);
+  if (name.space == kXlink) return "xlink:" + std::string(name.local);
+  if (name.space == kXml) return "xml:" + std::string(name.local);
   return "";
 }
 
-class SvgReader {
+class SvgReader : public XmlReader {
  public:
-  explicit SvgReader(const std::string& bytes) : bytes_(bytes) {}
+  explicit SvgReader(const std::string& bytes) : XmlReader(bytes), bytes_(bytes) {}
 
   std::vector<SvgFault> faults() {
     if (auto excess = excess_of_svg(bytes_)) return {*std::move(excess)};
     if (refuse_bytes()) return std::move(faults_);
-    tinyxml2::XMLDocument document;
-    if (document.Parse(bytes_.data(), bytes_.size()) != tinyxml2::XML_SUCCESS) {
-      refuse({0, 1}, "the drawing is not XML");
-      return std::move(faults_);
+    if (const auto mistake = read()) {
+      refuse(mistake->span, "the drawing is not XML: " + mistake->message, mistake->cure);
     }
-    walk(document);
     return std::move(faults_);
   }
 
@@ -96,8 +96,14 @@ class SvgReader {
   // Each kind once: a program that writes such things writes thousands of them. Nobody mends a
   // hundred kinds by hand.
   void refuse(Span span, const std::string& message, const std::string& cure = kPlain) {
-    if (faults_.size() == kMostFaults) return;
+    if (faults_.size() == kMostFaults) return stop();
     if (told_.insert(message).second) faults_.push_back({span, message, cure});
+  }
+
+  // Its place is looked for only where it is told.
+  void refuse_attribute(const std::string& name, const std::string& message,
+                        const std::string& cure = kPlain) {
+    if (!told_.contains(message)) refuse(place_of_attribute(name), message, cure);
   }
 
   // Browsers must read the same characters as we do.
@@ -112,108 +118,143 @@ class SvgReader {
     return true;
   }
 
-  void walk(const XMLNode& parent) {
-    for (const XMLNode* node = parent.FirstChild(); node != nullptr; node = node->NextSibling()) {
-      if (const auto* declaration = node->ToDeclaration()) {
-        read_declaration(declaration->Value(), node->PreviousSibling() == nullptr &&
-                                                   node->Parent() == node->GetDocument());
-      } else if (node->ToUnknown() != nullptr) {
-        refuse(find("<!"), "a drawing has no `<!DOCTYPE>` and no entities",
-               "remove it: browsers need none");
-      } else if (const XMLElement* element = node->ToElement()) {
-        read_element(*element);
+  void declare(const XmlDeclaration& declaration) override {
+    std::string encoding = declaration.encoding;
+    std::ranges::transform(encoding, encoding.begin(), [](char c) {
+      return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    });
+    if (declaration.version == "1.0" && (encoding.empty() || encoding == "utf-8")) return;
+    refuse(head("<?"), "a drawing is XML 1.0 in UTF-8, and says nothing else",
+           R"(save it in UTF-8; its first line may be `<?xml version="1.0" encoding="UTF-8"?>`)");
+  }
+
+  void instruct() override {
+    refuse(head("<?"), "a drawing has no instructions for the browser", "remove it");
+  }
+
+  void type(bool defines) override {
+    const std::string open = "<!DOCTYPE";
+    const std::size_t at = bytes_.rfind(open, here().begin);
+    refuse({at, at + open.size()}, "a drawing has no `<!DOCTYPE>` and no entities",
+           "remove it: browsers need none");
+    if (defines) stop();
+  }
+
+  void begin(const XmlElement& element) override {
+    if (++depth_ > kMostDepth) {
+      refuse(
+          head("<"),
+          "elements of a drawing are at most " + std::to_string(kMostDepth) + " deep in each other",
+          "take groups apart that hold nothing but a group");
+      return stop();
+    }
+    if (is_passed()) return;
+    if (depth_ == 1 && !read_root(element)) return stop();
+    if (!read_element(element)) passed_ = depth_;
+  }
+
+  void end() override {
+    if (depth_ == style_) {
+      if (const std::string trouble = css_trouble(css_); !trouble.empty()) {
+        refuse(style_span_, "a drawing cannot have " + trouble);
       }
+      style_ = 0;
     }
+    if (depth_ == passed_) passed_ = 0;
+    --depth_;
   }
 
-  // "xml version="1.0" encoding="UTF-8""; all other instructions to a browser are refused.
-  void read_declaration(const std::string& text, bool first) {
-    const Span span = find("<?");
-    std::string plain;
-    for (const char c : text) {
-      if (c != ' ' && c != '\n' && c != '\r' && c != '\t') plain += c == '\'' ? '"' : c;
-    }
-    std::transform(plain.begin(), plain.end(), plain.begin(),
-                   [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-    static const std::set<std::string> known{
-        "xmlversion=\"1.0\"",
-        "xmlversion=\"1.0\"encoding=\"utf-8\"",
-        "xmlversion=\"1.0\"standalone=\"no\"",
-        "xmlversion=\"1.0\"standalone=\"yes\"",
-        "xmlversion=\"1.0\"encoding=\"utf-8\"standalone=\"no\"",
-        "xmlversion=\"1.0\"encoding=\"utf-8\"standalone=\"yes\""};
-    if (first && known.contains(plain)) return;
-    refuse(span, "a drawing has no instructions for the browser",
-           "remove it; the first line may be `<?xml version=\"1.0\" encoding=\"UTF-8\"?>`");
+  void text(std::string_view text) override {
+    if (style_ > 0) css_ += text;
   }
 
-  void read_element(const XMLElement& element) {
-    const std::string name = element.Name();
-    const Span span = find("<" + name);
-    if (!is_svg_element(name)) {
+  // A browser shows a file as a drawing for its namespace alone. False where it is something else.
+  bool read_root(const XmlElement& element) {
+    const XmlName& name = element.name;
+    if (name.local == "svg" && name.space == kSvg) return true;
+    const Span span = head("<" + name.text());
+    if (name.text() == "svg" && element.namespaces.empty()) {
+      own_ = "";
+      refuse(span, "the drawing does not say that it is SVG",
+             "write `<svg xmlns=\"" + std::string(kSvg) + "\"`, or browsers show nothing of it");
+      return true;
+    }
+    refuse(span, "the first element of a drawing is `svg`", "save it again as SVG");
+    return false;
+  }
+
+  // False where what the element holds is not looked at.
+  bool read_element(const XmlElement& element) {
+    const std::string name = element.name.text();
+    const Span span = head("<" + name);
+    const bool is_own = element.name.space == own_;
+    const bool can_be = is_own && is_svg_element(element.name.local);
+    if (!can_be && (is_own || !element.name.prefix.empty())) {
       refuse(span, "a drawing cannot have the element `" + name + "`");
-      pass(element);
-      return;
+      return false;
     }
-    for (const XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
-      read_attribute(name, a->Name(), a->Value());
+    for (const XmlNamespace& one : element.namespaces) read_namespace(one);
+    if (!is_own) {
+      refuse(span, kOtherLanguage);
+      return false;
     }
-    if (name == "style") read_style(element);
-    walk(element);
+    for (const XmlAttribute& attribute : element.attributes) {
+      read_attribute(element.name.local, attribute);
+    }
+    if (element.name.local == "style" && style_ == 0) {
+      style_ = depth_;
+      style_span_ = span;
+      css_.clear();
+    }
+    return true;
   }
 
-  void read_attribute(const std::string& element, const std::string& name,
-                      const std::string& value) {
-    const Span span = find(name);
+  // Those of a prefix that drawings need are told of where they name another language.
+  void read_namespace(const XmlNamespace& one) {
+    if (one.space == kSvg || (one.space == kXlink && !one.prefix.empty())) return;
+    const std::string name = one.prefix.empty() ? "xmlns" : "xmlns:" + one.prefix;
+    const bool is_usual = one.prefix.empty() || one.prefix == "svg" || one.prefix == "xlink";
+    refuse_attribute(
+        name, is_usual ? kOtherLanguage : "a drawing cannot have the attribute `" + name + "`");
+  }
+
+  void read_attribute(std::string_view element, const XmlAttribute& attribute) {
+    const std::string name = usual_name(attribute.name);
+    const std::string_view value = attribute.value;
+    const auto refuse_it = [&](const std::string& message, const std::string& cure = kPlain) {
+      refuse_attribute(attribute.name.text(), message, cure);
+    };
     if (!is_svg_attribute(name)) {
-      refuse(span, "a drawing cannot have the attribute `" + name + "`");
-    } else if (name.starts_with("xmlns")) {
-      if (value != namespace_of(name)) {
-        refuse(span, "a drawing cannot have elements of another language");
-      }
+      refuse_it("a drawing cannot have the attribute `" + attribute.name.text() + "`");
     } else if (name == "href" || name == "xlink:href") {
       const bool inside =
           value.starts_with('#') || (element == "image" && is_embedded_picture(value));
       if (!inside) {
-        refuse(span, "a drawing cannot have an address outside of it",
-               "refer to a part of it, `#name`, or embed a picture: `data:image/png;base64,…`");
+        refuse_it("a drawing cannot have an address outside of it",
+                  "refer to a part of it, `#name`, or embed a picture: `data:image/png;base64,…`");
       }
     } else if (!is_text(name)) {
       if (const std::string trouble = css_trouble(value); !trouble.empty()) {
-        refuse(span, "a drawing cannot have " + trouble);
+        refuse_it("a drawing cannot have " + trouble);
       }
     }
   }
 
-  void read_style(const XMLElement& style) {
-    std::string css;
-    for (const XMLNode* node = style.FirstChild(); node != nullptr; node = node->NextSibling()) {
-      if (node->ToText() != nullptr) css += node->Value();
-    }
-    if (const std::string trouble = css_trouble(css); !trouble.empty()) {
-      refuse({cursor_, cursor_ + 1}, "a drawing cannot have " + trouble);
-    }
-  }
+  bool is_passed() const { return passed_ > 0; }
 
-  // The walk goes on behind what was refused.
-  void pass(const XMLElement& element) {
-    for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
-         child = child->NextSiblingElement()) {
-      find(std::string("<") + child->Name());
-      pass(*child);
-    }
-  }
-
-  // Where `text` stands next; the walk is in the order of the file.
-  Span find(const std::string& text) {
-    const std::size_t at = bytes_.find(text, cursor_);
-    if (at == bytes_.npos) return {cursor_, cursor_ + 1};
-    cursor_ = at + text.size();
-    return {at, cursor_};
+  // The beginning of what is being read.
+  Span head(const std::string& text) const {
+    const std::size_t at = here().begin;
+    return {at, at + text.size()};
   }
 
   const std::string& bytes_;
-  std::size_t cursor_ = 0;
+  std::string_view own_ = kSvg;  // the namespace of what draws
+  std::size_t depth_ = 0;
+  std::size_t passed_ = 0;  // the depth of what is not looked at; 0 where all is
+  std::size_t style_ = 0;   // of the style whose text is being read
+  Span style_span_;
+  std::string css_;
   std::set<std::string> told_;
   std::vector<SvgFault> faults_;
 };
@@ -232,29 +273,37 @@ bool has_other_references(std::string_view text) {
 // As site/press/script/plot/svg.ts writes 10 to a power.
 constexpr std::string_view kClassOfPowers = "power";
 
-bool has_own_names(const XMLElement& element, const std::string& name) {
-  for (const XMLAttribute* a = element.FirstAttribute(); a != nullptr; a = a->Next()) {
-    const std::string_view attribute = a->Name();
-    const std::string_view value = a->Value();
-    const bool known = attribute == "id"      ? value.starts_with(name + "-")
-                       : attribute == "class" ? value == kClassOfPowers
-                                              : attribute != "role" && !is_text(attribute);
-    if (!known) return false;
+// Looks for names that are not the drawing's own, and for what HTML reads otherwise.
+class NameReader : public XmlReader {
+ public:
+  NameReader(const std::string& bytes, const std::string& name) : XmlReader(bytes), name_(name) {}
+
+  bool finds_own_alone() { return !read() && are_own_; }
+
+ private:
+  void begin(const XmlElement& element) override {
+    if (!element.name.prefix.empty()) are_own_ = false;
+    for (const XmlAttribute& attribute : element.attributes) {
+      if (!is_own(attribute.name.text(), attribute.value)) are_own_ = false;
+    }
+    if (!are_own_) stop();
   }
-  for (const XMLElement* child = element.FirstChildElement(); child != nullptr;
-       child = child->NextSiblingElement()) {
-    if (!has_own_names(*child, name)) return false;
+
+  bool is_own(const std::string& attribute, std::string_view value) const {
+    if (attribute == "id") return value.starts_with(name_ + "-");
+    if (attribute == "class") return value == kClassOfPowers;
+    return attribute != "role" && !is_text(attribute);
   }
-  return true;
-}
+
+  const std::string& name_;
+  bool are_own_ = true;
+};
 
 }  // namespace
 
 bool is_part_of_page(const std::string& bytes, const std::string& name) {
-  tinyxml2::XMLDocument document;
   return !has_other_references(bytes) && faults_of_svg(bytes).empty() &&
-         document.Parse(bytes.data(), bytes.size()) == tinyxml2::XML_SUCCESS &&
-         has_own_names(*document.RootElement(), name);
+         NameReader(bytes, name).finds_own_alone();
 }
 
 std::vector<SvgFault> faults_of_svg(const std::string& bytes) {

@@ -18,8 +18,8 @@ struct SvgFault {
   std::string message, cure;
 };
 
-// Of `bytes`, each kind once, a hundred at most; they are an SVG in XML (image_size.h), or the only
-// fault is that they are none.
+// Of `bytes`, each kind once, a hundred at most. Where they are not XML as browsers read it, what
+// comes behind is not looked at.
 std::vector<SvgFault> faults_of_svg(const std::string& bytes);
 
 // Whether a drawing can stand in a page, where a browser reads it as HTML and the page's scripts

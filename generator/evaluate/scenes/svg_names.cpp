@@ -29,7 +29,7 @@ constexpr const char* kElements = R"(
 )";
 
 constexpr const char* kAttributes = R"(
-  xmlns xmlns:xlink xmlns:svg version baseProfile
+  version baseProfile
   id class style lang xml:lang xml:space role type media href xlink:href
   viewBox preserveAspectRatio x y width height x1 y1 x2 y2 cx cy r rx ry fx fy fr d points
   pathLength dx dy rotate textLength lengthAdjust startOffset method spacing side

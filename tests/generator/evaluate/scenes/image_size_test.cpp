@@ -33,6 +33,7 @@ TEST(ImageSize, IsThatOfTheFile) {
 
 TEST(ImageSize, OfAnSvgIsWhatItSays) {
   EXPECT_EQ(size_of("a.svg", "<svg width='20px' height='10.4'/>"), "20 x 10");
+  EXPECT_EQ(size_of("a.svg", "<s:svg xmlns:s='x' width='20' height='10'><s:g/>"), "20 x 10");
   EXPECT_EQ(size_of("a.svg", "<?xml version='1.0'?><svg width='100%' viewBox='0,0 40 20'/>"),
             "40 x 20");
   const std::string unknown =
