@@ -38,7 +38,8 @@ class SiteBuild {
       write(*verified.course, verified.evaluation, options_.compress);
     } catch (const BrokenTemplate& broken) {
       const DiskFiles course(options_.course);
-      if (!is_themed(broken.error().name, course)) throw;
+      const std::string& name = broken.error().name;
+      if (!name.empty() && !is_themed(name, course)) throw;
       print_diagnostics({template_mistake(broken.error(), course)});
       return refuse("fix the error first");
     }

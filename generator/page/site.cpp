@@ -16,6 +16,7 @@
 #include "page/site_directory.h"
 #include "page/site_pages.h"
 #include "page/template_process.h"
+#include "page/template_time.h"
 
 namespace mjcourse {
 namespace {
@@ -39,7 +40,8 @@ void write_site(const Course& course, const Evaluation& evaluation, const SitePa
   SitePages pages(course, evaluation, paths.course, assets, directory, false, std::move(changes),
                   claims_of_outline);
   if (!paths.solutions) pages.withhold_solutions();
-  const RendererOf renders = renderer_of(assets, paths.program, paths.assets);
+  const RendererOf renders = within(time_of_templates(course.lessons.size()),
+                                    renderer_of(assets, paths.program, paths.assets));
   // Made on the thread that works with it, at its first page.
   std::vector<std::unique_ptr<PageEngines>> engines(paths.threads);
   const auto engines_of = [&](std::size_t thread) -> PageEngines& {

@@ -21,7 +21,9 @@
 namespace mjcourse {
 
 struct TemplateError {
-  std::string name;  // of the template with the mistake: a partial's own, not its user's
+  // Of the template with the mistake: a partial's own, not its user's. "" of all of a theme's
+  // together.
+  std::string name;
   std::string message;
   int line = 0;        // from 1; 0 when unknown
   std::string cure{};  // where the message does not say it

@@ -70,6 +70,7 @@ Diagnostic template_mistake(const TemplateError& error, const Files& course) {
   }
   Place place;
   place.file = text ? path : "site/press/" + std::string(kTemplates) + error.name + ".hbs";
+  if (error.name.empty()) place.file = kThemeTemplates;
   place.line = error.line;
   return error_at(std::move(place), "E-template", error.message, error.cure);
 }

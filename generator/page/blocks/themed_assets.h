@@ -33,7 +33,8 @@ class ThemedAssets : public Files {
   std::vector<DiskFiles> templates_;
 };
 
-// The mistake in a template, at its line in the course's theme, or else in the site's own.
+// The mistake in a template, at its line in the course's theme, or else in the site's own; one of
+// no single template at the theme's folder.
 Diagnostic template_mistake(const TemplateError& error, const Files& course);
 
 }  // namespace mjcourse

@@ -74,6 +74,8 @@ TEST_F(ThemedAssetsTest, AMistakeStandsInTheTemplateThatWasRead) {
             "site/press/templates/home.hbs:4: error: wrong [E-template]\n");
   EXPECT_EQ(shown({template_mistake({"lesson", "wrong", 0}, course)}),
             "theme/templates/lesson.hbs: error: wrong [E-template]\n");
+  EXPECT_EQ(shown({template_mistake({"", "they take long", 0}, course)}),
+            "theme/templates: error: they take long [E-template]\n");
 }
 
 }  // namespace
