@@ -9,6 +9,7 @@
 #include "base/beneath.h"
 #include "base/out_folder.h"
 #include "cli/run.h"
+#include "page/foreign_files.h"
 #include "page/site_directory.h"
 
 namespace mjcourse {
@@ -58,6 +59,7 @@ std::optional<Refusal> refused_folder(const fs::path& course, const fs::path& pl
                    "name another place: `" + option + "`"};
   }
   if (!refused) SiteDirectory::refuse_others(path);
+  if (!refused) refuse_unmovable_files(path);
   if (!refused) refused = refused_by_system(place, option);
   return refused;
 }

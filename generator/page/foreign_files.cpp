@@ -1,8 +1,12 @@
 #include "page/foreign_files.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <set>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include "base/files.h"
@@ -15,9 +19,15 @@ using Names = std::set<std::string>;
 
 // Of a list. A site of twenty thousand lessons has one of some megabytes.
 constexpr std::uintmax_t kMostList = 64 << 20;  // bytes
+// Folders of a site in each other: a course may have a hundred.
+constexpr std::size_t kMostDepth = 200;
 
 bool is_own_folder(const fs::path& path) {
   return fs::is_directory(fs::symlink_status(path));  // and no link to one
+}
+// Of what a folder lists, which mostly says so by itself.
+bool is_own_folder(const fs::directory_entry& entry) {
+  return !entry.is_symlink() && entry.is_directory();
 }
 
 // A list may be a stranger's, and what it has is removed: no build has written a `.git` or a
@@ -47,19 +57,34 @@ class ForeignSearch {
       : site_(site), other_(other), listed_(listed_files(site)) {}
 
   std::vector<std::string> found() {
-    look_in("");
+    to_look_in_.push_back({});
+    while (!to_look_in_.empty()) {
+      const Folder folder = std::move(to_look_in_.back());
+      to_look_in_.pop_back();
+      look_in(folder);
+    }
     std::ranges::sort(found_);
     return std::move(found_);
   }
 
  private:
-  void look_in(const std::string& folder) {
-    for (const auto& entry : fs::directory_iterator(site_ / folder)) {
+  struct Folder {
+    std::string path;
+    std::size_t depth = 0;
+  };
+
+  void look_in(const Folder& folder) {
+    if (folder.depth > kMostDepth) {
+      throw FolderRefused((site_ / folder.path).string() + " lies in more than " +
+                              std::to_string(kMostDepth) + " folders of the site",
+                          "remove it, or name an empty or a new folder");
+    }
+    for (const auto& entry : fs::directory_iterator(site_ / folder.path)) {
       const std::string name = entry.path().filename().string();
-      const std::string path = folder.empty() ? name : folder + "/" + name;
-      const bool is_folder = is_own_folder(entry.path());
+      const std::string path = folder.path.empty() ? name : folder.path + "/" + name;
+      const bool is_folder = is_own_folder(entry);
       if (is_folder && (holds_some(path, listed_) || is_own_folder(other_ / path))) {
-        look_in(path);
+        to_look_in_.push_back({path, folder.depth + 1});
       } else if (is_folder || !listed_.contains(path)) {
         check_place(path);
         found_.push_back(path);
@@ -82,8 +107,17 @@ class ForeignSearch {
 
   const fs::path &site_, &other_;
   const Names listed_;
+  std::vector<Folder> to_look_in_;
   std::vector<std::string> found_;
 };
+
+// A folder that moves is written to, as it has the folder above it in it.
+void refuse_closed(const fs::path& folder) {
+  if (eaccess(folder.c_str(), W_OK | X_OK) == 0) return;
+  throw FolderRefused(folder.string() + " is in the way of a new site, and cannot be moved: " +
+                          std::generic_category().message(errno),
+                      "allow this user to write to it, or name an empty or a new folder");
+}
 
 }  // namespace
 
@@ -114,6 +148,16 @@ std::vector<std::string> foreign_files(const fs::path& site, const fs::path& oth
 
 std::vector<std::string> foreign_files(const fs::path& site) {
   return foreign_files(site, site / kSiteList);  // a file, so nothing is in there, and in the way
+}
+
+void refuse_unmovable_files(const fs::path& site) {
+  if (!has_site_list(site)) return;
+  fs::path checked;  // neighbours lie in one folder
+  for (const std::string& path : foreign_files(site)) {
+    const fs::path file = site / path;
+    if (is_own_folder(file)) refuse_closed(file);
+    if (checked != file.parent_path()) refuse_closed(checked = file.parent_path());
+  }
 }
 
 void move_foreign_files(const OutFolder& site, const OutFolder& other) {

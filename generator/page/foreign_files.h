@@ -38,6 +38,10 @@ std::vector<std::string> foreign_files(const std::filesystem::path& site,
 // The paths of what `site` does not list.
 std::vector<std::string> foreign_files(const std::filesystem::path& site);
 
+// Throws FolderRefused where something of these could not be moved, and std::system_error where it
+// cannot be known: what a command asks before its work. Nothing where `site` has no list.
+void refuse_unmovable_files(const std::filesystem::path& site);
+
 // Moves these by renaming them. All are where they were when this throws FolderRefused or
 // std::system_error.
 void move_foreign_files(const OutFolder& site, const OutFolder& other);

@@ -86,6 +86,31 @@ for (const [command, option, value] of options) {
   }
 }
 
+// What lies in a site and cannot go along with the next one is told before the work.
+{
+  const site = join(mine, "site");
+  const words = ["build", "--out", site];
+  const built = run(words);
+  if (built.status !== 0) failures.push(`no site was built: ${built.stderr}`);
+  const refused = (folder) =>
+    expectRefused(
+      words,
+      `mjcourse: ${folder} is in the way of a new site, and cannot be moved: Permission denied\n` +
+        "  cure: allow this user to write to it, or name an empty or a new folder\n",
+    );
+  const closed = join(site, "closed");
+  mkdirSync(closed);
+  chmodSync(closed, 0);
+  refused(closed);
+  chmodSync(closed, 0o755);
+  writeFileSync(join(site, "1-a", "notes.txt"), "");
+  chmodSync(join(site, "1-a"), 0o555);
+  refused(join(site, "1-a"));
+  chmodSync(join(site, "1-a"), 0o755);
+  const again = run(words);
+  if (again.status !== 0) failures.push(`no site was built again: ${again.stderr}`);
+}
+
 // On a disk that is full. Only root can have one of his own.
 function onFullDisk(words, expected) {
   const disk = join(home, "disk");

@@ -114,6 +114,33 @@ TEST_F(ForeignFilesTest, AFileThatIsAFolderOfTheNewSiteIsRefused) {
             "move yours elsewhere, or give it another name");
 }
 
+// A list may be a stranger's, and folders in each other without an end.
+TEST_F(ForeignFilesTest, AreLookedForInTwoHundredFoldersOfEachOther) {
+  std::string path = "d";
+  for (int i = 1; i < 200; ++i) path += "/d";
+  const auto list = [&] {
+    write_file(old_ / kSiteList, std::string(kSiteList) + "\n" + path + "/x.html\n");
+    add(path + "/x.html");
+    refuse_unmovable_files(old_);
+  };
+  EXPECT_NO_THROW(list());
+  path += "/d";
+  try {
+    list();
+    ADD_FAILURE() << "was not refused";
+  } catch (const FolderRefused& refused) {
+    EXPECT_EQ(refused.what(),
+              (old_ / path).string() + " lies in more than 200 folders of the site");
+    EXPECT_STREQ(refused.cure().c_str(), "remove it, or name an empty or a new folder");
+  }
+}
+
+TEST_F(ForeignFilesTest, AreNotLookedForWhereNobodyListsThem) {
+  write_file(old_ / kSiteList, "");
+  EXPECT_NO_THROW(refuse_unmovable_files(old_));
+  EXPECT_NO_THROW(refuse_unmovable_files(folder_.path() / "nowhere"));
+}
+
 TEST_F(ForeignFilesTest, AreKnownOnlyOfASiteWithItsList) {
   EXPECT_TRUE(has_site_list(old_));
   EXPECT_FALSE(has_site_list(folder_.path()));
