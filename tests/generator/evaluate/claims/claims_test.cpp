@@ -230,7 +230,8 @@ TEST(Claims, OfPlots) {
 
 TEST(Claims, OfImages) {
   EXPECT_EQ(told("![A cart](a.svg \"drawn by hand\") ![Gone](b.svg)\n",
-                 {{"content/1-a/a.svg", "<svg width='3' height='2'/>"}}),
+                 {{"content/1-a/a.svg",
+                   "<svg xmlns='http://www.w3.org/2000/svg' width='3' height='2'/>"}}),
             "4 image cited: a.svg: A cart\n"
             "    drawn by hand\n"
             "4 image failed: b.svg: Gone\n");
