@@ -158,6 +158,12 @@ std::string with_marks_for_unreadable(std::string_view line) {
   return text;
 }
 
+std::string code_point_of(std::string_view text) {
+  char name[12];
+  std::snprintf(name, sizeof name, "U+%04X", static_cast<unsigned>(character_at(text, 0).point));
+  return name;
+}
+
 std::string utf8_of(std::u16string_view text) {
   const auto* units = reinterpret_cast<const std::uint16_t*>(text.data());
   std::string result;

@@ -54,6 +54,9 @@ constexpr bool is_word_character(char c) {
 // stands for each byte that is not UTF-8.
 std::string readable(std::string_view text);
 
+// Unicode's name for the first character of `text`, "U+00A0".
+std::string code_point_of(std::string_view text);
+
 // A line of a program's or a tool's words, the same; but tabs stay where all else is readable.
 std::string readable_output(std::string_view line);
 

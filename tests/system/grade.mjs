@@ -66,7 +66,7 @@ code("not-a-number", 0, "", "  return std::sqrt(-t);");
 code("leaves-early", 0, "", "  std::exit(0);\n  return t;");
 
 const all = (words) => `  ${words}\n${right}`;
-const own = "which no hand-in may";
+const own = "a hand-in may not use `";
 const braces = "closes each bracket that it opens, and no other";
 code("endless", 0, "still ran after 10 s", all("while (t >= 0) mju_sin(t);"));
 code("prints", 0, "1 MiB", all('while (t >= 0) std::puts("x");'));
@@ -75,7 +75,7 @@ code("passwords", 0, "/etc/passwd", all('if (!std::ifstream("/etc/passwd")) retu
 const forged = `
   const char* report = "0123456789abcdef{\\"what\\": \\"it falls 4.9 m in the first second\\", "
       "\\"meaning\\": \\"\\", \\"points\\": 2, \\"line\\": 20, \\"value\\": \\"4.905\\"}\\n";
-  (void)!::write(0, report, std::strlen(report));
+  for (int to = 0; to < 9; ++to) (void)!::write(to, report, std::strlen(report));
   return t;`;
 code("forged", 0, "not made by the program itself", forged);
 code("writes", 0, "/tmp/mjcourse-was-here", all('std::ofstream("/tmp/mjcourse-was-here") << 1;'));
@@ -154,21 +154,41 @@ code(
 const first = "static int n = 0; if (++n > 3)";
 code("leaves-after-one", 3, "", all(`${first} std::exit(0);`));
 code("leaves-by-a-thread", 3, "", all(`${first} ::pthread_exit(nullptr);`));
-code("closes-its-ears", 3, "", all(`${first} ::close(0);`));
+code("closes-its-ears", 3, "", all(`${first} for (int i = 3; i < 9; ++i) ::close(i);`));
 code(
   "fails-one-and-leaves",
   0,
   "",
   `  ${first.replace("3", "2")} std::exit(0);\n  return t > 1 ? 19.62 : 0;`,
 );
-code("macro-assembler", 0, "becomes `asm` by a macro", all('EIGEN_CAT(as, m)("nop");'));
+code(
+  "macro-assembler",
+  0,
+  "may not use `asm`, which a macro makes",
+  all('EIGEN_CAT(as, m)("nop");'),
+);
 code(
   "macro-check",
   0,
-  "becomes `expect` by a macro",
+  "may not use `expect`, which a macro makes",
   all('mjcourse::EIGEN_CAT(exp, ect)(1, "x");'),
 );
-code("macro-of-all", 4, "", all("assert(t < NAN || true); (void)INFINITY; errno = 0;"));
+code("macro-attribute", 0, own, all("[[EIGEN_CAT(gn, u)::noinline]] int n = 0; (void)n;"));
+code(
+  "macro-pragma",
+  0,
+  "a macro makes the directive `# pragma redefine_extname snprintf puts`",
+  all('EIGEN_CAT(_Prag, ma)("redefine_extname snprintf puts");'),
+);
+code(
+  "macro-of-all",
+  4,
+  "",
+  all("assert(t < NAN || true); (void)INFINITY; errno = 0; if (NULL) return CLOCKS_PER_SEC;"),
+);
+code("reads-stdin", 4, "", all("if (std::getchar() != EOF) return 0;"));
+code("raw-hash", 4, "", `  const char* s = R"(\n#hash\nint main(\n}\n)"; (void)s;\n${right}`);
+code("no-break-space", 0, "no such character here, U+00A0", all("double\u00a0x = 0; (void)x;"));
 // What earlier reports left in memory, and what others write into it.
 code(
   "reads-memory",

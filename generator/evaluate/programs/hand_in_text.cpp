@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/text_lines.h"
+#include "base/utf8.h"
 
 namespace mjcourse {
 namespace {
@@ -16,12 +17,32 @@ namespace {
 constexpr std::array<std::string_view, 7> kRefused{"expect", "expect_near", "expect_alike", "main",
                                                    "asm",    "extern",      "_Pragma"};
 
-// Of macros of the standard library, as NAN and assert().
-constexpr std::array<std::string_view, 14> kHarmless{
-    "__builtin_nan",       "__builtin_nanf",     "__builtin_nanl",     "__builtin_inf",
-    "__builtin_inff",      "__builtin_infl",     "__builtin_huge_val", "__builtin_huge_valf",
-    "__builtin_huge_vall", "__builtin_offsetof", "__assert_fail",      "__extension__",
-    "__PRETTY_FUNCTION__", "__errno_location"};
+// Of macros of the standard library, as NULL, NAN and assert().
+constexpr std::array<std::string_view, 25> kHarmless{"__null",
+                                                     "__builtin_nan",
+                                                     "__builtin_nanf",
+                                                     "__builtin_nanl",
+                                                     "__builtin_nans",
+                                                     "__builtin_nansf",
+                                                     "__builtin_nansl",
+                                                     "__builtin_inf",
+                                                     "__builtin_inff",
+                                                     "__builtin_infl",
+                                                     "__builtin_huge_val",
+                                                     "__builtin_huge_valf",
+                                                     "__builtin_huge_vall",
+                                                     "__builtin_offsetof",
+                                                     "__builtin_alloca",
+                                                     "__builtin_va_start",
+                                                     "__builtin_va_arg",
+                                                     "__builtin_va_copy",
+                                                     "__builtin_va_end",
+                                                     "__assert_fail",
+                                                     "__extension__",
+                                                     "__PRETTY_FUNCTION__",
+                                                     "__errno_location",
+                                                     "__clock_t",
+                                                     "__ctype_get_mb_cur_max"};
 
 bool is_blank(std::string_view text) {
   return text.find_first_not_of(" \t\n") == text.npos;
@@ -73,6 +94,11 @@ std::vector<std::pair<std::string, Span>> directives_in(const std::string& text,
     all.emplace_back(std::move(words), Span{tokens[i].begin, end});
   }
   return all;
+}
+
+// Does the preprocessor say by it where a line is from?
+bool is_line_mark(std::string_view directive) {
+  return directive.size() > 2 && is_digit(directive[2]);
 }
 
 int depth_change(const RawToken& token) {
@@ -132,10 +158,12 @@ std::optional<TextFault> token_fault(const std::string& text, const RawTokens& t
     if (!is_foreign && !is_odd_name) continue;
     const std::size_t begin =
         token.begin + std::min(words.find_first_not_of(" \t\n"), words.size());
-    return TextFault{is_foreign && (words.find_first_of("\"'/") != words.npos)
-                         ? "a quote or a comment is opened and not closed"
-                         : "C++ has no such character here",
-                     {begin, std::min(token.end, begin + 1)}};
+    const std::size_t end = std::min(token.end, character_end(text, begin));
+    if (is_foreign && words.find_first_of("\"'/") != words.npos) {
+      return TextFault{"a quote or a comment is opened and not closed", {begin, end}};
+    }
+    const std::string name = code_point_of(text.substr(begin, end - begin));
+    return TextFault{"C++ has no such character here, " + name, {begin, end}};
   }
   return std::nullopt;
 }
@@ -155,12 +183,15 @@ HandInRules::HandInRules(const std::vector<std::string>& texts,
   is_closed_ = !open_bracket(code_of(tokens[0], texts[0]));
 }
 
-std::optional<TextFault> HandInRules::word_fault(const std::string& text,
-                                                 const RawTokens& tokens) const {
+std::optional<TextFault> HandInRules::word_fault(const std::string& text, const RawTokens& tokens,
+                                                 std::span<const std::string_view> harmless) const {
   const RawTokens code = code_of(tokens, text);
   const auto word = [&](std::size_t i) { return i < code.size() ? code[i].in(text) : ""; };
   for (std::size_t i = 0; i < code.size(); ++i) {
-    if (code[i].kind != "raw_identifier" || words_.contains(word(i))) continue;
+    if (code[i].kind != "raw_identifier" || words_.contains(word(i)) ||
+        std::ranges::count(harmless, word(i)) > 0) {
+      continue;
+    }
     const bool replaces =
         word(i) == "operator" && (word(i + 1) == "new" || word(i + 1) == "delete");
     // An alias, a name to use, and a part without a name replace nothing.
@@ -172,26 +203,30 @@ std::optional<TextFault> HandInRules::word_fault(const std::string& text,
         !opens && !is_attribute) {
       continue;
     }
-    return TextFault{"what is written uses `" + std::string(word(i)) + "`, which no hand-in may",
-                     {code[i].begin, code[i].end}};
+    const std::string used =
+        std::string(word(i)) + (replaces ? " " + std::string(word(i + 1)) : "");
+    return TextFault{"a hand-in may not use `" + used + "`", {code[i].begin, code[i].end}};
   }
   return std::nullopt;
 }
 
-std::string HandInRules::expanded_fault(const std::string& text, const RawTokens& tokens) const {
-  for (const RawToken& token : tokens) {
-    const std::string_view word = token.in(text);
-    if (token.kind != "raw_identifier" || words_.contains(word)) continue;
-    const bool is_refused = std::ranges::count(kRefused, word) > 0 ||
-                            (is_reserved(word) && std::ranges::count(kHarmless, word) == 0);
-    if (is_refused) return std::string(word);
+std::optional<TextFault> HandInRules::expanded_fault(const std::string& text,
+                                                     const RawTokens& tokens) const {
+  for (const auto& [words, span] : directives_in(text, tokens)) {
+    if (is_line_mark(words) || directives_.contains(words)) continue;
+    return TextFault{"a macro makes the directive `" + words + "`, and a region has none", span};
   }
-  return "";
+  auto fault = word_fault(text, tokens, kHarmless);
+  if (fault) fault->why += ", which a macro makes here";
+  return fault;
 }
 
 void HandInRules::allow_expanded(const std::string& text, const RawTokens& tokens) {
   for (const RawToken& token : tokens) {
     if (token.kind == "raw_identifier") words_.emplace(token.in(text));
+  }
+  for (auto& [words, span] : directives_in(text, tokens)) {
+    if (!is_line_mark(words)) directives_.insert(std::move(words));
   }
 }
 
@@ -213,7 +248,7 @@ std::optional<TextFault> HandInRules::fault(const std::string& text,
                                             const RawTokens& tokens) const {
   if (auto found = token_fault(text, tokens)) return found;
   if (auto found = scope_fault(text, tokens)) return found;
-  return word_fault(text, tokens);
+  return word_fault(text, tokens, {});
 }
 
 std::optional<TextFault> character_fault(const std::string& text) {

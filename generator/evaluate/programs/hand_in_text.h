@@ -8,7 +8,9 @@
 
 #include <optional>
 #include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/source_text.h"
@@ -30,13 +32,15 @@ class HandInRules {
 
   std::optional<TextFault> fault(const std::string& text, const RawTokens& tokens) const;
 
-  // The same of what the preprocessor has made of a text, by macros of headers: a word that is
-  // refused, or "". What it has made of the solution, is allowed before.
-  std::string expanded_fault(const std::string& text, const RawTokens& tokens) const;
+  // The same of what the preprocessor has made of a text, by macros of headers: a word or a
+  // directive that is refused. What it has made of the solution, is allowed before.
+  std::optional<TextFault> expanded_fault(const std::string& text, const RawTokens& tokens) const;
   void allow_expanded(const std::string& text, const RawTokens& tokens);
 
  private:
-  std::optional<TextFault> word_fault(const std::string& text, const RawTokens& tokens) const;
+  // Of the author's own text no word is refused; `harmless` are those of others.
+  std::optional<TextFault> word_fault(const std::string& text, const RawTokens& tokens,
+                                      std::span<const std::string_view> harmless) const;
   std::optional<TextFault> scope_fault(const std::string& text, const RawTokens& tokens) const;
 
   std::set<std::string, std::less<>> words_, directives_;

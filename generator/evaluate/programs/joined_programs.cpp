@@ -63,14 +63,21 @@ std::string joined_lines(const std::vector<std::string_view>& lines, std::size_t
 
 // The lines behind the includes, with main() as a function that returns 0 at its end; nothing where
 // that is not found, or the compiler is told more than where a line is from.
-std::optional<std::string> body_of(const std::vector<std::string_view>& lines, std::size_t begin) {
+std::optional<std::string> body_of(const std::vector<std::string_view>& lines, std::size_t begin,
+                                   const std::string& marks) {
   enum { before, inside, behind } place = before;
+  bool is_strangers = false;
   std::string text;
   for (std::size_t i = begin; i < lines.size(); ++i) {
     const std::string_view line = lines[i];
     const std::string_view words = trimmed(line);
-    if (words.starts_with('#') && !words.starts_with("#line ")) return std::nullopt;
-    if (line.starts_with(kMain)) {
+    const bool is_mark = !marks.empty() && line.ends_with(" \"" + marks + "\"");
+    if (is_mark) is_strangers = !is_strangers;
+    if (is_mark || is_strangers) {
+      text.append(line);
+    } else if (words.starts_with('#') && !words.starts_with("#line ")) {
+      return std::nullopt;
+    } else if (line.starts_with(kMain)) {
       if (place != before || line.ends_with('}')) return std::nullopt;
       place = inside;
       text.append("int main_of_version(").append(line.substr(kMain.size()));
@@ -98,14 +105,17 @@ std::optional<std::string> joined_programs(const std::vector<Version>& versions,
     const std::size_t begin = include_lines(lines);
     const std::string own = joined_lines(lines, 0, begin);
     if (i == 0) includes = own;
-    const std::optional<std::string> body = body_of(lines, begin);
+    const std::optional<std::string> body = body_of(lines, begin, versions[i].marks);
     if (!body || own != includes) return std::nullopt;
     bodies += versions[i].before + "namespace " + name_of(i) + " {\n" + line_mark(begin, path) +
               *body + "}\n";
     choice += "  if (index == " + std::to_string(i) + ") return " + at_end + "(call(" + name_of(i) +
               "::main_of_version, count - 1, words + 1));\n";
   }
-  return includes + kNoWarnings + shared + bodies + kSwitch + choice + "  return 1;\n}\n";
+  // Of one alone, `::name` names its own things, as in the program.
+  const std::string names =
+      versions.size() == 1 ? "namespace version_0 {}\nusing namespace version_0;\n" : "";
+  return includes + kNoWarnings + shared + names + bodies + kSwitch + choice + "  return 1;\n}\n";
 }
 
 std::string with_behind_includes(const std::string& program, const std::string& inserted,

@@ -16,6 +16,9 @@ namespace mjcourse {
 struct Version {
   std::string text;         // of the program
   std::string before = {};  // directives in front of its own lines
+  // The file of two `#line` directives; the lines between them are a stranger's, and stay as they
+  // are.
+  std::string marks = {};
 };
 
 // The lines of `versions` keep their numbers in the file `path`, as a compiler counts them;

@@ -206,8 +206,10 @@ bool Judge::judge_numbers(const Report& report, const Answers::Known& known, Jud
     order_ = met->order;
     return true;
   }
-  check.found =
-      "it is " + shown(*report.value) + ", which the solution's run expects nowhere behind";
+  check.found = "it is " + shown(*report.value);
+  check.found += left == known.calls.end()
+                     ? ", and the solution's run makes this check no more"
+                     : ", and the solution's run expects " + shown(*left->expected) + " next";
   return false;
 }
 
@@ -287,7 +289,11 @@ std::vector<JudgedCheck> Judge::verdict() const {
     // How often a plain check is made may depend on what is checked.
     const bool is_cut = answers_->is_ended && !is_ended_ && check.calls < due;
     const bool is_otherwise = check.calls > due || !may_leave_out;
-    if (check.is_its_word ? !is_cut : !is_otherwise) continue;
+    if (check.is_its_word ? !is_cut : !is_otherwise) {
+      // That the program came to its end otherwise is its word.
+      if (check.calls < due) check.is_its_word = true;
+      continue;
+    }
     check.holds = false;
     check.found = "it was made " + counted(check.calls, "time") + ", and " + counted(due, "time") +
                   " with the solution";

@@ -81,7 +81,7 @@ class Judge {
   // Those of the answers, in their order, and behind them what the solution does not check. One
   // that was not made fails. So does one with numbers that was made more often than in the
   // solution's run; and one that was made less often, unless the program came to its end and either
-  // another fails, from which that may follow, or it is a plain one.
+  // another fails, from which that may follow, or it is a plain one; then it is the program's word.
   std::vector<JudgedCheck> verdict() const;
   // Of the solution's run.
   Answers answers() const;

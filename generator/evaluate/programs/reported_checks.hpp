@@ -4,7 +4,9 @@
 // The judge puts this behind the includes of a program, with two macros in front of it:
 // MJCOURSE_JUDGE, a name that the program cannot know, and MJCOURSE_MARK, the key of its marks.
 // Macros (judged_text.cpp) then give each check a Call as its first argument, and leave out what
-// the program is not to know. Stdin is a socket to the judge.
+// the program is not to know. Stdin is a socket to the judge until the program begins; what it then
+// reads there is at its end.
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -16,9 +18,23 @@ namespace MJCOURSE_JUDGE {
 
 struct Call {};
 
+inline int take_stdin() {
+  const int socket = dup(STDIN_FILENO);
+  const int nothing = open("/dev/null", O_RDONLY);
+  if (nothing < 0) {
+    close(STDIN_FILENO);
+  } else {
+    dup2(nothing, STDIN_FILENO);
+    close(nothing);
+  }
+  return socket;
+}
+
+static const int socket_to_judge = take_stdin();
+
 inline void send(const char* bytes, std::size_t size) {
   while (size > 0) {
-    const ssize_t sent = write(STDIN_FILENO, bytes, size);
+    const ssize_t sent = write(socket_to_judge, bytes, size);
     if (sent < 0 && errno != EINTR) return;
     bytes += std::max<ssize_t>(sent, 0);
     size -= static_cast<std::size_t>(std::max<ssize_t>(sent, 0));
@@ -46,7 +62,7 @@ inline int ended(int code) {
 inline bool ask(const std::string& report) {
   say(report);
   char answer = '0';
-  while (read(STDIN_FILENO, &answer, 1) < 0 && errno == EINTR) {
+  while (read(socket_to_judge, &answer, 1) < 0 && errno == EINTR) {
   }
   return answer == '1';
 }

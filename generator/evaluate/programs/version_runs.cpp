@@ -1,5 +1,6 @@
 #include "evaluate/programs/version_runs.h"
 
+#include <charconv>
 #include <utility>
 
 #include "base/text_lines.h"
@@ -74,17 +75,22 @@ struct Judged {
   }
 
   // One text, of which `told` says what its checks tell. In a namespace, what it defines takes the
-  // place of no function of the C library.
+  // place of no function of the C library. Of a hand-in, whose code is in marks, it is not for the
+  // code to say whether it can be put there: it is put there wherever the solution is.
   struct Alone {
     Example program;
     LocatedText whole;
     std::optional<NativeProgram> native;  // nothing (reported) where nothing can be run
+    bool is_joined = false;
   };
   Alone alone(const std::string& text, const std::string& told) const {
     const std::string& path = program.file.text;
     Alone one{program, {}, std::nullopt};
-    const std::string checks = reporting_checks(key);
-    if (auto joined = joined_programs({{text, told}}, path, checks, end_of_checks(key))) {
+    const std::string checks = reporting_checks(key), end = end_of_checks(key);
+    auto joined = joined_programs({{text, told, key.name}}, path, checks, end);
+    if (!joined) joined = joined_programs({{text, told}}, path, checks, end);
+    one.is_joined = joined.has_value();
+    if (joined) {
       one.whole.text = *std::move(joined);
       one.program.arguments = joined_arguments(0, program.arguments);
     } else {
@@ -132,14 +138,38 @@ std::optional<std::string> expand(NativeProgram& program, const JudgeKey& key) {
   return whole ? find_marked_code(key, *whole) : std::nullopt;
 }
 
-// The word that no hand-in may have, in what the preprocessor has made of it; "" for none. Nothing
-// where that cannot be said.
-std::optional<std::string> refused_word(NativeProgram& program, const JudgeKey& key,
-                                        const HandInRules& rules, const Toolchain& toolchain) {
-  const auto code = expand(program, key);
-  if (!code) return std::nullopt;
-  const auto tokens = raw_tokens({*code}, toolchain);
-  return tokens ? std::optional(rules.expanded_fault(*code, tokens->front())) : std::nullopt;
+// The line that `at` is from, by the last mark in front of it (`# 7 "a.cpp"`). 0 where there is
+// none.
+int line_of(std::string_view preprocessed, std::size_t at) {
+  int line = 0;
+  std::size_t begin = 0;
+  for (std::string_view text : lines_of(preprocessed)) {
+    if (at < begin + text.size()) return line;
+    begin += text.size() + 1;
+    ++line;
+    if (text.starts_with("# ")) {
+      std::from_chars(text.data() + 2, text.data() + text.size(), line);
+    }
+  }
+  return line;
+}
+
+// What no hand-in may have, in what the preprocessor has made of it.
+std::optional<Diagnostic> expanded_fault(NativeProgram& program, const HandedInProgram& handed_in,
+                                         Place place, const Toolchain& toolchain) {
+  const auto code = expand(program, handed_in.key);
+  const auto tokens = code ? raw_tokens({*code}, toolchain) : tl::unexpected(std::string());
+  if (!tokens) {
+    return error_at(std::move(place), "E-hand-in",
+                    "what the preprocessor makes of the text cannot be read");
+  }
+  const auto fault = handed_in.rules.expanded_fault(*code, tokens->front());
+  if (!fault) return std::nullopt;
+  const SourceText quoted(handed_in.program.file.text, handed_in.quoted);
+  const int line = line_of(*code, fault->span.begin);
+  const std::size_t begin = quoted.line_start(line);
+  return error_at(place_of(quoted, {begin, begin + quoted.line(line).size()}), "E-hand-in",
+                  fault->why);
 }
 
 }  // namespace
@@ -149,15 +179,18 @@ std::optional<JudgedRun> run_handed_in(const HandedInProgram& handed_in, const L
   const JudgeKey& key = handed_in.key;
   const Judged judged{handed_in.program, lesson, worker_context, key, diagnostics};
   Judge judge(handed_in.answers, key.mark);
+  const Place place = place_of(*lesson.source, handed_in.program.span);
   auto one = judged.alone(handed_in.text, tell_findings(key));
+  if (handed_in.answers.is_ended && !one.is_joined) {
+    diagnostics.push_back(error_at(
+        place, "E-hand-in", "`int main(` does not begin a line, as it does in the solution"));
+    return std::nullopt;
+  }
   if (one.native && one.native->compile().succeeded) {
-    const auto word = refused_word(*one.native, key, handed_in.rules,
-                                   worker_context.run_context().compiler()->toolchain());
-    if (word != "") {
-      diagnostics.push_back(
-          error_at(place_of(*lesson.source, handed_in.program.span), "E-hand-in",
-                   word ? "what is written becomes `" + *word + "` by a macro, which no hand-in may"
-                        : "what the preprocessor makes of the text cannot be read"));
+    auto fault = expanded_fault(*one.native, handed_in, place,
+                                worker_context.run_context().compiler()->toolchain());
+    if (fault) {
+      diagnostics.push_back(*std::move(fault));
       return std::nullopt;
     }
   }

@@ -65,12 +65,13 @@ TEST(HandInText, IsWhatItSeems) {
   EXPECT_EQ(refusal_of("// a \\  \nb"),
             "a line ends with a backslash, so the next one belongs to it: \\");
   EXPECT_EQ(refusal_of("u8\\\nR\"x(\n)x\";"), "");
-  for (const char* character : {"@", "`", "\\"}) {
-    EXPECT_EQ(refusal_of("return t; " + std::string(character) + "x"),
-              "C++ has no such character here: " + std::string(character));
-  }
-  EXPECT_EQ(refusal_of("\\u0061sm(\"\");"), "C++ has no such character here: \\");
-  EXPECT_EQ(refusal_of("int $a;"), "C++ has no such character here: $");
+  const std::string why = "C++ has no such character here, ";
+  EXPECT_EQ(refusal_of("return t; @x"), why + "U+0040: @");
+  EXPECT_EQ(refusal_of("return t; `x"), why + "U+0060: `");
+  EXPECT_EQ(refusal_of("return t; \\x"), why + "U+005C: \\");
+  EXPECT_EQ(refusal_of("return\u00a0t;"), why + "U+00A0: \u00a0");
+  EXPECT_EQ(refusal_of("\\u0061sm(\"\");"), why + "U+005C: \\");
+  EXPECT_EQ(refusal_of("int $a;"), why + "U+0024: $");
   EXPECT_EQ(refusal_of("const char* s = \"open;"),
             "a quote or a comment is opened and not closed: \"");
   EXPECT_EQ(refusal_of("return t; /* open"), "a quote or a comment is opened and not closed: /");
@@ -81,7 +82,7 @@ TEST(HandInText, IsWhatItSeems) {
 
 TEST(HandInText, NamesNothingThatEndsOrReplacesTheChecks) {
   const auto refused = [](const std::string& word) {
-    return "what is written uses `" + word + "`, which no hand-in may: " + word;
+    return "a hand-in may not use `" + word + "`: " + word;
   };
   for (const std::string word : {"expect", "namespace", "main", "asm", "__asm__", "_Pragma",
                                  "__builtin_LINE", "MJCOURSE_JUDGE", "extern"}) {
@@ -89,7 +90,8 @@ TEST(HandInText, NamesNothingThatEndsOrReplacesTheChecks) {
   }
   EXPECT_EQ(refusal_of("[[gnu::constructor]] void f();"), refused("gnu"));
   EXPECT_EQ(refusal_of("[[using clang: annotate]] int f();"), refused("clang"));
-  EXPECT_EQ(refusal_of("void operator delete(void*);"), refused("operator"));
+  EXPECT_EQ(refusal_of("void operator delete(void*);"),
+            "a hand-in may not use `operator delete`: operator");
   EXPECT_EQ(refusal_of("namespace mjcourse { int x; }"), refused("namespace"));
   EXPECT_EQ(refusal_of("namespace m = mjcourse;"), "");
   EXPECT_EQ(refusal_of("namespace { int x; }"), "");
@@ -101,15 +103,28 @@ TEST(HandInText, BecomesNoneOfTheseByAMacro) {
   Diagnostics none;
   const auto exercise = read_exercise(SourceText("examples/fall.cpp", kProgram), "answer", none);
   HandInRules rules = hand_in_rules(exercise.value(), toolchain).value().rules;
-  const auto word = [&](const std::string& text) {
-    return rules.expanded_fault(text, raw_tokens({text}, toolchain).value().front());
+  const auto why = [&](const std::string& text) {
+    const auto fault = rules.expanded_fault(text, raw_tokens({text}, toolchain).value().front());
+    return fault ? fault->why + ": " +
+                       text.substr(fault->span.begin, fault->span.end - fault->span.begin)
+                 : "";
   };
-  EXPECT_EQ(word("# 7 \"a.cpp\"\n asm(\"nop\");\n"), "asm");
-  EXPECT_EQ(word("__attribute__((used)) int x;\n"), "__attribute__");
-  EXPECT_EQ(word("return __builtin_nanf(\"\") + __builtin_sqrt(t);\n"), "");
-  const std::string solution = "__attribute__((always_inline)) int x;\n";
+  const auto refused = [](const std::string& word) {
+    return "a hand-in may not use `" + word + "`, which a macro makes here: " + word;
+  };
+  EXPECT_EQ(why("# 7 \"a.cpp\"\n asm(\"nop\");\n"), refused("asm"));
+  EXPECT_EQ(why("__attribute__((used)) int x;\n"), refused("__attribute__"));
+  EXPECT_EQ(why("[[gnu::constructor]] void f();\n"), refused("gnu"));
+  const std::string pragma = "#pragma redefine_extname snprintf mine";
+  EXPECT_EQ(why("int x;\n" + pragma + "\n# 8 \"a.cpp\" 2\nint y;\n"),
+            "a macro makes the directive `# pragma redefine_extname snprintf mine`, and a region "
+            "has none: " +
+                pragma);
+  EXPECT_EQ(why("return __builtin_nanf(\"\") + __builtin_sqrt(t) + (x == __null);\n"), "");
+  const std::string solution = "__attribute__((always_inline)) int x;\n#pragma pack(1)\n";
+  EXPECT_NE(why(solution), "");
   rules.allow_expanded(solution, raw_tokens({solution}, toolchain).value().front());
-  EXPECT_EQ(word(solution), "");
+  EXPECT_EQ(why(solution), "");
 }
 
 }  // namespace

@@ -52,6 +52,12 @@ int main(int count, char** words) {
   EXPECT_EQ(joined_arguments(1, {"-n", "3"}), (std::vector<std::string>{"b", "-n", "3"}));
 }
 
+TEST(JoinedPrograms, AreInTheGlobalNamespaceWhereThereIsOneAlone) {
+  const std::string names = "namespace version_0 {}\nusing namespace version_0;\n";
+  EXPECT_NE(joined_programs({{version("1")}}, "a")->find(names), std::string::npos);
+  EXPECT_EQ(joined_programs({{version("1")}, {version("2")}}, "a")->find(names), std::string::npos);
+}
+
 TEST(JoinedPrograms, StayApartWhereTheCompilerIsToldMore) {
   const std::string plain = version("1");
   EXPECT_FALSE(joined_programs({{plain}, {"#include <vector>\n" + plain}}, "a"))
@@ -64,6 +70,17 @@ TEST(JoinedPrograms, StayApartWhereTheCompilerIsToldMore) {
   EXPECT_FALSE(joined_programs({{version("1") + version("2")}}, "a")) << "there are two";
   const std::string inside = version("1", "int main() {\n  // #region answer\n  // #endregion");
   EXPECT_FALSE(joined_programs({{inside}}, "a")) << "a line } may be its reader's";
+}
+
+TEST(JoinedPrograms, HaveTheLinesOfAStrangerAsTheyAre) {
+  const std::string lines =
+      "#line 1 \"m\"\nconst char* s = R\"(\n#hash\nint main(\n}\n)\";\n#line 2 \"m\"\n";
+  const std::string program = version("1; }\n" + lines + "int other() { return 2");
+  EXPECT_FALSE(joined_programs({{program}}, "a"));
+  const auto joined = joined_programs({{program, "", "m"}}, "a");
+  ASSERT_TRUE(joined);
+  EXPECT_NE(joined->find(lines), joined->npos) << *joined;
+  EXPECT_NE(joined->find("int main_of_version() {\n"), joined->npos) << *joined;
 }
 
 }  // namespace

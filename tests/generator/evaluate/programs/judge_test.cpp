@@ -96,6 +96,7 @@ TEST(Judge, CountsCalls) {
   EXPECT_EQ(one[0].found, "it was made 1 time, and 2 times with the solution");
   const auto failing = verdict({{"near", right}, {"plain", R"("holds": false)"}});
   EXPECT_TRUE(failing[0].holds) << "the rest may depend on what fails";
+  EXPECT_TRUE(failing[0].is_its_word) << "as the program says itself";
   const auto cut = verdict({{"near", right}, {"plain", R"("holds": false)"}}, false);
   EXPECT_FALSE(cut[0].holds) << "or the program has been ended in between";
   EXPECT_FALSE(verdict({{"near", right}, {"near", right}, {"near", right}})[0].holds);
@@ -124,7 +125,7 @@ TEST(Judge, LeavesOutCallsBehindOneThatFails) {
   EXPECT_EQ(hear("b", "3"), "1") << "of the third round, though it is the second call";
   EXPECT_EQ(hear("b", "3"), "0") << "there is none behind it";
   EXPECT_FALSE(judge.verdict()[0].holds);
-  EXPECT_EQ(judge.verdict()[1].found, "it is 3, which the solution's run expects nowhere behind");
+  EXPECT_EQ(judge.verdict()[1].found, "it is 3, and the solution's run makes this check no more");
 }
 
 TEST(Judge, GivesNoPointsForChecksThatTheSolutionDoesNotMake) {
