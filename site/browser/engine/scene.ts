@@ -63,9 +63,14 @@ export class Scene {
     return this.call("mjc_scene_update") !== 0;
   }
 
+  /** How many `geoms` there are, which costs nothing. */
+  get geomCount(): number {
+    return this.call("mjc_scene_geom_count");
+  }
+
   /** mjvGeom, each with a `label`. They are the same objects from update to update. */
   get geoms(): readonly Struct[] {
-    return this.array("mjvGeom", "mjc_scene_geoms", this.call("mjc_scene_geom_count"));
+    return this.array("mjvGeom", "mjc_scene_geoms", this.geomCount);
   }
 
   /** The vertices of all skins, where the bodies have brought them, in place. */

@@ -53,6 +53,30 @@ async function takesAModel(page, mjcf, expect) {
   expect((await lab.reading("bodies")) === "1", "the link’s model does not come");
 }
 
+// Keeps how many bytes the largest array has that a page draws from.
+function weigh(page) {
+  return page.addInitScript(() => {
+    globalThis.largest = 0;
+    const { prototype } = WebGL2RenderingContext;
+    const { bufferData } = prototype;
+    prototype.bufferData = function (target, data, ...rest) {
+      globalThis.largest = Math.max(globalThis.largest, data?.byteLength ?? 0);
+      return bufferData.call(this, target, data, ...rest);
+    };
+  });
+}
+
+// A model may ask for any fineness: what is seen is drawn.
+async function drawsNoFiner(page, expect) {
+  const lab = await Lab.live(page, "lab-4");
+  await lab.press("Load it");
+  await lab.root.locator(".lab-offer").waitFor({ state: "detached" });
+  await lab.press("One step");
+  const largest = await page.evaluate(() => globalThis.largest);
+  const bounded = largest > 0 && largest < 4e6;
+  expect(bounded, `for a shape as fine as can be, ${largest} bytes are drawn from`);
+}
+
 // And the page lives on, as the lesson gave it.
 async function refuses(page, id, why, expect) {
   const lab = await Lab.live(page, id);
@@ -170,6 +194,10 @@ await testSite(async (visitor) => {
 
   const own = '<mujoco><worldbody><body><joint/><geom size="1"/></body></worldbody></mujoco>';
   await visitor.visit(withModel(own), {}, (page) => takesAModel(page, own, expect));
+  const all = '<geom size="1"/><geom type="box" size="1 1 1"/><geom type="capsule" size="1 1"/>';
+  const fine = '<quality numslices="14000" numstacks="14000" numquads="9000"/>';
+  const finest = `<mujoco><visual>${fine}</visual><worldbody>${all}</worldbody></mujoco>`;
+  await visitor.visit(withModel(finest), { before: weigh }, (page) => drawsNoFiner(page, expect));
   // On a slow machine its time ends first.
   const noMemory =
     /^(its model does not compile: the page has no memory left for this model|it was not ready after 10 seconds)\.$/;

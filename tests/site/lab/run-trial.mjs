@@ -45,6 +45,65 @@ test("what is too large may not", async () => {
   assert.match(large, /^its model has \d+ bytes of memory, and a link’s may have \d+ here$/);
 });
 
+// Nothing is drawn in a trial: what the page would make to draw it is counted.
+const drawn = (asset, bodies, visual = "") =>
+  `<mujoco><visual>${visual}</visual><asset>${asset}</asset><worldbody>${bodies}</worldbody></mujoco>`;
+const ofSize = (size) => `width="${size}" height="${size}"`;
+const finest = '<quality numslices="100" numstacks="100"/>';
+const ghostly = 'contype="0" conaffinity="0"';
+const balls = (count) => `<geom size="1" ${ghostly}/>`.repeat(count);
+const texture = (size) => `<texture builtin="flat" type="2d" name="t" ${ofSize(size)}/>`;
+const field = (size) => `<hfield name="h" nrow="${size}" ncol="${size}" size="9 9 1 1"/>`;
+const corners = /^its model has \d+ corners of shapes to draw, and a link’s may have \d+ here$/;
+const hill = `<geom type="hfield" hfield="h" ${ghostly}/>`;
+
+test("nor what takes the page too much to draw", async () => {
+  const pixels = await tried({ mjcf: drawn(texture(2049), "") });
+  assert.deepEqual(pixels, [
+    "its model has 4198401 pixels of textures, and a link’s may have 4194304 here",
+    0,
+  ]);
+  const [hills] = await tried({ mjcf: drawn(field(900), hill) });
+  assert.match(hills, corners);
+  const [many] = await tried({ mjcf: drawn("", balls(450), finest) });
+  assert.match(many, corners);
+  const floors = `<geom type="plane" size="0 0 1" ${ghostly}/>`.repeat(120);
+  const [infinite] = await tried({ mjcf: drawn("", floors) });
+  assert.match(infinite, corners);
+  const [sites] = await tried({ mjcf: drawn("", '<site pos="1 0 0"/>'.repeat(5100)) });
+  assert.match(sites, /^its model has \d+ shapes to draw, and a link’s may have \d+ here$/);
+});
+
+test("but what is like it, and takes no more, may come", async () => {
+  for (const mjcf of [
+    drawn(texture(2048), ""),
+    drawn(field(800), hill),
+    drawn("", balls(350), finest),
+    drawn("", balls(1), '<quality numslices="14000" numstacks="14000" numquads="9000"/>'),
+  ]) {
+    const [fault] = await tried({ mjcf });
+    assert.equal(fault, undefined);
+  }
+});
+
+// The link's state brings the balls into one another, and with that hundreds of contacts to draw.
+test("what shows once the state is there is counted as well", async () => {
+  const at = (x) => `<body pos="${x} 0 0"><freejoint/><geom size=".5"/></body>`;
+  const row = (distance) => {
+    const bodies = Array.from({ length: 25 }, (_, i) => at(i * distance)).join("");
+    const room = '<size nconmax="400" njmax="1600" nstack="4000000"/>';
+    return drawn("", bodies, finest).replace("<visual>", `${room}<visual>`);
+  };
+  const close = await openRun(engine, row(0.01));
+  close.step();
+  const run = close.state;
+  close.free();
+  const [alone] = await tried({ mjcf: row(2) });
+  assert.equal(alone, undefined);
+  const [fault] = await tried({ mjcf: row(2), run });
+  assert.match(fault, corners);
+});
+
 test("nor what no step may do", async () => {
   for (const name of ["iterations", "noslip_iterations", "mpr_iterations"]) {
     const [fault] = await tried({ mjcf: withOption(`${name}="1001"`) });

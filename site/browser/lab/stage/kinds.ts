@@ -8,12 +8,10 @@ import { type Geom, geomTypes, isOfModel } from "./geom.js";
 import type { Pattern } from "./materials.js";
 import { hfieldOf, meshOf } from "./meshes.js";
 import type { ModelFields } from "./model-fields.js";
-import { type Quality, shapeOf, square } from "./shapes.js";
+import { finestPlane, piecesOf, type Quality } from "./quality.js";
+import { shapeOf, square } from "./shapes.js";
 import { skinOf, type SkinRange, skinRange } from "./skins.js";
 import type { Textures } from "./textures.js";
-
-/** Into how many pieces MuJoCo cuts a plane at most (mjMAXPLANEGRID). */
-const finest = 200;
 
 export interface Kind {
   readonly id: number;
@@ -69,20 +67,13 @@ export class Kinds {
   }
 
   private makeShape(geom: Geom, type: number, dataid: number): BufferGeometry | undefined {
-    if (type === geomTypes.plane) return square(this.pieces(geom, 0), this.pieces(geom, 1));
+    if (type === geomTypes.plane) {
+      return square(piecesOf(geom, 0, this.quality), piecesOf(geom, 1, this.quality));
+    }
     if (type === geomTypes.mesh) return dataid < 0 ? undefined : meshOf(this.model, dataid);
     if (type === geomTypes.skin) return skinOf(this.model, dataid);
     if (type === geomTypes.hfield) return dataid < 0 ? undefined : hfieldOf(this.model, dataid);
     return shapeOf(type, this.quality);
-  }
-
-  /** Along a side of a plane; size[2] is how far apart the cuts are to be. */
-  private pieces({ size, dataid }: Geom, side: 0 | 1): number {
-    if (dataid[0]! < 0) return this.quality.quads;
-    if (size[side]! <= 0) return finest;
-    const piece = Math.max(size[2]!, size[side]! / (finest - 2));
-    const count = Math.floor(size[side]! / piece);
-    return count - (count % 2) + 2;
   }
 
   private extent(geom: Geom): [number, number] {
@@ -97,7 +88,7 @@ export class Kinds {
     const far = this.model.number("vis.map.zfar") * this.model.number("stat.extent");
     const material = isOfModel(geom) ? this.model.array("geom_matid")[geom.objid[0]!]! : -1;
     const repeat = material < 0 ? 0 : this.model.array("mat_texrepeat")[2 * material + side]!;
-    return 1.05 * far + (repeat > 0 ? 2 / repeat : (2.1 * far) / (finest - 2));
+    return 1.05 * far + (repeat > 0 ? 2 / repeat : (2.1 * far) / (finestPlane - 2));
   }
 }
 

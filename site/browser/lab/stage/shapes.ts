@@ -5,14 +5,8 @@
 import type { BufferGeometry } from "three";
 
 import { geomTypes } from "./geom.js";
+import type { Quality } from "./quality.js";
 import { Surface, type Vertex } from "./surface.js";
-
-/** vis.quality: into how many pieces things are cut. */
-export interface Quality {
-  readonly slices: number;
-  readonly stacks: number;
-  readonly quads: number;
-}
 
 /** The shape of a geom type; undefined for what is not a primitive. */
 export function shapeOf(type: number, quality: Quality): BufferGeometry | undefined {

@@ -12,6 +12,7 @@ import { Lights } from "./lights.js";
 import { Materials } from "./materials.js";
 import { Mirror } from "./mirror.js";
 import { ModelFields } from "./model-fields.js";
+import { qualityOf } from "./quality.js";
 import type { Shadows, ShadowSettings } from "./shadows.js";
 import { Sky } from "./sky.js";
 import { type TextureLimits, Textures } from "./textures.js";
@@ -54,11 +55,7 @@ export class Show {
       scale: model.number("vis.map.shadowscale"),
       size: model.number("vis.quality.shadowsize"),
     };
-    const quality = {
-      slices: model.number("vis.quality.numslices"),
-      stacks: model.number("vis.quality.numstacks"),
-      quads: model.number("vis.quality.numquads"),
-    };
+    const quality = qualityOf(model);
     const { lights, gaze, lineWidth } = this;
     const uniforms = { ...lights.uniforms, ...shadows.uniforms, ...gaze.uniforms, lineWidth };
     this.textures = new Textures(model, limits);

@@ -5,7 +5,8 @@ import type { Eye } from "./eye.js";
 import { type Geom, geomTypes, heightAbove } from "./geom.js";
 import { over, shader, type Uniforms } from "./materials.js";
 import type { ModelFields } from "./model-fields.js";
-import { drum, type Quality } from "./shapes.js";
+import type { Quality } from "./quality.js";
+import { drum } from "./shapes.js";
 import { hazeFragment, hazeVertex, skyFragment, skyVertex } from "./shaders.js";
 import { Surface } from "./surface.js";
 
