@@ -7,6 +7,7 @@
 // The site is that of tests/site/appearance-course.
 
 import { testSite } from "./browser.mjs";
+import { press } from "./buttons.mjs";
 
 const lesson = "1-motion/1.1-a-pendulum.html";
 const others = ["index.html", "progress.html", "review.html", "search.html", "offline.html"];
@@ -32,29 +33,6 @@ const refuses = (page) =>
     };
     for (const name of ["localStorage", "caches"]) Object.defineProperty(window, name, { get });
   });
-
-// Presses all buttons that are seen, and tells of each whether anything of the page changed. A lab is not
-// played.
-async function press() {
-  const seen = (button) => button.checkVisibility() && !button.matches(".lab-play, :disabled");
-  const told = [];
-  for (const button of [...document.querySelectorAll("button, summary")].filter(seen)) {
-    let changed = false;
-    const observer = new MutationObserver(() => (changed = true));
-    observer.observe(document, {
-      subtree: true,
-      attributes: true,
-      childList: true,
-      characterData: true,
-    });
-    button.click();
-    for (let i = 0; i < 20 && !changed; ++i) await new Promise((go) => setTimeout(go, 50));
-    observer.disconnect();
-    told.push(`${button.localName}.${button.className} ${changed ? "acts" : "does nothing"}`);
-    for (const dialog of document.querySelectorAll("dialog[open]")) dialog.close();
-  }
-  return told.join("\n");
-}
 
 async function buttonsOf(visitor, path, before) {
   let told;

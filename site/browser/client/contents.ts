@@ -11,7 +11,7 @@ interface Section {
 }
 
 function sections(): Section[] {
-  const links = document.querySelectorAll<HTMLAnchorElement>(".contents a[href^='#']");
+  const links = document.querySelectorAll<HTMLAnchorElement>("nav.contents a[href^='#']");
   return [...links].flatMap((link) => {
     const heading = document.getElementById(decoded(link.hash.slice(1)));
     return heading ? [{ heading, link }] : [];

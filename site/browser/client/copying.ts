@@ -37,7 +37,10 @@ function place(pre: Element, ...added: readonly Element[]): void {
 
 function addButton(pre: Element): void {
   if (pre.previousElementSibling?.matches(".corner, :has(.copy)")) return;
-  const parts = pre.closest(".output")?.querySelectorAll("samp") ?? pre.querySelectorAll("code");
+  const isOutput = pre.parentElement?.matches("figure > .output");
+  const parts = isOutput
+    ? pre.parentElement!.querySelectorAll("samp")
+    : pre.querySelectorAll("code");
   const button = document.createElement("button");
   const status = document.createElement("span");
   const file = pre.previousElementSibling?.querySelector(".file")?.textContent;
@@ -59,7 +62,7 @@ function addButton(pre: Element): void {
 
 /** For those in `root`, which is one itself or has them. */
 export function addCopyButtons(root: Document | Element = document): void {
-  const pres = ":is(.example, .demo) > .code, .output > pre";
+  const pres = ":is(figure.example, .demo) > .code, figure.example > .output > pre";
   if (root instanceof Element && root.matches(pres)) addButton(root);
   for (const pre of root.querySelectorAll(pres)) addButton(pre);
 }

@@ -5,7 +5,7 @@ import { whenNear } from "./near.js";
 
 /** Once they are near: the first use of a browser's calendar takes longer than all else of a page. */
 export function localizeDates(): void {
-  const history = document.querySelector(".history");
+  const history = document.querySelector("footer.lesson-foot > .history");
   if (history) whenNear(history, () => localize(history));
 }
 

@@ -34,7 +34,7 @@ class SimLab extends HTMLElement {
 
   connectedCallback(): void {
     const { code, module } = this.dataset;
-    const view = this.querySelector(".lab-view");
+    const view = this.querySelector(":scope > figure > .lab-view");
     if (!code || !module || !view || this.#play.isConnected) return;
     this.#play.type = "button";
     this.#play.className = "lab-play";

@@ -23,7 +23,7 @@ export function applyTheme(): void {
 }
 
 export function addThemeButton(): void {
-  const place = document.querySelector(".masthead");
+  const place = document.querySelector("header.site-head > .masthead");
   if (!place) return;
   const button = document.createElement("button");
   button.type = "button";

@@ -25,7 +25,7 @@ export class RedrawnPlot {
     this.#element = element;
     const drawings = [...element.querySelectorAll<SVGElement>("svg[role]")];
     this.#recorded = new Map(drawings.map((drawing) => [drawing, drawing.outerHTML]));
-    this.#source = element.querySelector(".plot-source");
+    this.#source = element.querySelector("figcaption > .plot-source:last-child");
     this.#recordedSource = this.#source?.innerHTML ?? "";
   }
 
@@ -42,7 +42,7 @@ export class RedrawnPlot {
       const { wide, narrow } = await drawPlot(spec, columns, this.#element.id);
       if (run !== this.#run) return;
       for (const drawing of this.#recorded.keys()) {
-        const isNarrow = drawing.closest(".plot-narrow") !== null;
+        const isNarrow = drawing.parentElement!.matches(".plot-narrow");
         redraw(drawing, isNarrow ? (narrow ?? wide) : wide);
       }
       this.#element.classList.add("redrawn");

@@ -26,8 +26,8 @@ export class Question {
     this.#form = form;
     this.#lasting = lasting;
     this.#verdict = new VerdictLine(form);
-    this.#hint = form.querySelector<HTMLDetailsElement>("details.hint");
-    this.#solution = form.querySelector<HTMLDetailsElement>("details.answer");
+    this.#hint = form.querySelector<HTMLDetailsElement>(":scope > details.hint");
+    this.#solution = form.querySelector<HTMLDetailsElement>(":scope > details.answer");
     this.#sortable = this.#makeSortable();
     this.#addButton();
 
@@ -54,7 +54,7 @@ export class Question {
   }
 
   #makeSortable(): Sortable | undefined {
-    const list = this.#form.querySelector<HTMLUListElement>("ul.items");
+    const list = this.#form.querySelector<HTMLUListElement>(":scope > fieldset > ul.items");
     if (!list) return undefined;
     return new Sortable(list, this.#form.id, (place, count) =>
       this.#verdict.tell(`Now in place ${place} of ${count}.`),
@@ -68,7 +68,7 @@ export class Question {
     button.className = "plain-button";
     button.textContent = "Check";
     row.append(button, this.#verdict.element);
-    this.#form.querySelector("fieldset")?.after(row);
+    this.#form.querySelector(":scope > fieldset")?.after(row);
   }
 
   /** What is entered, chosen or put in order; empty for nothing. */

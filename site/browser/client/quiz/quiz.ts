@@ -18,7 +18,7 @@ function upgrade(quiz: Element): void {
 
 /** Those in `root`, which may be one itself; none of the document that is made to be printed. */
 export function upgradeQuizzes(root: Document | Element = document): void {
-  const own = root instanceof Element && root.matches(".quiz") ? [root] : [];
-  const quizzes = [...own, ...root.querySelectorAll(".quiz:not(.printed *)")];
+  const own = root instanceof Element && root.matches(".quiz[id]") ? [root] : [];
+  const quizzes = [...own, ...root.querySelectorAll(".quiz[id]:not(article.printed *)")];
   startParts(...quizzes.map((quiz) => () => upgrade(quiz)));
 }

@@ -38,7 +38,7 @@ export class VerdictLine {
 
   /** The remarks stand in the folded answer; here is a copy of those on the chosen options. */
   #remarksOn(chosen: readonly string[]): HTMLElement[] {
-    const all = [...this.#form.querySelectorAll<HTMLElement>(".answer .remarks > li")];
+    const all = [...this.#form.querySelectorAll<HTMLElement>(":scope > .answer > .remarks > li")];
     const wanted = all.filter((remark) => chosen.includes(remark.dataset["option"] ?? ""));
     if (wanted.length === 0) return [];
     const list = document.createElement("ul");

@@ -14,7 +14,7 @@ import { showSigns } from "./signs.js";
 const reached = "0px 0px -35% 0px";
 
 class Follower {
-  readonly #links = [...document.querySelectorAll<HTMLAnchorElement>(".contents a[href^='#']")];
+  readonly #links = [...document.querySelectorAll<HTMLAnchorElement>("nav.contents a[href^='#']")];
   readonly #say = document.createElement("span");
   readonly #button = document.createElement("button");
   #reading: Reading;
@@ -75,7 +75,7 @@ class Follower {
     this.#button.className = "plain-button";
     this.#button.addEventListener("click", () => this.#keep({ done: !this.#reading.done }));
     row.append(this.#say, this.#button);
-    foot.querySelector(".turn")?.before(row);
+    foot.querySelector("nav.turn")?.before(row);
   }
 
   #label(): void {

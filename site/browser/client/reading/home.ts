@@ -12,7 +12,7 @@ interface Place {
 
 /** The lessons that the page lists before that line; none in a long course. */
 const listed = (): HTMLAnchorElement[] => [
-  ...document.querySelectorAll<HTMLAnchorElement>(".lessons ol ol a"),
+  ...document.querySelectorAll<HTMLAnchorElement>("nav.lessons ol ol a"),
 ];
 
 const nameOf = (link: Element): string => link.textContent.replace(/\s+/g, " ").trim();
@@ -52,4 +52,4 @@ function show(line: Element): void {
   line.replaceChildren("Continue: ", link);
 }
 
-show(document.querySelector(".continue")!);
+show(document.querySelector("header.home-head > .continue")!);

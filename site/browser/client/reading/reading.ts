@@ -6,7 +6,7 @@ import { followReading } from "./follow.js";
 import { showSigns } from "./signs.js";
 
 const lesson = document.querySelector<HTMLElement>("article.lesson");
-const foot = lesson?.querySelector(".lesson-foot");
+const foot = lesson?.querySelector("footer.lesson-foot");
 startParts(() => {
   if (lesson && foot) followReading(lesson, foot);
 }, showSigns);

@@ -4,7 +4,9 @@ import { recallReading, stateOf, words } from "./readings.js";
 
 /** Again when something changed. */
 export function showSigns(): void {
-  const links = document.querySelectorAll<HTMLAnchorElement>(".lessons ol ol a, .card h3 a");
+  const links = document.querySelectorAll<HTMLAnchorElement>(
+    "nav.lessons ol ol a, section.level .card h3 a",
+  );
   for (const link of links) {
     link.querySelector(".reading-sign")?.remove();
     const state = stateOf(recallReading(link.pathname));

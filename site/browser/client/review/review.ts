@@ -7,8 +7,8 @@ import { Question } from "../quiz/question.js";
 import { reachScrollers } from "../scrollers.js";
 import { openedCards, type Card } from "./deck.js";
 
-const due = document.querySelector<HTMLElement>(".review .due")!;
-const deck = document.querySelector<HTMLElement>(".review .deck")!;
+const due = document.querySelector<HTMLElement>("article.review > .due")!;
+const deck = document.querySelector<HTMLElement>("article.review > .deck")!;
 
 const byDay = (a: Card, b: Card): number => {
   const [first, second] = [a.review?.due ?? "9", b.review?.due ?? "9"]; // what is new comes last
@@ -38,13 +38,13 @@ function deal(card: Card): void {
   holder.className = "dealt";
   holder.innerHTML = card.html; // the generator's own
   const answered = (right: boolean): void => {
-    if (holder.querySelector(".next-card")) return;
+    if (holder.querySelector("button.next-card")) return;
     card.judged(right);
     due.textContent = count(openedCards());
     holder.append(nextButton());
   };
   if (card.isExercise) {
-    holder.querySelector(".not-today")!.addEventListener("click", () => answered(false));
+    holder.querySelector("button.not-today")!.addEventListener("click", () => answered(false));
   } else {
     ask(holder, answered);
   }
@@ -63,7 +63,9 @@ function ask(holder: HTMLElement, answered: (right: boolean) => void): void {
   const form = holder.querySelector("form")!;
   new Question(form, false);
   form.addEventListener("judged", (event) => answered((event as CustomEvent<boolean>).detail));
-  form.querySelector(".answer > summary")?.addEventListener("click", () => answered(false));
+  form
+    .querySelector(":scope > .answer > summary")
+    ?.addEventListener("click", () => answered(false));
 }
 
 function nextButton(): HTMLButtonElement {

@@ -25,7 +25,7 @@ function openSearch(words?: string, typed = ""): void {
 }
 
 window.mjcourse!.dialogs = { styled, openSearch, openKeys };
-const place = document.querySelector(".search-place");
+const place = document.querySelector("article.search-place");
 if (place) void styled.then(() => (search = new SearchPage(place)));
-const missing = document.querySelector(".missing");
+const missing = document.querySelector("article.missing");
 if (missing) mendMissingPage(missing, openSearch);

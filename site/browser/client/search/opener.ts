@@ -38,7 +38,7 @@ export function openKeys(): void {
 
 /** At once on 404.html and search.html, which are of little use without it. */
 export function loadWhereNeeded(): void {
-  if (document.querySelector(".missing, .search-place")) void open(() => undefined);
+  if (document.querySelector("article.missing, article.search-place")) void open(() => undefined);
 }
 
 export function addSearchButton(): void {
@@ -48,5 +48,5 @@ export function addSearchButton(): void {
   button.setAttribute("aria-keyshortcuts", "Control+K");
   button.textContent = "Search";
   button.addEventListener("click", () => openSearch());
-  document.querySelector(".masthead")?.append(button);
+  document.querySelector("header.site-head > .masthead")?.append(button);
 }

@@ -32,7 +32,7 @@ export function listenToKeys(
 }
 
 const pressed = "button, summary, a, [type=checkbox], select";
-const typed = "input:not([type=range], [type=checkbox]), textarea, select, .lab-editor";
+const typed = "input:not([type=range], [type=checkbox]), textarea, select, sim-lab .lab-editor";
 const slid = ["ArrowLeft", "ArrowRight", "ArrowUp", "ArrowDown", "Home", "End"];
 
 /** Whether the element itself does something with the key. */

@@ -77,7 +77,7 @@ export class LiveLab implements Follower {
 
   refresh(): void {
     const { run, playing } = this.#player;
-    if (playing) this.#lab.querySelector(".lab-play")?.remove();
+    if (playing) this.#lab.querySelector("button.lab-play")?.remove();
     this.#transport.refresh();
     this.#head.refresh();
     this.#trouble.show(run.trouble, run.readingTrouble);
