@@ -1,31 +1,39 @@
 // DiskStore: a Store in a folder, shared by all runs of a user.
-//
-//     cas/77/b0c4…  the bytes
-//     ac/3f/2a91…   sealed bytes (store_entry.h), of all other kinds of names, and where they are
-//     from tmp/XXXXXX    what is being written, and what a killed process left of that prepared/…
-//     folders of what programs share (cache/prepared_folders.h) lock          held shared by each
-//     run, and alone by the one that prunes
+// store_layout.h says what lies where, and prune_store.h forgets what is old.
 //
 // An entry is written aside, synced and renamed, so it is there as a whole or not at all; and it is
-// verified whenever it is read, since disks and people damage files too. A damaged entry is removed
-// with a note. What is read counts as used, at most once an hour.
+// verified whenever it is read, since disks and people damage files too. A damaged entry, and
+// what else lies in its place, is removed with a note. What is read counts as used, at most once an
+// hour.
 #pragma once
 
 #include <atomic>
-#include <cstdint>
+#include <chrono>
 #include <filesystem>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "base/descriptor.h"
+#include "base/lock_wait.h"
 #include "base/store.h"
+#include "base/store_layout.h"
 
 namespace mjcourse {
 
 class DiskStore : public Store {
  public:
-  // Makes the folder; where it is there and cannot be written, it is read alone. Throws
-  // std::system_error where it cannot be used at all. What `trust` does not believe is a miss.
-  explicit DiskStore(std::filesystem::path folder, Trust trust = {});
+  // How long it waits for one who prunes: then it is read alone.
+  static constexpr std::chrono::seconds kPatience{10};
+
+  // Makes the folder; where it is there and cannot be written, or somebody keeps it locked, it is
+  // read alone. Throws std::system_error where it cannot be used at all. What `trust` does not
+  // believe is a miss.
+  explicit DiskStore(std::filesystem::path folder, Trust trust = {},
+                     const LockWait& wait = {.most = kPatience});
   DiskStore(const DiskStore&) = delete;
   DiskStore& operator=(const DiskStore&) = delete;
 
@@ -40,37 +48,22 @@ class DiskStore : public Store {
   std::vector<std::string> notes() const;
 
  private:
-  std::filesystem::path path_of(const std::string& name) const;
   void prepare();
-  void write(const std::filesystem::path& path, std::string_view bytes) const;
-  void note(std::string text);
+  void lock(const LockWait& wait);
+  std::error_code clear(const StorePlace& place) const;
+  void make_letters(const StorePlace& place) const;
+  void write(const StorePlace& place, std::string_view bytes) const;
+  void note(std::string_view text);
   void note_doubt(const std::string& name);
 
   std::filesystem::path folder_;
   Trust trust_;
   std::atomic<bool> doubted_ = false;  // and said so
+  std::atomic<bool> blocked_ = false;  // an entry's place, and said so
   Descriptor lock_;
   std::atomic<bool> writable_ = true;
   mutable std::mutex mutex_;  // of the notes
   std::vector<std::string> notes_;
 };
-
-// Where a store in `folder` has what is not of one file: each folder in there is an entry, which is
-// used when the file `current` in it is touched.
-std::filesystem::path prepared_folder(const std::filesystem::path& folder);
-
-struct Pruned {
-  struct Count {
-    std::uintmax_t results = 0, prepared = 0, bytes = 0;
-  };
-  Count removed, left;
-};
-
-// Remove the entries that were not used for longest until the store in `folder` holds at most
-// `keep` bytes, and what killed processes left. Throws std::system_error where it is none, or
-// cannot be written. Waits for runs that use the store; nothing is done, and nothing given, where
-// `wait` is false and there is one.
-std::optional<Pruned> prune_store(const std::filesystem::path& folder, std::uintmax_t keep,
-                                  bool wait);
 
 }  // namespace mjcourse

@@ -5,24 +5,24 @@
 
 #include <filesystem>
 
+#include "base/descriptor.h"
+#include "base/lock_wait.h"
+
 namespace mjcourse {
 
 class FileLock {
  public:
-  enum class Patience { wait, try_once };
-
   // The file is made if it is not there, and stays. Throws std::system_error with the path where it
   // cannot be made, or is a link.
-  explicit FileLock(const std::filesystem::path& file, Patience patience = Patience::wait);
-  ~FileLock();
+  explicit FileLock(const std::filesystem::path& file, const LockWait& wait = {});
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
-  // False where somebody else holds it, after Patience::try_once.
+  // False where somebody else holds it, and the wait has ended.
   bool held() const { return held_; }
 
  private:
-  int descriptor_ = -1;
+  Descriptor file_;
   bool held_ = false;
 };
 

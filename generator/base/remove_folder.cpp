@@ -1,6 +1,5 @@
 #include "base/remove_folder.h"
 
-#include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -11,42 +10,31 @@
 #include <vector>
 
 #include "base/descriptor.h"
+#include "base/folder_names.h"
 
 namespace mjcourse {
 namespace {
 
 namespace fs = std::filesystem;
 
-// All but `.` and `..`.
-std::vector<std::string> names_in(int folder) {
-  std::vector<std::string> names;
-  Descriptor copy(openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  DIR* const entries = copy.is_open() ? fdopendir(copy.get()) : nullptr;
-  if (entries == nullptr) return names;
-  copy.release();
-  while (const dirent* entry = readdir(entries)) {
-    const std::string name = entry->d_name;
-    if (name != "." && name != "..") names.push_back(name);
-  }
-  closedir(entries);
-  return names;
-}
-
 class Removal {
  public:
-  std::error_code remove(const fs::path& folder) {
-    if (is_done(unlink(folder.c_str()))) return failure_;  // a file, a link, or nothing
-    const std::string top = folder.string();
-    top_ = opened(AT_FDCWD, top);
+  std::error_code remove(int above, const std::string& top) {
+    if (is_done(unlinkat(above, top.c_str(), 0))) return failure_;  // a file, a link, or nothing
+    if (errno != EISDIR) note_failure();
+    if (failure_) return failure_;
+    top_ = opened(above, top);
     if (!top_.is_open()) return failure_;
-    for (const std::string& name : names_in(top_.get())) remove_or_keep(top_.get(), name, name);
+    for (const std::string& name : names_in_folder(top_.get())) {
+      remove_or_keep(top_.get(), name, name);
+    }
     while (!kept_.empty()) {
       const std::string name = std::move(kept_.back());
       kept_.pop_back();
       empty(name);
       if (unlinkat(top_.get(), name.c_str(), AT_REMOVEDIR) != 0) note_failure();
     }
-    if (rmdir(top.c_str()) != 0) note_failure();
+    if (unlinkat(above, top.c_str(), AT_REMOVEDIR) != 0) note_failure();
     return failure_;
   }
 
@@ -69,7 +57,7 @@ class Removal {
   void empty(const std::string& name) {
     const Descriptor folder = opened(top_.get(), name);
     if (!folder.is_open()) return;
-    for (const std::string& inner : names_in(folder.get())) {
+    for (const std::string& inner : names_in_folder(folder.get())) {
       remove_or_keep(folder.get(), inner, "");
     }
   }
@@ -101,7 +89,11 @@ class Removal {
 }  // namespace
 
 std::error_code remove_folder(const fs::path& folder) {
-  return Removal().remove(folder);
+  return remove_folder(AT_FDCWD, folder.string());
+}
+
+std::error_code remove_folder(int above, const std::string& name) {
+  return Removal().remove(above, name);
 }
 
 }  // namespace mjcourse

@@ -16,6 +16,8 @@
 #include "base/content_hash.h"
 #include "base/file_lock.h"
 #include "base/files.h"
+#include "base/last_use.h"
+#include "base/remove_folder.h"
 #include "base/replace_file.h"
 #include "base/utf8.h"
 #include "cache/fingerprints.h"
@@ -110,35 +112,61 @@ void remove_links(const fs::path& folder) {
   }
 }
 
-std::uintmax_t size_of(const fs::path& folder) {
+// All that lies there goes, however deep it is: in a store, somebody else may have put it there.
+void remove_whole(const fs::path& path) {
+  if (const std::error_code failure = remove_folder(path)) {
+    throw std::system_error(failure, path.string());
+  }
+}
+
+// Of the files in a request and in its entries, which is all that is ever written there.
+std::uintmax_t size_of(const fs::path& request) {
   std::uintmax_t bytes = 0;
-  for (const fs::directory_entry& file : fs::recursive_directory_iterator(folder)) {
-    if (file.is_regular_file()) bytes += file.file_size();
+  std::error_code none;
+  const auto add = [&](const fs::path& path) {
+    struct stat file {};
+    if (lstat(path.c_str(), &file) != 0) return false;
+    if (S_ISREG(file.st_mode)) bytes += static_cast<std::uintmax_t>(file.st_size);
+    return S_ISDIR(file.st_mode);
+  };
+  for (const fs::directory_entry& file : fs::directory_iterator(request, none)) {
+    if (!add(file.path())) continue;
+    for (const fs::directory_entry& inner : fs::directory_iterator(file.path(), none)) {
+      add(inner.path());
+    }
   }
   return bytes;
 }
 
-// Removes what was not used for longest, until the rest is small enough. `kept` stays.
+LastUse use_of(const fs::path& request) {
+  struct stat manifest {};
+  if (lstat((request / kManifest).c_str(), &manifest) != 0) return {};
+  return LastUse::of(manifest);
+}
+
+// Removes what was not used for longest, until the rest is small enough. `kept` stays, and what
+// somebody uses or we may not remove.
 void prune(const fs::path& all, const fs::path& kept, std::uintmax_t most_bytes) {
-  std::vector<std::pair<fs::file_time_type, fs::path>> requests;
+  std::vector<std::pair<LastUse, fs::path>> requests;
   std::uintmax_t bytes = 0;
   for (const fs::directory_entry& request : fs::directory_iterator(all)) {
     if (!fs::is_directory(request.symlink_status())) continue;
     bytes += size_of(request.path());
-    std::error_code none;
-    const fs::file_time_type used = fs::last_write_time(request.path() / kManifest, none);
-    if (request.path() != kept) {
-      requests.emplace_back(none ? fs::file_time_type::min() : used, request.path());
-    }
+    if (request.path() != kept) requests.emplace_back(use_of(request.path()), request.path());
   }
   std::sort(requests.begin(), requests.end());
   for (const auto& [used, request] : requests) {
     if (bytes <= most_bytes) return;
-    remove_links(request);
-    const FileLock lock(request / kLock, FileLock::Patience::try_once);
-    if (!lock.held()) continue;
-    bytes -= size_of(request);
-    fs::remove_all(request);
+    try {
+      remove_links(request);
+      const FileLock lock(request / kLock, LockWait::none());
+      if (!lock.held()) continue;
+      const std::uintmax_t size = size_of(request);
+      remove_whole(request);
+      bytes -= size;
+    } catch (const std::system_error&) {
+      // Another's, perhaps; the next one may be ours.
+    }
   }
 }
 
@@ -168,18 +196,18 @@ std::shared_ptr<const Entry> PreparedFolders::make_anew(const fs::path& folder, 
   for (const fs::directory_entry& old : fs::directory_iterator(folder)) {
     // The last entry, and what a process left that was killed while it made one. A compiler that
     // reads the last entry just now says so, and its program is compiled without.
-    if (old.is_directory()) fs::remove_all(old.path());
+    if (old.is_directory()) remove_whole(old.path());
   }
   fs::create_directory(staging);
   std::optional<Made> made;
   try {
     made = make(folder, staging);
   } catch (...) {
-    fs::remove_all(staging);  // what a full disk took of it
+    remove_folder(staging);  // what a full disk took of it
     throw;
   }
   if (!made) {
-    fs::remove_all(staging);
+    remove_folder(staging);
     return nullptr;
   }
   Manifest manifest = manifest_of(made->inputs, true_path_);
@@ -191,7 +219,7 @@ std::shared_ptr<const Entry> PreparedFolders::make_anew(const fs::path& folder, 
     fs::rename(staging, folder / manifest.name);
     bring_to_disk(folder);
   } else {
-    fs::remove_all(staging);
+    remove_folder(staging);
   }
   const auto before = DiskFiles(folder).read(kManifest);
   replace_file(folder, kManifest, before ? std::optional(*before) : std::nullopt, manifest.text());
@@ -245,7 +273,8 @@ std::shared_ptr<const Entry> PreparedFolders::find_or_make(const fs::path& folde
   if (fs::is_symlink(folder)) fs::remove(folder);
   fs::create_directories(folder);
   remove_links(folder);
-  const FileLock lock(folder / kLock);
+  const FileLock lock(folder / kLock, {.most = patience_});
+  if (!lock.held()) return nullptr;
   // Somebody else may have made it while we waited.
   if (const Found found = look(folder); found.current) return found.entry;
   auto entry = make_anew(folder, make);

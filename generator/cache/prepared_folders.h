@@ -12,6 +12,7 @@
 //   FOLDER/REQUEST/ENTRY/    its files
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -47,8 +48,12 @@ class PreparedFolders {
   explicit PreparedFolders(
       std::optional<std::filesystem::path> folder,
       TruePath true_path = [](const std::string& name) { return name; },
-      std::uintmax_t most_bytes = std::uintmax_t{1} << 30)
-      : folder_(std::move(folder)), true_path_(std::move(true_path)), most_bytes_(most_bytes) {}
+      std::uintmax_t most_bytes = std::uintmax_t{1} << 30,
+      std::chrono::milliseconds patience = std::chrono::minutes(2))
+      : folder_(std::move(folder)),
+        true_path_(std::move(true_path)),
+        most_bytes_(most_bytes),
+        patience_(patience) {}
 
   bool keeps() const { return folder_.has_value(); }
 
@@ -74,6 +79,7 @@ class PreparedFolders {
   std::optional<std::filesystem::path> folder_;
   TruePath true_path_;
   std::uintmax_t most_bytes_;
+  std::chrono::milliseconds patience_;  // with one who makes the same
   std::mutex mutex_;
   std::map<std::string, std::shared_future<std::shared_ptr<const Entry>>> asked_;  // by request
   std::map<std::string, std::shared_ptr<const Entry>> found_;                      // by request

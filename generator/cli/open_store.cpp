@@ -13,6 +13,8 @@
 
 #include "base/cache_folder.h"
 #include "base/out_folder.h"
+#include "base/prune_store.h"
+#include "base/remove_folder.h"
 #include "base/utf8.h"
 #include "cli/user_settings.h"
 #include "cli/verify.h"
@@ -23,15 +25,45 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Is it a day since this was last true?
-bool is_due(const fs::path& stamp) {
+using Hours = std::chrono::hours;
+
+constexpr Hours kLong(24 * 7);
+
+void print_note(const std::string& text) {
+  std::cerr << "note: " << readable(text) << '\n';
+}
+
+// Nothing where there is no stamp, or its time is to come.
+std::optional<Hours> age_of(const fs::path& stamp) {
   std::error_code none;
   const auto last = fs::last_write_time(stamp, none);
-  if (!none && fs::file_time_type::clock::now() - last < std::chrono::hours(24)) return false;
-  if (!fs::is_directory(stamp.parent_path())) return false;
-  fs::remove_all(stamp, none);
+  const auto now = fs::file_time_type::clock::now();
+  if (none || last > now + Hours(1)) return std::nullopt;
+  return std::chrono::duration_cast<Hours>(now - last);
+}
+
+void renew(const fs::path& stamp) {
+  remove_folder(stamp);
   OutFolder(stamp.parent_path()).write(stamp.filename(), "");
-  return true;
+}
+
+// Once a day; but while somebody uses the store, not yet.
+void prune_daily(const fs::path& folder) {
+  const fs::path stamp = folder / "pruned";
+  const std::optional<Hours> age = age_of(stamp);
+  if ((age && *age < Hours(24)) || !fs::is_directory(folder)) return;
+  std::optional<Pruned> pruned;
+  try {
+    pruned = prune_store(folder, kMostKept, LockWait::none());
+  } catch (const std::system_error&) {
+    renew(stamp);  // what fails is not tried again all day
+    throw;
+  }
+  if (pruned || !age) renew(stamp);
+  if (pruned) std::ranges::for_each(pruned->notes, print_note);
+  if (pruned || !age || *age < kLong) return;
+  print_note("the store was not pruned for " + std::to_string(age->count() / 24) + " days, as " +
+             lock_holder(open_store_lock(folder).get()) + " holds " + (folder / "lock").string());
 }
 
 // What is wrong in them is told once.
@@ -92,7 +124,8 @@ OpenedStore open_store(const fs::path& folder, SharedPlace place) {
   }
   OpenedStore store;
   try {
-    store = OpenedStore(std::make_unique<DiskStore>(std::move(there), trust_with(server)));
+    const LockWait wait{.most = DiskStore::kPatience, .tell = print_note};
+    store = OpenedStore(std::make_unique<DiskStore>(std::move(there), trust_with(server), wait));
   } catch (const std::system_error& error) {
     std::cerr << no_results << readable(error.what()) << '\n';
     return {};
@@ -105,7 +138,7 @@ OpenedStore open_store(const fs::path& folder, SharedPlace place) {
                                          : Sends::puts;
     if (*server) store.share(assets_folder() / "net" / "mjcourse-net", **server, sends);
   } catch (const std::exception& error) {
-    std::cerr << "note: no shared store is used: " << readable(error.what()) << '\n';
+    print_note("no shared store is used: " + std::string(error.what()));
   }
   return store;
 }
@@ -135,19 +168,16 @@ std::optional<RemoteStore::Traffic> OpenedStore::traffic() const {
 OpenedStore::~OpenedStore() {
   if (!disk_) return;
   shared_.reset();
-  const auto print = [](const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) std::cerr << "note: " << readable(note) << '\n';
-  };
-  print(disk_->notes());
-  if (remote_) print(remote_->notes());
+  std::ranges::for_each(disk_->notes(), print_note);
+  if (remote_) std::ranges::for_each(remote_->notes(), print_note);
   const fs::path folder = disk_->folder();
   const bool can_be_written = disk_->can_be_written();
   disk_.reset();
   if (!can_be_written) return;
   try {
-    if (is_due(folder / "pruned")) prune_store(folder, kMostKept, false);
-  } catch (const std::system_error& error) {
-    std::cerr << "note: the result store cannot be pruned: " << readable(error.what()) << '\n';
+    prune_daily(folder);
+  } catch (const std::exception& error) {
+    print_note("the result store cannot be pruned: " + std::string(error.what()));
   }
 }
 

@@ -12,9 +12,9 @@
 
 #include "base/counted.h"
 #include "base/descriptor.h"
-#include "base/disk_store.h"
 #include "base/nearest.h"
 #include "base/out_folder.h"
+#include "base/prune_store.h"
 #include "cli/commands.h"
 #include "cli/new_files.h"
 #include "cli/open_store.h"
@@ -37,7 +37,11 @@ std::string in_words(const Pruned::Count& count) {
 
 int prune(const StoreOptions& options) {
   try {
-    const Pruned pruned = prune_store(store_folder(options.store), options.keep, true).value();
+    const LockWait wait{.tell = [](const std::string& text) {
+      std::cerr << "note: " << text << "; end it, or interrupt this\n";
+    }};
+    const Pruned pruned = prune_store(store_folder(options.store), options.keep, wait).value();
+    for (const std::string& note : pruned.notes) std::cerr << "note: " << note << '\n';
     std::cout << "forgot " << in_words(pruned.removed) << "; kept " << in_words(pruned.left)
               << '\n';
     return kClean;

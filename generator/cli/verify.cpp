@@ -13,6 +13,7 @@
 #include "base/counted.h"
 #include "base/out_folder.h"
 #include "base/stopwatch.h"
+#include "base/store_layout.h"
 #include "base/utf8.h"
 #include "cli/progress_bar.h"
 #include "cli/tally_text.h"

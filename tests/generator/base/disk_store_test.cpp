@@ -1,6 +1,8 @@
 #include "base/disk_store.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -10,7 +12,12 @@
 #include <vector>
 
 #include "base/blob.h"
+#include "base/deep_folder.h"
+#include "base/descriptor.h"
 #include "base/files.h"
+#include "base/lock_wait.h"
+#include "base/prune_store.h"
+#include "base/remove_folder.h"
 #include "base/sha256.h"
 #include "base/temporary_folder.h"
 
@@ -82,6 +89,91 @@ TEST_F(DiskStoreTest, DropsWhatIsDamagedWithANote) {
   EXPECT_EQ(store.get(put_blob(store, "a picture")), "a picture") << "it was damaged when put";
 }
 
+TEST_F(DiskStoreTest, MakesAnewWhereADeepFolderLies) {
+  DiskStore store(folder());
+  const std::string blob = put_blob(store, "a picture");
+  for (const std::string& name : {blob, kAction}) {
+    for (const bool is_asked : {true, false}) {
+      fs::remove(path_of(name));
+      const DeepFolder deep(path_of(name));
+      if (is_asked) EXPECT_EQ(store.get(name), std::nullopt);
+      EXPECT_TRUE(store.put(name, "a picture"));
+      EXPECT_EQ(store.get(name), "a picture");
+    }
+  }
+  for (const std::string& note : store.notes()) {
+    EXPECT_TRUE(note.ends_with(" was damaged; it is made again")) << note;
+  }
+}
+
+TEST_F(DiskStoreTest, MakesAnewWhatStandsWhereItsFoldersBelong) {
+  DiskStore store(folder());
+  for (const fs::path& place : {folder() / "ac", path_of(kAction).parent_path()}) {
+    remove_folder(place);
+    write_file(place, "a file");
+    EXPECT_EQ(store.get(kAction), std::nullopt);
+    EXPECT_TRUE(store.put(kAction, "an answer"));
+    EXPECT_EQ(store.get(kAction), "an answer");
+  }
+  EXPECT_EQ(store.notes(), std::vector<std::string>());
+}
+
+// What is in the way of one entry does not keep the others from being kept. Where we are root, who
+// may write everywhere, as somebody else.
+TEST_F(DiskStoreTest, KeepsTheRestWhereOneEntryCannotBeWritten) {
+  const std::string other = "ac/" + sha256("another question");
+  { DiskStore(folder()).put(kAction, "an answer"); }
+  const fs::path closed = path_of(kAction).parent_path();
+  for (const fs::path& path :
+       {folder().parent_path(), folder(), folder() / "ac", folder() / "tmp", folder() / "lock"}) {
+    fs::permissions(path, fs::perms::all);
+  }
+  fs::permissions(closed, fs::perms::owner_read | fs::perms::owner_exec);
+  const uid_t root = geteuid();
+  if (root == 0) ASSERT_EQ(seteuid(54321), 0);
+  std::vector<std::string> notes;
+  {
+    DiskStore store(folder());
+    EXPECT_FALSE(store.put(kAction, "another answer"));
+    EXPECT_FALSE(store.put(kAction, "another answer"));
+    EXPECT_TRUE(store.put(other, "another"));
+    EXPECT_EQ(store.get(other), "another");
+    notes = store.notes();
+  }
+  if (root == 0) ASSERT_EQ(seteuid(root), 0);
+  fs::permissions(closed, fs::perms::owner_all);
+  EXPECT_EQ(notes, std::vector<std::string>{"results such as " + kAction + " are not kept, as " +
+                                            path_of(kAction).string() +
+                                            " is in the way: Permission denied; remove it"});
+}
+
+// Anybody who may read it can lock it, and keep it locked.
+TEST_F(DiskStoreTest, IsReadWhereSomebodyKeepsItLocked) {
+  { DiskStore(folder()).put(kAction, "an answer"); }
+  Descriptor other(open((folder() / "lock").c_str(), O_RDONLY | O_CLOEXEC));
+  ASSERT_EQ(flock(other.get(), LOCK_EX), 0);
+  const std::string holder = lock_holder(other.get());
+  {
+    DiskStore store(folder(), {}, LockWait::none());
+    EXPECT_FALSE(store.can_be_written());
+    EXPECT_EQ(store.get(kAction), "an answer");
+    EXPECT_FALSE(store.put("ac/" + sha256("another question"), "another"));
+    EXPECT_EQ(store.notes(), std::vector<std::string>{
+                                 "the store is read and not written: " + holder + " holds " +
+                                 (folder() / "lock").string() + "; end it, or use another store"});
+  }
+  std::vector<std::string> told;
+  const LockWait wait{.quiet = std::chrono::milliseconds(0), .tell = [&](const std::string& text) {
+                        told.push_back(text);
+                        other.reset();
+                      }};
+  DiskStore store(folder(), {}, wait);
+  EXPECT_TRUE(store.can_be_written());
+  EXPECT_EQ(store.notes(), std::vector<std::string>());
+  EXPECT_EQ(told, std::vector<std::string>{"waiting for " + (folder() / "lock").string() +
+                                           ", which " + holder + " holds"});
+}
+
 // What is not a store's is not taken for its own, and not removed.
 TEST_F(DiskStoreTest, RefusesAFolderThatHoldsSomethingElse) {
   write_file(folder() / "thesis.txt", "years");
@@ -96,7 +188,11 @@ TEST_F(DiskStoreTest, RefusesAFolderThatHoldsSomethingElse) {
   const std::string why =
       folder().string() + " is not a store, as it holds thesis.txt: Directory not empty";
   EXPECT_EQ(refuses([&] { DiskStore store(folder()); }), why);
-  EXPECT_EQ(refuses([&] { prune_store(folder(), 0, true); }), why);
+  EXPECT_EQ(refuses([&] { prune_store(folder(), 0); }), why);
+  fs::rename(folder() / "thesis.txt", folder() / "the\nsis\x1b]0;x\a");
+  EXPECT_EQ(refuses([&] { DiskStore store(folder()); }),
+            folder().string() +
+                " is not a store, as it holds the\\nsis\\x1b]0;x\\x07: Directory not empty");
 }
 
 TEST_F(DiskStoreTest, ForgetsOnlyWhatIsItsOwn) {
@@ -104,7 +200,7 @@ TEST_F(DiskStoreTest, ForgetsOnlyWhatIsItsOwn) {
     write_file(folder() / file, "mine");
   }
   write_file(folder() / "tmp/abcdef", "unfinished");
-  prune_store(folder(), 0, true);
+  prune_store(folder(), 0);
   for (const char* file : {"tmp/notes.txt", "tmp/folder/abcdef", "ac/12/notes.txt"}) {
     EXPECT_TRUE(std::filesystem::exists(folder() / file)) << file;
   }
@@ -195,7 +291,7 @@ TEST_F(DiskStoreTest, ForgetsWhatWasNotUsedForLongest) {
     store.get(used);
   }
   write_file(folder() / "tmp" / "AbCdEf", "left by a killed process");
-  const auto pruned = prune_store(folder(), 2500, true);
+  const auto pruned = prune_store(folder(), 2500);
   ASSERT_TRUE(pruned);
   EXPECT_EQ(pruned->removed.results, 1);
   EXPECT_EQ(pruned->removed.bytes, 1000);
@@ -211,9 +307,9 @@ TEST_F(DiskStoreTest, CountsWhatProgramsShare) {
   write_file(prepared_folder(folder()) / "b/entry/header.pch", std::string(8192, 'b'));
   for (const char* name : {"a", "b"}) write_file(prepared_folder(folder()) / name / "current", "");
   age(prepared_folder(folder()) / "a/current", std::chrono::hours(1));
-  const std::uintmax_t all = prune_store(folder(), UINT64_MAX, true)->left.bytes;
+  const std::uintmax_t all = prune_store(folder(), UINT64_MAX)->left.bytes;
   EXPECT_GE(all, 16384);
-  const auto pruned = prune_store(folder(), all - 1, true);
+  const auto pruned = prune_store(folder(), all - 1);
   EXPECT_EQ(pruned->removed.prepared, 1);
   EXPECT_EQ(pruned->left.prepared, 1);
   EXPECT_EQ(pruned->removed.results + pruned->left.results, 0);
@@ -231,10 +327,10 @@ TEST_F(DiskStoreTest, SaysWhatStandsWhereHeadersBelong) {
                                     "remove it");
     EXPECT_TRUE(store.put(kAction, "an answer"));
   }
-  EXPECT_EQ(prune_store(folder(), UINT64_MAX, true)->left.results, 1);
+  EXPECT_EQ(prune_store(folder(), UINT64_MAX)->left.results, 1);
   EXPECT_FALSE(fs::exists(prepared_folder(folder())));
   write_file(folder() / "cas", "a file");
-  EXPECT_TRUE(prune_store(folder(), 0, true));
+  EXPECT_TRUE(prune_store(folder(), 0));
 }
 
 // Where we are root, who may write everywhere, as somebody else.
@@ -275,7 +371,7 @@ TEST_F(DiskStoreTest, GoesThroughNoLink) {
     fs::create_directories(folder());
     fs::create_symlink(elsewhere.path(), folder() / kind);
     EXPECT_THROW(DiskStore{folder()}, std::system_error) << kind;
-    EXPECT_EQ(prune_store(folder(), 0, true)->removed.results, 0U);
+    EXPECT_EQ(prune_store(folder(), 0)->removed.results, 0U);
     EXPECT_FALSE(fs::is_symlink(folder() / kind)) << kind;
     EXPECT_EQ(read_file(elsewhere.path() / "letters" / "one").value(), "precious") << kind;
   }
@@ -298,8 +394,8 @@ TEST_F(DiskStoreTest, GoesThroughNoLinkAmongItsEntries) {
 TEST_F(DiskStoreTest, IsNotPrunedWhileItIsUsed) {
   DiskStore store(folder());
   put_blob(store, "a picture");
-  EXPECT_FALSE(prune_store(folder(), 0, false));
-  EXPECT_TRUE(prune_store(folder() / "of nobody", 0, false));
+  EXPECT_FALSE(prune_store(folder(), 0, LockWait::none()));
+  EXPECT_TRUE(prune_store(folder() / "of nobody", 0, LockWait::none()));
 }
 
 TEST_F(DiskStoreTest, KeepsTheBytesOfABlob) {

@@ -20,10 +20,10 @@ TEST(FileLock, HasOneHolderAtATime) {
   {
     const FileLock first(file);
     EXPECT_TRUE(first.held());
-    EXPECT_FALSE(FileLock(file, FileLock::Patience::try_once).held());
-    EXPECT_TRUE(FileLock(folder.path() / "other", FileLock::Patience::try_once).held());
+    EXPECT_FALSE(FileLock(file, LockWait::none()).held());
+    EXPECT_TRUE(FileLock(folder.path() / "other", LockWait::none()).held());
   }
-  EXPECT_TRUE(FileLock(file, FileLock::Patience::try_once).held());
+  EXPECT_TRUE(FileLock(file, LockWait::none()).held());
   EXPECT_TRUE(std::filesystem::exists(file));
 }
 

@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
 
 #include "base/cancellation.h"
+#include "base/deep_folder.h"
+#include "base/file_lock.h"
 #include "base/files.h"
 #include "base/temporary_folder.h"
 
@@ -94,6 +98,43 @@ TEST_F(PreparedFoldersTest, AreNotFoundBehindALink) {
     EXPECT_EQ(get("x"), "1");
     EXPECT_EQ(made_, whole ? 3 : 4);
   }
+}
+
+TEST_F(PreparedFoldersTest, AreMadeAnewWhereADeepFolderLies) {
+  EXPECT_EQ(get("x"), "1");
+  const fs::path request = fs::directory_iterator(cache_)->path();
+  const DeepFolder first(request / "making"), second(cache_ / "another");
+  write_file(cache_ / "another" / "file", "x");
+  write_file(input_, "2");
+  EXPECT_EQ(get("x", "", 0), "2");
+  EXPECT_EQ(requests(), 1);
+}
+
+// A time that is to come keeps nothing for ever.
+TEST_F(PreparedFoldersTest, GoFirstWhereTheirTimeIsToCome) {
+  write_file(cache_ / "another" / "current", std::string(1000, 'x'));
+  write_file(cache_ / "old" / "current", "x");
+  const auto now = fs::file_time_type::clock::now();
+  fs::last_write_time(cache_ / "another" / "current", now + std::chrono::hours(1000));
+  fs::last_write_time(cache_ / "old" / "current", now - std::chrono::hours(1000));
+  EXPECT_EQ(get("x"), "1");
+  EXPECT_FALSE(fs::exists(cache_ / "another"));
+  EXPECT_TRUE(fs::exists(cache_ / "old"));
+}
+
+// Anybody may hold a lock in a shared store.
+TEST_F(PreparedFoldersTest, AreNotWaitedForForEver) {
+  EXPECT_EQ(get("x"), "1");
+  const FileLock held(fs::directory_iterator(cache_)->path() / "lock");
+  write_file(input_, "2");
+  PreparedFolders folders(
+      cache_, [](const std::string& name) { return name; }, 1000, std::chrono::milliseconds(0));
+  EXPECT_EQ(folders.get("x",
+                        [](const fs::path&, const fs::path&) {
+                          ADD_FAILURE() << "made without the lock";
+                          return std::nullopt;
+                        }),
+            nullptr);
 }
 
 // In a store that somebody else has filled.
