@@ -4,15 +4,7 @@
 //   node tests/store/hostile.mjs MJCOURSE
 
 import { spawn } from "node:child_process";
-import {
-  existsSync,
-  globSync,
-  lstatSync,
-  mkdirSync,
-  readFileSync,
-  rmSync,
-  utimesSync,
-} from "node:fs";
+import { globSync, lstatSync, mkdirSync, rmSync, utimesSync } from "node:fs";
 import { join } from "node:path";
 
 import { cleanUp, course, home, run, store, write } from "./harness.mjs";
