@@ -1,7 +1,9 @@
 #include "cli/grades.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <string_view>
 #include <utility>
 
 #include "base/counted.h"
@@ -67,11 +69,23 @@ std::string as_json(const std::vector<GradedHandIn>& graded) {
   return all.dump(2, ' ', false, json::error_handler_t::replace) + "\n";
 }
 
-// What a spreadsheet would take for a formula is text.
+// What a spreadsheet would take for a formula is text, also behind a semicolon: where a comma
+// stands in numbers, that parts the fields, and a quote in the middle of one keeps nothing
+// together.
+std::string without_formulas(const std::string& text) {
+  constexpr std::array<std::string_view, 8> signs{"=", "+", "-", "@", "＝", "＋", "－", "＠"};
+  std::string safe;
+  bool is_begin = true;
+  for (const std::string_view character : characters_of(text)) {
+    if (is_begin && std::ranges::count(signs, character) > 0) safe += "'";
+    is_begin = character == ";" || (is_begin && (character == " " || character == "\""));
+    safe += character;
+  }
+  return safe;
+}
+
 std::string cell(const std::string& text) {
-  const bool is_formula = text.find_first_of("=+-@\t") == 0;
-  const std::string field = csv_field((is_formula ? "'" : "") + readable(text));
-  // Where a comma stands in numbers, a semicolon parts the fields.
+  const std::string field = csv_field(without_formulas(readable(text)));
   return field.find(';') == field.npos || field.starts_with('"') ? field : "\"" + field + "\"";
 }
 
@@ -149,10 +163,14 @@ std::string letter_line(const GradedCheck& check) {
 }
 
 // Of what ended a program, the kind alone: its words may tell of hidden checks, or of the teacher's
-// machine.
+// machine. A compiler's words quote the program: of one with hidden checks they tell what it has.
 std::string letter_fault(const Grade& grade) {
   const std::string id = grade.faults.empty() ? "" : grade.faults.front().value("id", "");
-  if (!grade.handed_in || id == "E-hand-in" || id == "E-example-compile") return grade.fault();
+  if (!grade.handed_in) return grade.fault();
+  if (id == "E-hand-in") return grade.is_hidden_fault ? "the text was refused" : grade.fault();
+  if (id == "E-example-compile") {
+    return grade.is_hidden_fault ? "the program did not compile" : grade.fault();
+  }
   if (id == "E-example-timeout") return "the program took too long, and was stopped";
   if (id == "E-example-throws") return "the program threw an exception";
   if (id == "E-example-signal") return "the program crashed";
@@ -177,7 +195,7 @@ std::string letter_part(const Grade& grade) {
   };
   add(false, "");
   const std::string hidden = "\nChecks that the page does not show";
-  add(true, hidden + (is_faulty ? ", in which " + plain(letter_fault(grade)) : "") + ":\n\n");
+  add(true, hidden + (is_faulty ? ", with which " + plain(letter_fault(grade)) : "") + ":\n\n");
   return text;
 }
 

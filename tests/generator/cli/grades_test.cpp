@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 namespace mjcourse {
 namespace {
 
@@ -120,15 +123,60 @@ TEST(Grades, AreLettersThatTellOfAFaultItsKindAlone) {
   it is pushed  
   it is 1, and should be 0 ± 1e\-09
 
-Checks that the page does not show, in which the program threw an exception:
+Checks that the page does not show, with which the program threw an exception:
 
 - ✗ it, "too" (1 point)
 )");
   ann.grades[0].is_hidden_fault = false;
   EXPECT_NE(letter(ann).find("lesson 1.1.\n\nthe program threw an exception.\n"),
             std::string::npos);
-  ann.student = "x;=1";
-  EXPECT_NE(students_csv({ann}).find("\"x;=1\",2,4,"), std::string::npos);
+}
+
+// What the compiler says of the program with the hidden checks has their numbers.
+TEST(Grades, AreLettersWithoutWordsOnTheHiddenProgram) {
+  GradedHandIn ann = graded()[0];
+  ann.grades[0].is_hidden_fault = true;
+  const auto shown = [&](const std::string& id) {
+    ann.grades[0].faults = {{{"id", id},
+                             {"message", "no type named 'secret' in 'integer_sequence<long, 75>'"},
+                             {"detail", "75"},
+                             {"place", {{"line", 75}}}}};
+    const std::string text = letter(ann);
+    return text.substr(std::min(text.find("Checks that"), text.size()));
+  };
+  const auto with = [](const std::string& fault) {
+    return "Checks that the page does not show, with which " + fault +
+           ":\n\n- ✗ it, \"too\" (1 point)\n";
+  };
+  EXPECT_EQ(shown("E-example-compile"), with("the program did not compile"));
+  EXPECT_EQ(shown("E-hand-in"), with("the text was refused"));
+  EXPECT_EQ(shown("E-example-timeout"), with("the program took too long, and was stopped"));
+  EXPECT_EQ(shown("E-example-signal"), with("the program crashed"));
+  EXPECT_EQ(shown("E-example-mujoco"), with("the program did not come to its end"));
+  EXPECT_EQ(letter(ann).find("75"), std::string::npos);
+}
+
+// Read with a semicolon between fields, the remark is no longer a field in quotes.
+TEST(Grades, AreTablesWithoutFormulasBehindASemicolon) {
+  GradedHandIn ann = graded()[0];
+  const auto remark = [&](const std::string& message) {
+    ann.grades[0].faults = {{{"id", "E-example-throws"}, {"message", message}}};
+    const std::string table = students_csv({ann});
+    return table.substr(table.find("ann,"));
+  };
+  EXPECT_EQ(remark(";=HYPERLINK(\"http://x\")"),
+            "ann,2,4,2,2,,,\"fall: ;'=HYPERLINK(\"\"http://x\"\")\"\r\n");
+  EXPECT_EQ(remark("a; \"+1;@b;;-2"), "ann,2,4,2,2,,,\"fall: a; \"\"'+1;'@b;;'-2\"\r\n");
+  EXPECT_EQ(remark(";＝1"), "ann,2,4,2,2,,,\"fall: ;'＝1\"\r\n");
+  EXPECT_EQ(remark("x = 1, -2; y = -3"), "ann,2,4,2,2,,,\"fall: x = 1, -2; y = -3\"\r\n");
+  ann.grades[0].faults = nlohmann::json::array();
+  for (const auto& [student, field] :
+       {std::pair("x;=1", "\"x;'=1\""), std::pair(" =1", " '=1"), std::pair("a;b", "\"a;b\""),
+        std::pair("\"=1", "\"\"\"'=1\"")}) {
+    ann.student = student;
+    EXPECT_NE(students_csv({ann}).find(std::string("\r\n") + field + ",2,4,"), std::string::npos)
+        << students_csv({ann});
+  }
 }
 
 TEST(Grades, AreJson) {
