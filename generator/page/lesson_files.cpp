@@ -101,7 +101,7 @@ void write_lesson(const SiteData& site, std::size_t index, PageRenderer& rendere
   const PageWriter home(site.course, lesson, results, renderer.context(styles, "index.html"));
   parts->card = spool.put(home_card(lesson, results, place, home, renderer.templates()));
   PageWriter review(site.course, lesson, results, renderer.context(styles, kReviewPage));
-  const Asked asked{review.questions(), review.exercises()};
+  const AskedOfReader asked{review.questions(), review.exercises()};
   parts->progress = spool.put(progress_row(lesson, asked, renderer.templates()));
   parts->review = spool.put(review_json(lesson, asked, renderer.templates()));
 }

@@ -46,14 +46,14 @@ std::string home_card(const Lesson& lesson, const LessonResults& results, CardPl
   return render_template(templates, "card", card);
 }
 
-std::string progress_row(const Lesson& lesson, const Asked& asked, Templates& templates) {
+std::string progress_row(const Lesson& lesson, const AskedOfReader& asked, Templates& templates) {
   json row = reference_to(lesson);
   row["questions"] = asked.questions;
   row["exercises"] = asked.exercises;
   return render_template(templates, "progress-row", row);
 }
 
-std::string review_json(const Lesson& lesson, const Asked& asked, Templates& templates) {
+std::string review_json(const Lesson& lesson, const AskedOfReader& asked, Templates& templates) {
   const std::string href = site_address(page_path(lesson));
   json cards = json::array();
   for (const json& question : asked.questions) {

@@ -36,16 +36,16 @@ std::string home_card(const Lesson& lesson, const LessonResults& results, CardPl
                       const PageWriter& writer, Templates& templates);
 
 // What a lesson asks of its reader, as PageWriter gives it.
-struct Asked {
+struct AskedOfReader {
   nlohmann::json questions = nlohmann::json::array();
   nlohmann::json exercises = nlohmann::json::array();
 };
 
 // The row of `lesson` in the table of a reader's progress.
-std::string progress_row(const Lesson& lesson, const Asked& asked, Templates& templates);
+std::string progress_row(const Lesson& lesson, const AskedOfReader& asked, Templates& templates);
 
 // What the review page has of `lesson` (page/learner_pages.h); "" where nothing is asked.
-std::string review_json(const Lesson& lesson, const Asked& asked, Templates& templates);
+std::string review_json(const Lesson& lesson, const AskedOfReader& asked, Templates& templates);
 
 // What the page of what was verified has of it.
 LessonParts verification_parts(const Lesson& lesson, const Claims& claims, Templates& templates,
