@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <iostream>
 #include <map>
@@ -19,7 +18,6 @@
 #include "base/nearest.h"
 #include "base/out_folder.h"
 #include "base/parallel.h"
-#include "base/running_text.h"
 #include "base/sha256.h"
 #include "base/stopwatch.h"
 #include "base/utf8.h"
@@ -28,6 +26,7 @@
 #include "cli/grades.h"
 #include "cli/hand_ins.h"
 #include "cli/kept_verdicts.h"
+#include "cli/letter_names.h"
 #include "cli/run.h"
 #include "cli/verify.h"
 #include "evaluate/hand_in.h"
@@ -241,31 +240,15 @@ class Grading {
   std::vector<std::pair<Grade*, std::string>> waiting_;
 };
 
-// The names of the students' letters: those of their folders, as far as a file may be called so,
-// and no two the same where letters of both cases are.
-std::vector<std::string> letter_names(const std::vector<GradedHandIn>& graded) {
-  constexpr std::size_t most = 200;  // bytes
-  std::vector<std::string> names;
-  std::map<std::string, int> known;
-  for (const GradedHandIn& hand_in : graded) {
-    std::string name = hand_in.student;
-    std::ranges::replace(name, '/', '_');
-    if (name.size() > most) name = beginning_of(name, most);
-    std::string lower = name;
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
-    const int before = known[lower]++;
-    names.push_back("letters/" + name + (before > 0 ? "-" + std::to_string(before + 1) : "") +
-                    ".md");
-  }
-  return names;
-}
-
 void write_all(const OutFolder& folder, const std::vector<GradedHandIn>& graded) {
   folder.write("students.csv", students_csv(graded));
   folder.write("checks.csv", grades_text(graded, GradeFormat::csv));
   folder.write("grades.json", grades_text(graded, GradeFormat::json));
-  const std::vector<std::string> names = letter_names(graded);
-  for (std::size_t i = 0; i < graded.size(); ++i) folder.write(names[i], letter(graded[i]));
+  std::vector<std::string> students;
+  for (const GradedHandIn& hand_in : graded) students.push_back(hand_in.student);
+  const std::vector<std::string> names = letter_names(students);
+  for (std::size_t i = 0; i < graded.size(); ++i)
+    folder.write("letters/" + names[i], letter(graded[i]));
   note("tables, and a letter for each student, are in " + folder.path().string());
 }
 

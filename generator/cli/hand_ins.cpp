@@ -3,10 +3,13 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <string_view>
 #include <utility>
 
 #include "base/files.h"
+#include "base/folded_name.h"
 #include "base/nearest.h"
 #include "base/utf8.h"
 
@@ -61,11 +64,35 @@ bool is_link_on(const fs::path& folder, const fs::path& inside) {
   return false;
 }
 
+bool is_archive(const std::string& file) {
+  constexpr std::array<std::string_view, 7> ends{".zip", ".7z", ".rar", ".tar",
+                                                 ".tgz", ".gz", ".xz"};
+  return std::ranges::any_of(ends, [&](std::string_view end) { return file.ends_with(end); });
+}
+
+// Is `stem` the exercise's name with more words: "fall (1)", "fall - copy", "my_fall"?
+bool has_words_beside(const std::string& stem, const std::string& name) {
+  return stem.ends_with(name) || (stem.starts_with(name) && !is_letter(stem[name.size()]));
+}
+
+// The exercise, one of `missing`, that `path` is likely to be meant for; "" for none.
+std::string meant_by(const fs::path& path, const std::vector<std::string>& missing) {
+  const std::string file = lower(path.filename());
+  // Some systems hide the end of a name, and put another behind it: "fall.cpp.txt".
+  const std::size_t end = std::min(file.find(".cpp"), file.rfind('.'));
+  const std::string stem = file.substr(0, end);
+  const auto part = std::ranges::find_if(missing, [&](const std::string& name) {
+    const bool is_part = file.find(".cpp") != file.npos && lower(name).ends_with(stem);
+    return !stem.empty() && (is_part || has_words_beside(stem, lower(name)));
+  });
+  return part == missing.end() ? "" : *part;
+}
+
 // Gives those of one name names of their own, and says so.
 void tell_apart(HandIns& hand_ins) {
   std::map<std::string, std::vector<std::size_t>> by_name;
   for (std::size_t i = 0; i < hand_ins.all.size(); ++i) {
-    by_name[lower(hand_ins.all[i].student)].push_back(i);
+    by_name[folded_name(hand_ins.all[i].student)].push_back(i);
   }
   for (const auto& [name, indices] : by_name) {
     if (indices.size() < 2) continue;
@@ -133,40 +160,44 @@ HandedIn read_handed_in(const HandIn& hand_in, const std::string& name) {
 
 std::vector<std::string> notes_on(const HandIn& hand_in, const std::vector<std::string>& names) {
   if (!hand_in.fault.empty()) return {};
-  std::vector<std::string> notes, missing;
+  std::vector<std::string> notes, strays, missing;
   const DiskFiles files(hand_in.folder);
-  const auto note = [&](const std::string& text) {
-    if (notes.size() < kMostNotes) notes.push_back(readable(hand_in.student) + ": " + text);
+  const auto note = [&](const std::string& text, std::vector<std::string>& into) {
+    if (into.size() < kMostNotes) into.push_back(readable(hand_in.student) + ": " + text);
   };
   std::ranges::copy_if(names, std::back_inserter(missing), [&](const std::string& name) {
     return !read_handed_in(hand_in, name).is_there();
   });
   const std::vector<DiskFiles::Entry> below = files.below("");
-  if (below.empty()) note("the folder is empty, or cannot be read");
+  if (below.empty()) note("the folder is empty, or cannot be read", notes);
   for (const DiskFiles::Entry& entry : below) {
     const fs::path path(entry.path);
     if (entry.is_folder) continue;
-    const std::string stem = path.stem();
+    const std::string stem = path.stem(), shown = readable(entry.path),
+                      file = lower(path.filename());
     if (path == fs::path(stem) / (stem + ".cpp") && files.exists(stem + ".cpp")) {
-      note(readable(stem) + ".cpp is graded, and " + readable(entry.path) + " is not");
+      note(readable(stem) + ".cpp is graded, and " + shown + " is not", notes);
     }
     if (missing.empty()) continue;
     if (path.extension() == ".cpp" && std::ranges::count(names, stem) > 0) {
       if (std::ranges::count(missing, stem) == 0) continue;
-      note(readable(entry.path) + " is not where it is looked for: " + stem + ".cpp, or " + stem +
-           "/" + stem + ".cpp");
+      note(shown + " is not where it is looked for: " + stem + ".cpp, or " + stem + "/" + stem +
+               ".cpp",
+           notes);
       continue;
     }
-    // Some systems hide the end of a name, and put another behind it: "fall.cpp.txt".
-    const std::string file = lower(path.filename());
-    const std::size_t end = file.find(".cpp");
-    if (end == file.npos) continue;
-    const std::string meant = file.substr(0, end);
-    const auto part = std::ranges::find_if(missing, [&](const std::string& name) {
-      return lower(name).ends_with(meant) || meant.ends_with(lower(name));
-    });
-    note(readable(entry.path) + " has the name of no exercise" +
-         (part != missing.end() ? ": is it " + *part + ".cpp?" : "; " + suggest(meant, missing)));
+    if (is_archive(file)) {
+      note(shown + " is an archive, and not looked into: unpack it", notes);
+    } else if (const std::string meant = meant_by(path, missing); !meant.empty()) {
+      note(shown + " has the name of no exercise: is it " + meant + ".cpp?", notes);
+    } else if (const std::size_t end = file.find(".cpp"); end != file.npos) {
+      note(shown + " has the name of no exercise; " + suggest(file.substr(0, end), missing), notes);
+    } else if (missing.size() == names.size()) {
+      note(shown + " is no NAME.cpp of an exercise", strays);
+    }
+  }
+  for (std::size_t i = 0; i < strays.size() && notes.size() < kMostNotes; ++i) {
+    notes.push_back(strays[i]);
   }
   return notes;
 }

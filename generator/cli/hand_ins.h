@@ -42,7 +42,7 @@ struct HandedIn {
 HandedIn read_handed_in(const HandIn& hand_in, const std::string& name);
 
 // What else is in the folder and may be meant for one of the exercises `names` that was not handed
-// in; and that the folder is empty.
+// in; that the folder is empty; and what is there where none of them is.
 std::vector<std::string> notes_on(const HandIn& hand_in, const std::vector<std::string>& names);
 
 }  // namespace mjcourse

@@ -63,6 +63,18 @@ TEST_F(HandInsTest, OfOneNameAreToldApart) {
             (Notes{"these may be the same student, and each is graded: monday/ann, friday/Ann"}));
 }
 
+// "é" as one character, and as a letter with an accent; capitals beyond ASCII.
+TEST_F(HandInsTest, OfOneNameToPeopleAreToldApart) {
+  write("monday/ren\u00e9/fall.cpp", "");
+  write("friday/RENe\u0301/fall.cpp", "");
+  write("friday/rene/fall.cpp", "");
+  const HandIns found = find({"monday/ren\u00e9", "friday/RENe\u0301", "friday/rene"});
+  ASSERT_EQ(found.all.size(), 3u);
+  EXPECT_EQ(found.all[2].student, "rene");
+  EXPECT_EQ(shown(found.notes), (Notes{"these may be the same student, and each is graded: "
+                                       "monday/ren\u00e9, friday/RENe\u0301"}));
+}
+
 TEST_F(HandInsTest, AreReadWithoutLinks) {
   write("ann/fall.cpp", "one\r\ntwo\rthree\n");
   write("bob/fall/fall.cpp", "text");
@@ -122,10 +134,38 @@ TEST_F(HandInsTest, WithNamesThatMissTheirExerciseAreTold) {
             (Notes{"ann: deep/er/l1_1_fall.cpp is not where it is looked for: l1_1_fall.cpp, or "
                    "l1_1_fall/l1_1_fall.cpp",
                    "ann: my_l2_1_rate.CPP has the name of no exercise: is it l2_1_rate.cpp?",
-                   "ann: rate.cpp has the name of no exercise: is it l2_1_rate.cpp?"}));
+                   "ann: rate.cpp has the name of no exercise: is it l2_1_rate.cpp?",
+                   "ann: notes.txt is no NAME.cpp of an exercise"}));
   write("ann/l2_1_rate.cpp", "");
   write("ann/l1_1_fall.cpp", "");
   EXPECT_EQ(notes_on({"ann", path("ann")}, names), Notes{});
+}
+
+// As browsers and systems name a second download or a copy, and other ends of a program's name.
+TEST_F(HandInsTest, WithNamesOfCopiesAreTold) {
+  for (const std::string name : {"fall (1).cpp", "fall-1.cpp", "fall - Kopie.cpp", "Fall copy.CPP",
+                                 "fall_2.cpp", "fall.cc", "fall.cpp.txt", "Copy of fall.cpp"}) {
+    const TemporaryFolder ann;
+    write_file(ann.path() / name, "");
+    EXPECT_EQ(notes_on({"ann", ann.path()}, {"fall", "rise"}),
+              (Notes{"ann: " + name + " has the name of no exercise: is it fall.cpp?"}));
+  }
+  write("ann/fall.zip", "");
+  write("ann/falling.txt", "");
+  write("ann/rise.cpp", "");
+  EXPECT_EQ(notes_on({"ann", path("ann")}, {"fall", "rise"}),
+            (Notes{"ann: fall.zip is an archive, and not looked into: unpack it"}));
+}
+
+TEST_F(HandInsTest, WithoutAnExerciseHaveANoteOnEachFile) {
+  for (const char* name : {"a.txt", "b/c.pdf", "d.h", "e.md", "f.md", "g.md"}) {
+    write(std::string("ann/") + name, "");
+  }
+  write("ann/z_fall.cpp", "");
+  const std::string no = " is no NAME.cpp of an exercise";
+  EXPECT_EQ(notes_on({"ann", path("ann")}, {"fall"}),
+            (Notes{"ann: z_fall.cpp has the name of no exercise: is it fall.cpp?",
+                   "ann: a.txt" + no, "ann: b/c.pdf" + no, "ann: d.h" + no, "ann: e.md" + no}));
 }
 
 }  // namespace
