@@ -17,7 +17,6 @@
 #include "base/counted.h"
 #include "base/nearest.h"
 #include "base/out_folder.h"
-#include "base/parallel.h"
 #include "base/sha256.h"
 #include "base/stopwatch.h"
 #include "base/utf8.h"
@@ -28,6 +27,7 @@
 #include "cli/kept_verdicts.h"
 #include "cli/letter_names.h"
 #include "cli/run.h"
+#include "cli/settled_grades.h"
 #include "cli/verify.h"
 #include "evaluate/hand_in.h"
 #include "lesson/syntax/exercise_text.h"
@@ -214,18 +214,30 @@ class Grading {
       note(counted(texts_.size() - left.size(), "verdict") + " of an earlier run " +
            (texts_.size() - left.size() == 1 ? "is" : "are") + " taken up again");
     }
-    GradeProgress progress(left.size());
-    std::mutex mutex;
-    for_each_index(left.size(), options_.jobs, [&](std::size_t i, std::size_t) {
-      const Text& text = texts_.at(left[i]);
+    judge_each(left);
+  }
+
+  void judge_each(const std::vector<std::string>& keys) {
+    std::optional<GradeProgress> progress(keys.size());
+    GradeWork work;
+    work.judge = [&](std::size_t i) {
+      const Text& text = texts_.at(keys[i]);
       const Task& task = *text.task;
-      Grade grade = grade_of(task.judged, task.listed.title,
-                             judge_.judge(task.judged, text.code, task.listed.name + ".cpp", true));
-      kept_.keep(left[i], grade);
-      progress.count();
-      const std::lock_guard lock(mutex);
-      made_[left[i]] = std::move(grade);
-    });
+      return grade_of(task.judged, task.listed.title,
+                      judge_.judge(task.judged, text.code, task.listed.name + ".cpp", true));
+    };
+    work.done = [&](std::size_t i, const Grade& grade) {
+      kept_.keep(keys[i], grade);
+      progress->count();
+    };
+    work.again = [&](std::size_t texts) {
+      progress.reset();
+      note(counted(texts, "text") + " may have been short of time or memory, and " +
+           (texts == 1 ? "is" : "are each") + " judged once more, alone");
+      progress.emplace(texts);
+    };
+    const std::vector<Grade> grades = settled_grades(keys.size(), options_.jobs, work);
+    for (std::size_t i = 0; i < keys.size(); ++i) made_[keys[i]] = grades[i];
   }
 
   const GradeOptions& options_;

@@ -199,6 +199,21 @@ std::string letter_part(const Grade& grade) {
   return text;
 }
 
+// Has a bound on time ended it, or was something short that is the whole machine's?
+bool is_of_others(const json& fault) {
+  const std::string id = fault.value("id", ""), message = fault.value("message", "");
+  const auto says = [&](const auto&... words) {
+    return ((message.find(words) != message.npos) || ...);
+  };
+  if (id == "E-example-timeout" || id == "E-example-memory") return true;
+  if (id == "E-example-signal") return says(": Killed", "could not be started");
+  if (id == "E-example-throws") return says("threw std::bad_alloc", "threw std::system_error");
+  if (id == "E-example-compile") {
+    return message.starts_with("the compiler ") && message.ends_with(", and was stopped");
+  }
+  return id == "E-hand-in" && says("the lexer gave no answer");
+}
+
 }  // namespace
 
 double Grade::points() const {
@@ -229,6 +244,10 @@ std::string Grade::fault() const {
   const int line = place.value("line", 0);
   return readable(first.value("message", "")) +
          (line > 0 ? " in line " + std::to_string(line) : "");
+}
+
+bool Grade::may_be_of_others() const {
+  return std::ranges::any_of(faults, is_of_others);
 }
 
 std::string Grade::late() const {

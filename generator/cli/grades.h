@@ -36,6 +36,8 @@ struct Grade {
   double own_word() const;
   // Why there are no checks that count, in one line; "" where there are.
   std::string fault() const;
+  // May what ended it be of others, who had the processors, the memory or the threads?
+  bool may_be_of_others() const;
   std::string late() const;  // "2 h 5 min late", or ""
 };
 

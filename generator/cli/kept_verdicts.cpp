@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <utility>
 
 #include "base/beneath.h"
 #include "evaluate/hand_in.h"
@@ -42,11 +43,12 @@ std::optional<Grade> KeptVerdicts::find(const std::string& key, const Grade& lik
   const auto bytes = read(name_of(key));
   if (!bytes) return std::nullopt;
   const auto is_flat = [](int depth, json::parse_event_t, json&) { return depth < kMostDepth; };
-  return grade_of_json(json::parse(*bytes, is_flat, false), like);
+  auto kept = grade_of_json(json::parse(*bytes, is_flat, false), like);
+  return kept && !kept->may_be_of_others() ? std::move(kept) : std::nullopt;
 }
 
 void KeptVerdicts::keep(const std::string& key, const Grade& grade) const {
-  if (!folder_) return;
+  if (!folder_ || grade.may_be_of_others()) return;
   folder_->write(name_of(key),
                  judgement_json(grade).dump(1, ' ', false, json::error_handler_t::replace) + "\n");
 }

@@ -1,7 +1,8 @@
 // The verdicts of an earlier run, so that a class is judged on where its work was stopped.
 //
 // They lie in the folder of the results, each by the hash of all that it depends on. A file that
-// was damaged there is as one that is missing.
+// was damaged there is as one that is missing, and so is a verdict that others may have brought
+// about: it does not depend on its key alone.
 #pragma once
 
 #include <cstdint>
@@ -28,6 +29,7 @@ class KeptVerdicts {
   // The verdict on a text, of the same exercise as `like`.
   std::optional<Grade> find(const std::string& key, const Grade& like) const;
 
+  // Unless it may be of others.
   void keep(const std::string& key, const Grade& grade) const;
 
  private:

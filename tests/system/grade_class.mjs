@@ -5,6 +5,7 @@
 
 import { spawn, spawnSync } from "node:child_process";
 import {
+  cpSync,
   existsSync,
   mkdirSync,
   mkdtempSync,
@@ -131,6 +132,64 @@ Checks that the page does not show:
   "a letter",
 );
 expect(readdirSync(join(folder, "results/letters")).length === 14, "letters are missing");
+
+// In another course the hidden program has a number for what is 1 in the shown one. A letter does not
+// tell it, and what may have been short of time is judged twice and not kept.
+const other = join(folder, "other course");
+cpSync(course, other, { recursive: true });
+const edit = (path, from, to) => {
+  const text = readFileSync(join(other, path), "utf8");
+  expect(text.includes(from), `${path} has no ${from}`);
+  writeFileSync(join(other, path), text.replace(from, to));
+};
+edit("examples/fall.cpp", "double fallen", "constexpr long kScale = 1;\n\ndouble fallen");
+edit(
+  "examples/fall_hidden.cpp",
+  "double fallen",
+  "constexpr long kScale = 723400;\n\ndouble fallen",
+);
+edit("content/1-basics/1.1-lesson.md", "hidden=", "timeout=5 hidden=");
+handIn(
+  "peek",
+  `  struct Known { using secret = int; };
+  std::conditional_t<kScale == 1, Known, std::integral_constant<long, kScale>>::secret zero = 0;
+  return 9.81 * t * t / 2 + zero;`,
+);
+handIn("endless", "  for (volatile int i = 0;; i = 1) {}");
+const peeking = spawnSync(
+  mjcourse,
+  ["grade", "peek", "endless", "--against", other, "--out", "others"],
+  options,
+);
+expect(
+  readFileSync(join(folder, "others/grades.json"), "utf8").includes("723400>"),
+  `the teacher hears no compiler: ${peeking.stdout}${peeking.stderr}`,
+);
+expectText(
+  readFileSync(join(folder, "others/letters/peek.md"), "utf8"),
+  `# peek
+
+3 of 4 points.
+
+## Falling: 3 of 4 points
+
+\`fall.cpp\`, lesson 1.1.
+
+- ✓ it falls 4.9 m in the first second (2 points)
+- ✓ twice the time is four times the way (1 point)
+
+Checks that the page does not show, with which the program did not compile:
+
+- ✗ it falls 5 cm in 0.1 s (1 point)
+`,
+  "a letter on a hidden program",
+);
+expect(
+  peeking.stderr.includes(
+    "note: 1 text may have been short of time or memory, and is judged once more, alone\n",
+  ) && readdirSync(join(folder, "others/verdicts")).length === 1,
+  `a verdict of a timeout is kept: ${peeking.stderr}`,
+);
 
 // All is known now; what was changed is judged again.
 handIn("bob", `${right}  // bob`);

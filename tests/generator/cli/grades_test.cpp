@@ -179,6 +179,28 @@ TEST(Grades, AreTablesWithoutFormulasBehindASemicolon) {
   }
 }
 
+TEST(Grades, MayBeOfOthersWhereTimeOrMemoryWasShort) {
+  Grade grade = graded()[1].grades[0];
+  const auto is_so = [&](const char* id, const char* message) {
+    grade.faults = {{{"id", id}, {"message", message}}};
+    return grade.may_be_of_others();
+  };
+  EXPECT_TRUE(is_so("E-example-timeout", "the program still ran after 10 s, and was stopped"));
+  EXPECT_TRUE(is_so("E-example-memory", "the program took more than 4 GiB of memory"));
+  EXPECT_TRUE(is_so("E-example-signal", "the program was killed: Killed"));
+  EXPECT_TRUE(is_so("E-example-signal", "the program could not be started: no memory"));
+  EXPECT_TRUE(is_so("E-example-throws", "the program threw std::bad_alloc: std::bad_alloc"));
+  EXPECT_TRUE(is_so("E-example-throws", "the program threw std::system_error: no more threads"));
+  EXPECT_TRUE(is_so("E-example-compile", "the compiler still ran after 120 s, and was stopped"));
+  EXPECT_TRUE(is_so("E-hand-in", "the lexer gave no answer"));
+  EXPECT_FALSE(is_so("E-example-signal", "the program was killed: Segmentation fault"));
+  EXPECT_FALSE(is_so("E-example-throws", "the program threw std::runtime_error: no"));
+  EXPECT_FALSE(is_so("E-example-compile", "the compiler gives no reason"));
+  EXPECT_FALSE(is_so("E-hand-in", "it has no region `answer`"));
+  grade.faults = nlohmann::json::array();
+  EXPECT_FALSE(grade.may_be_of_others());
+}
+
 TEST(Grades, AreJson) {
   const auto all = nlohmann::json::parse(grades_text(graded(), GradeFormat::json));
   ASSERT_EQ(all.size(), 3u);

@@ -39,6 +39,21 @@ TEST_F(KeptVerdictsTest, AreFoundAgainByTheirKey) {
   EXPECT_FALSE(kept().find("a2", grade()));
 }
 
+TEST_F(KeptVerdictsTest, AreNoneOfWhatOthersMayHaveBroughtAbout) {
+  Grade slow = grade();
+  const auto fault = [](const std::string& id, const std::string& message) {
+    return nlohmann::json::array({{{"id", id}, {"message", message}, {"place", {{"line", 0}}}}});
+  };
+  slow.faults = fault("E-example-timeout", "the program still ran after 10 s, and was stopped");
+  kept().keep("a1", slow);
+  EXPECT_FALSE(fs::exists(folder_.path() / "results/verdicts/a1.json"));
+  write("verdicts/a1.json", judgement_json(slow).dump());  // as earlier versions did
+  EXPECT_FALSE(kept().find("a1", grade()));
+  slow.faults = fault("E-example-throws", "the program threw std::out_of_range: at");
+  kept().keep("a1", slow);
+  EXPECT_TRUE(kept().find("a1", grade()));
+}
+
 TEST_F(KeptVerdictsTest, AreNothingWithoutAFolder) {
   const KeptVerdicts none("", folder_.path());
   EXPECT_EQ(none.seed("7", false), "7");
