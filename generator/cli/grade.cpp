@@ -176,9 +176,15 @@ class Grading {
       verdict.faults.push_back(error_at(std::move(place), "E-hand-in", why));
     };
     const std::string& region = task.judged.exercise->program.region->text;
-    const auto code = found.text ? code_in_region(*found.text, region) : std::nullopt;
+    std::optional<std::string> code;
     if (!found.fault.empty()) refuse(found.fault);
-    if (found.text && !code) refuse("it has no region `" + region + "`");
+    if (found.text) {
+      if (auto inside = code_in_region(*found.text, region)) {
+        code = *std::move(inside);
+      } else {
+        refuse("it " + inside.error());
+      }
+    }
     Grade grade = grade_of(task.judged, task.listed.title, verdict);
     grade.handed_in = found.is_there();
     if (options_.due && found.changed && *found.changed > *options_.due) {

@@ -91,9 +91,7 @@ class Trying {
     }
     const auto code = code_in_region(*text, judged_.exercise->program.region->text);
     if (!code) {
-      std::cout << path << " has no region `" << judged_.exercise->program.region->text
-                << "` any more: put its marks around what you write\n\n"
-                << std::flush;
+      std::cout << path << " " << code.error() << "\n\n" << std::flush;
       return false;
     }
     if (judged_.files.text.program(*code) != without_returns(*text)) {

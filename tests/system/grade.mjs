@@ -199,7 +199,7 @@ code(
 handIn("no-marks", solution.replaceAll(/.*#(region|endregion).*\n/g, ""));
 expectOf("no-marks", 0, "it has no region `answer`");
 handIn("unclosed", program(right).replace("// #endregion", ""));
-expectOf("unclosed", 0, "it has no region `answer`");
+expectOf("unclosed", 0, "it has no end of the region `answer`");
 handIn("large", `${program(right)}${"// more\n".repeat(200_000)}`);
 expectOf("large", 0, "more than 1 MiB");
 mkdirSync(join(folder, "bytes"));

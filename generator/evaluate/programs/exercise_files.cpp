@@ -59,8 +59,8 @@ std::optional<ExerciseFiles> read_exercise_files(const Exercise& exercise, const
   if (inside && inside->find_first_not_of(" \t\r\n") == inside->npos) return files;
   diagnostics.push_back(
       error_at(place_of(*lesson.source, exercise.hidden->span()), "E-exercise-text",
-               exercise.hidden->text + (inside ? " has code in the region `" : " has no region `") +
-                   region + "`",
+               exercise.hidden->text + " " +
+                   (inside ? "has code in the region `" + region + "`" : inside.error()),
                "leave `// #region " + region +
                    "` and `// #endregion` there with nothing between them: what "
                    "the reader writes comes there"));

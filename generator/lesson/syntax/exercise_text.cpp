@@ -38,6 +38,22 @@ bool opens(std::string_view line, std::string_view region) {
   return mark && mark->word == "region" && mark->rest == region;
 }
 
+// The first line from `at` on that is no mark, and is written as editors, formatters and people
+// write one: `//#region answer`, `#pragma region answer`. In words; "" where there is none.
+std::string almost(const std::vector<std::string_view>& lines, std::size_t at,
+                   const std::string& word, const std::string& region) {
+  const RE2 form(R"((?i)(?:/[/*]+\s*#?|#)\s*(?:pragma\s+)?)" + word + R"(\b\s*(.*))");
+  for (; at < lines.size(); ++at) {
+    const auto mark = mark_in(lines[at]);
+    std::string rest;
+    if ((mark && mark->word == word) || !RE2::FullMatch(trimmed(lines[at]), form, &rest)) continue;
+    if (!rest.starts_with(region)) continue;
+    return ": write line " + std::to_string(at + 1) + " as `// #" + word +
+           (region.empty() ? "" : " " + region) + "`";
+  }
+  return "";
+}
+
 bool begins_variant(const Mark& mark) {
   return mark.word == "starter" || mark.word == "wrong";
 }
@@ -257,20 +273,32 @@ bool begins_variant(std::string_view line) {
   return mark && begins_variant(*mark);
 }
 
-std::optional<std::string> code_in_region(std::string_view program, std::string_view region) {
+tl::expected<std::string, std::string> code_in_region(std::string_view program,
+                                                      std::string_view region) {
+  const std::vector<std::string_view> lines = lines_of(program);
+  const std::string name = "region `" + std::string(region) + "`";
+  std::vector<std::size_t> begins;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (opens(lines[i], region)) begins.push_back(i);
+  }
+  if (begins.empty()) {
+    return tl::unexpected("has no " + name + almost(lines, 0, "region", std::string(region)));
+  }
+  if (begins.size() > 1) {
+    return tl::unexpected("has the " + name + " twice, from lines " +
+                          std::to_string(begins[0] + 1) + " and " + std::to_string(begins[1] + 1) +
+                          " on: remove one of them");
+  }
   std::string code;
-  int depth = 0;  // a text may fold parts of its own
-  for (const std::string_view line : lines_of(program)) {
-    const auto mark = mark_in(line);
-    if (depth == 0) {
-      depth = opens(line, region) ? 1 : 0;
-      continue;
-    }
+  int depth = 1;  // a text may fold parts of its own
+  for (std::size_t i = begins[0] + 1; i < lines.size(); ++i) {
+    const auto mark = mark_in(lines[i]);
     if (mark && mark->word == "region") ++depth;
     if (mark && mark->word == "endregion" && --depth == 0) return code;
-    code.append(line).append("\n");
+    code.append(lines[i]).append("\n");
   }
-  return std::nullopt;
+  return tl::unexpected("has no end of the " + name +
+                        almost(lines, begins[0] + 1, "endregion", ""));
 }
 
 std::optional<std::string> with_code_in_region(std::string_view program, std::string_view region,

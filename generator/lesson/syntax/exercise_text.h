@@ -16,6 +16,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <tl/expected.hpp>
 #include <vector>
 
 #include "base/source_text.h"
@@ -72,9 +73,10 @@ std::optional<ExerciseText> read_exercise(const SourceText& file, const std::str
 // Is this line `// #starter` or `// #wrong NAME: CHECK`, which end the solution?
 bool begins_variant(std::string_view line);
 
-// What stands between the marks of a region, in a text that a reader wrote; nothing where a mark is
-// gone.
-std::optional<std::string> code_in_region(std::string_view program, std::string_view region);
+// What stands between the marks of a region, in a text that a reader wrote. In words, what the text
+// has in place of that: no mark, or two of them, of which one may be in a comment.
+tl::expected<std::string, std::string> code_in_region(std::string_view program,
+                                                      std::string_view region);
 
 // `program` with `code` between these marks; nothing where one is gone. A compiler counts its lines
 // from kCodeLine on, and those behind it as in `program`, which it is told is `path`.

@@ -95,13 +95,35 @@ int main() { return answer(); }
 
 TEST(ExerciseText, TakesTheTextOfARegionOutOfAProgramAndIntoAnother) {
   EXPECT_EQ(code_in_region(good().program("  a;\n\n  b;\n"), "answer"), "  a;\n\n  b;\n");
-  EXPECT_EQ(code_in_region("// #region other\na;\n// #endregion\n", "answer"), std::nullopt);
-  EXPECT_EQ(code_in_region("// #region answer\na;\n", "answer"), std::nullopt);
   EXPECT_EQ(with_code_in_region("f {\n// #region answer\n// #endregion\n}\n", "answer", "a;\nb;\n",
                                 "examples/h.cpp"),
             "f {\n// #region answer\n#line 1000000 \"examples/h.cpp\"\na;\nb;\n"
             "#line 3 \"examples/h.cpp\"\n// #endregion\n}\n");
   EXPECT_EQ(with_code_in_region("f {\n// #region answer\n", "answer", "a;\n", "h"), std::nullopt);
+}
+
+TEST(ExerciseText, SaysWhatAHandInHasInPlaceOfARegion) {
+  const auto says = [](const std::string& program) {
+    const auto code = code_in_region(program, "answer");
+    return code ? "code: " + *code : code.error();
+  };
+  const std::string region = "// #region answer\na;\n// #endregion\n";
+  EXPECT_EQ(says("// #region other\na;\n// #endregion\n"), "has no region `answer`");
+  EXPECT_EQ(says("// #region answer\na;\n"), "has no end of the region `answer`");
+  EXPECT_EQ(says("/*\n" + region + "*/\n" + region),
+            "has the region `answer` twice, from lines 2 and 6 on: remove one of them");
+  EXPECT_EQ(says("// #region answer\n" + region + "// #endregion\n"),
+            "has the region `answer` twice, from lines 1 and 2 on: remove one of them");
+  for (const char* line : {"//#region answer", "  // # region answer", "#pragma region answer",
+                           "// #Region answer", "/* #region answer */", "//  #region answer"}) {
+    EXPECT_EQ(says(std::string("int x;\n") + line + "\na;\n// #endregion\n"),
+              "has no region `answer`: write line 2 as `// #region answer`");
+  }
+  for (const char* line : {"//#endregion", "#pragma endregion", "// #endRegion answer"}) {
+    EXPECT_EQ(says(std::string("// #region answer\na;\n") + line + "\n}\n"),
+              "has no end of the region `answer`: write line 3 as `// #endregion`");
+  }
+  EXPECT_EQ(says("//#region mine\n" + region + "//#endregion\n"), "code: a;\n");
 }
 
 TEST(ExerciseText, SaysWhereAHandInsCodeBegins) {
