@@ -134,8 +134,9 @@ struct Fits {
 bool lie_in(const fs::path& root, const LabResult& lab) {
   return std::ranges::all_of(lab.model.assets, [&](const auto& asset) {
     const fs::path& path = asset.second;
-    return is_name_of_asset(asset.first) && path == path.lexically_normal() &&
-           name_beneath(root, path).has_value();
+    const auto name = name_beneath(root, path);
+    return is_name_of_asset(asset.first) && path == path.lexically_normal() && name &&
+           is_inert(root, *name);
   });
 }
 

@@ -3,6 +3,7 @@
 #include <mujoco/mujoco.h>
 #include <strings.h>
 #include <tinyxml2.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -16,6 +17,7 @@
 
 #include "base/beneath.h"
 #include "base/files.h"
+#include "physics/browser_view.h"
 
 namespace mjcourse {
 namespace {
@@ -61,21 +63,6 @@ bool ends_as(const Endings& endings, const std::string& file) {
   return std::find(std::begin(endings), std::end(endings), ending) != std::end(endings);
 }
 
-// The line of the first thing in MJCF that is no model but tells a browser what to do with it, such
-// as which stylesheet makes a page of it; 0 where there is none.
-int line_of_instruction(const tinyxml2::XMLNode& parent) {
-  for (const auto* node = parent.FirstChild(); node != nullptr; node = node->NextSibling()) {
-    const auto* declaration = node->ToDeclaration();
-    const bool is_head =
-        declaration != nullptr && std::string_view(declaration->Value()).starts_with("xml ");
-    if (node->ToUnknown() != nullptr || (declaration != nullptr && !is_head)) {
-      return node->GetLineNum();
-    }
-    if (const int line = line_of_instruction(*node); line > 0) return line;
-  }
-  return 0;
-}
-
 constexpr off_t kMostMjcf = 16 << 20;  // that a person wrote; an asset may be larger
 
 // What is known of the file at `path` beneath `root`; nothing where it is not there or refused.
@@ -90,6 +77,26 @@ std::string small_text(const fs::path& root, const fs::path& path) {
   const auto status = status_in(root, path);
   if (!status || status->st_size > kMostMjcf) return "";
   return read_beneath(root, path).value_or("");
+}
+
+// The first bytes of a file beneath `root`; "" where it cannot be had.
+std::string beginning_of(const fs::path& root, const fs::path& path) {
+  const auto name = name_beneath(root, path);
+  const auto file = name ? Beneath(root).file(*name) : tl::unexpected(name.error());
+  std::string bytes(kLookedAt, '\0');
+  const ssize_t n = file ? read(file->descriptor.get(), bytes.data(), bytes.size()) : 0;
+  bytes.resize(static_cast<std::size_t>(std::max<ssize_t>(n, 0)));
+  return bytes;
+}
+
+// Every server knows what `.xml` is. Others are XML for a browser where their first bytes say so,
+// or else it could take one for a page.
+std::optional<ModelError> fault_of_text(const std::string& path, const std::string& text) {
+  if (!lower_case(path).ends_with(".xml") && !text.starts_with("<?xml ")) {
+    return ModelError{path, 1, 0, "a model's file that is not named .xml says first that it is XML",
+                      "begin it with `<?xml version=\"1.0\"?>`, or name it .xml"};
+  }
+  return fault_for_browsers(path, text);
 }
 
 // Each may include the next, and is walked through within it.
@@ -120,10 +127,7 @@ class SourceWalk {
     }
     texts_.push_back(path);
     const std::string outer = std::exchange(current_, path);
-    if (const int line = line_of_instruction(document); line > 0 && !instruction_) {
-      instruction_ = ModelError{path, line, 0, "a model has no instructions for a browser",
-                                "remove this line; the first may be `<?xml version=\"1.0\"?>`"};
-    }
+    if (!for_browsers_) for_browsers_ = fault_of_text(path, text);
     walk_document(document);
     current_ = outer;
   }
@@ -169,7 +173,8 @@ class SourceWalk {
   const std::vector<Name>& includes() const { return includes_; }
   const std::vector<Name>& named() const { return named_; }
   const std::optional<ModelError>& infinite() const { return infinite_; }
-  const std::optional<ModelError>& instruction() const { return instruction_; }
+  // The first that a browser would make more of than a text.
+  const std::optional<ModelError>& for_browsers() const { return for_browsers_; }
   // The first include that MuJoCo cannot read, of which it would tell no place.
   const std::optional<ModelError>& broken() const { return broken_; }
 
@@ -237,7 +242,7 @@ class SourceWalk {
   bool strip_ = false;
   std::vector<std::string> texts_;
   std::vector<Name> includes_, named_;
-  std::optional<ModelError> infinite_, instruction_, broken_;
+  std::optional<ModelError> infinite_, for_browsers_, broken_;
   std::string current_;  // the file that is walked
 };
 
@@ -297,8 +302,13 @@ std::optional<ModelError> find_foreign(const SourceWalk& walk, const std::string
     const auto why = why_foreign(walk.path_of_asset(name), root, folder, kBeside, false);
     if (why) return refuse(name, *why);
     if (!ends_as(kAssetEndings, name.file)) return misnamed(name, "x.png, x.stl, x.obj or x.bin");
+    if (begins_like_page(beginning_of(root, walk.path_of_asset(name)))) {
+      return ModelError{name.by, name.line, 0,
+                        "the file '" + name.file + "' begins as a page for a browser does",
+                        "name a mesh, a texture or a height field"};
+    }
   }
-  return walk.instruction();
+  return walk.for_browsers();
 }
 
 std::vector<std::string> files_of(const SourceWalk& walk) {
@@ -345,12 +355,9 @@ bool is_name_of_asset(const std::string& name) {
 }
 
 bool is_inert(const fs::path& course, const std::string& path) {
-  if (is_name_of_asset(path)) return true;
-  XMLDocument document;
+  if (is_name_of_asset(path)) return !begins_like_page(beginning_of(course, course / path));
   const std::string text = small_text(course, course / path);
-  return ends_as(kMjcfEndings, path) &&
-         document.Parse(text.data(), text.size()) == tinyxml2::XML_SUCCESS &&
-         line_of_instruction(document) == 0;
+  return ends_as(kMjcfEndings, path) && !fault_of_text(path, text);
 }
 
 tl::expected<ModelSources, std::string> find_model_sources(const fs::path& root,

@@ -8,7 +8,7 @@
 #include <cstdlib>
 #include <optional>
 
-#include "evaluate/scenes/xml_reader.h"
+#include "base/xml_reader.h"
 
 namespace mjcourse {
 namespace {

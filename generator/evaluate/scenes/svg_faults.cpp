@@ -7,15 +7,17 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "base/xml_reader.h"
 #include "evaluate/scenes/svg_bounds.h"
 #include "evaluate/scenes/svg_names.h"
-#include "evaluate/scenes/xml_reader.h"
 
 namespace mjcourse {
 namespace {
 
 constexpr const char* kPlain =
     "use only elements that draw; most programs can save a \"plain\" SVG, which has nothing else";
+
+constexpr const char* kSaveAgain = "save it again with a program that draws";
 
 constexpr const char* kOtherLanguage = "a drawing cannot have elements of another language";
 
@@ -87,7 +89,8 @@ class SvgReader : public XmlReader {
     if (auto excess = excess_of_svg(bytes_)) return {*std::move(excess)};
     if (refuse_bytes()) return std::move(faults_);
     if (const auto mistake = read()) {
-      refuse(mistake->span, "the drawing is not XML: " + mistake->message, mistake->cure);
+      refuse(mistake->span, "the drawing is not XML: " + mistake->message,
+             mistake->cure.empty() ? kSaveAgain : mistake->cure);
     }
     return std::move(faults_);
   }

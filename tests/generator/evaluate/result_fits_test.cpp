@@ -27,6 +27,8 @@ class FilesOfAModel : public testing::Test {
     write("models/page.html", "<script>alert(1)</script>");
     write("models/styled.xml", "<?xml-stylesheet href='x.xsl'?>\n<mujoco/>");
     write("models/picture.png", "");
+    write("models/drawn.xml", "<mujoco><svg xmlns='http://www.w3.org/2000/svg'/></mujoco>");
+    write("models/page", "<script>alert(1)</script>");
     Diagnostics mistakes;
     course_ = *read_course(DiskFiles(folder_.path()), mistakes, 1, 0);
     tasks_ = plan_tasks(course_);
@@ -55,10 +57,10 @@ class FilesOfAModel : public testing::Test {
       return task->model() == "ball" && fits(*task, finding, folder_.path());
     });
   }
-  // As a lab brings the picture along under the name `name`.
-  bool brings(const std::string& name) const {
+  // As a lab brings a file of the models along under the name `name`.
+  bool brings(const std::string& name, const std::string& file = "picture.png") const {
     LabResult result;
-    result.model.assets[name] = folder_.path() / "models/picture.png";
+    result.model.assets[name] = folder_.path() / "models" / file;
     return std::ranges::any_of(tasks_, [&](const auto& task) {
       if (task->blocks().empty()) return false;
       Finding finding;
@@ -77,6 +79,8 @@ TEST_F(FilesOfAModel, AreWhatNoBrowserRuns) {
   EXPECT_TRUE(lists("models/picture.png"));
   EXPECT_FALSE(lists("models/page.html"));
   EXPECT_FALSE(lists("models/styled.xml"));
+  EXPECT_FALSE(lists("models/drawn.xml"));
+  EXPECT_FALSE(lists("models/page"));
   EXPECT_FALSE(lists("models/missing.xml"));
   EXPECT_FALSE(lists("content/1-a/1.1-x.md"));
 }
@@ -85,6 +89,7 @@ TEST_F(FilesOfAModel, GoWithALabUnderSuchNames) {
   EXPECT_TRUE(brings("picture.png"));
   EXPECT_FALSE(brings("picture.html"));
   EXPECT_FALSE(brings("picture.svg"));
+  EXPECT_FALSE(brings("page", "page"));
 }
 
 TEST_F(FilesOfAModel, ArePlayedInOneLabOfTheModelsPage) {

@@ -187,8 +187,78 @@ TEST_F(BrowserTest, GetsNoInstructionsFromMjcf) {
       wrong("<?xml version='1.0'?>\n<?xml-stylesheet href='x.xsl' type='text/xsl'?>\n<mujoco/>"),
       refused);
   EXPECT_EQ(wrong("<!-- a -->\n<!DOCTYPE mujoco [<!ENTITY a 'b'>]>\n<mujoco/>"), refused);
-  EXPECT_EQ(wrong("<mujoco>\n<!ENTITY a 'b'></mujoco>"), refused);
   EXPECT_EQ(wrong("<?xml version='1.0' encoding='utf-8'?>\n<!-- a -->\n<mujoco/>"), "");
+  EXPECT_EQ(wrong("<?xml version='1.0' encoding='utf-7'?>\n<mujoco/>"),
+            "1 a model's file is XML 1.0 in UTF-8, and says nothing else | save it in UTF-8; its "
+            "first line may be `<?xml version=\"1.0\"?>`");
+}
+
+// Without a namespace a browser runs nothing, whatever the names.
+TEST_F(BrowserTest, GetsNoNamespace) {
+  const auto refused = [](int line, const std::string& name) {
+    return std::to_string(line) + " a model has no namespaces, as by the attribute '" + name +
+           "' | remove the attribute: MuJoCo does not look at it";
+  };
+  const auto colon = [](int line, const std::string& name) {
+    return std::to_string(line) + " a model has no `:` in a name, as in '" + name +
+           "' | write the name without it";
+  };
+  const std::string xhtml = "='http://www.w3.org/1999/xhtml'";
+  // URDF may have any element, an include any attribute, and a file that is included any root.
+  EXPECT_EQ(wrong("<robot name='r'>\n<link name='a'/>\n<script xmlns" + xhtml +
+                  ">alert(1)</script></robot>"),
+            refused(3, "xmlns"));
+  write("models/inc.xml", "<mujocoinclude/>");
+  EXPECT_EQ(wrong("<mujoco>\n<include file='inc.xml' autofocus='' onfocus='alert(1)' xmlns" +
+                  xhtml + "/></mujoco>"),
+            refused(2, "xmlns"));
+  write("models/inc.xml", "<svg xmlns='http://www.w3.org/2000/svg' onload='alert(1)'/>");
+  EXPECT_EQ(wrong("<mujoco><include file='inc.xml'/></mujoco>"), refused(1, "xmlns"));
+  EXPECT_EQ(wrong("<robot name='r' xmlns:h" + xhtml + ">\n<h:script/></robot>"),
+            refused(1, "xmlns:h"));
+  EXPECT_EQ(wrong("<robot name='r' xmlns:xacro='http://ros.org/wiki/xacro'/>"),
+            refused(1, "xmlns:xacro"));
+  EXPECT_EQ(wrong("<robot name='r' xmlns=''/>"), refused(1, "xmlns"));
+  EXPECT_EQ(wrong("<robot name='r'>\n<a xml:base='x'/></robot>"), colon(2, "xml:base"));
+  EXPECT_EQ(wrong("<robot name='r'>\n\n<h:script/></robot>"),
+            "3 a model has no `:` in a name | write the name without it");
+  EXPECT_EQ(wrong("<robot name='r'>\n<link name='a'/>\n<script>alert(1)</script></robot>"), "");
+}
+
+// A browser runs what it has read before a mistake, and reads on elsewhere than MuJoCo.
+TEST_F(BrowserTest, ReadsTheSameXmlAsMuJoCo) {
+  EXPECT_EQ(wrong("<mujoco>\n<!-- a -- b --></mujoco>"),
+            "2 this is no XML for a browser: a comment has `--` in it | write a single `-`");
+  EXPECT_EQ(wrong("<mujoco/>\n<a xmlns='http://www.w3.org/1999/xhtml'/>"),
+            "2 this is no XML for a browser: something follows its first element | put all of it "
+            "into one element");
+  EXPECT_EQ(wrong("<mujoco>\n<!ENTITY a 'b'></mujoco>"),
+            "2 this is no XML for a browser: `E` cannot stand here | correct it, or remove it");
+  EXPECT_EQ(wrong("<mujoco model='\xE9'/>"), "1 a model's file is in UTF-8 | save it in UTF-8");
+}
+
+// Some servers tell no type of an ending that they do not know, and browsers then guess it.
+TEST_F(BrowserTest, TakesNoFileForAPage) {
+  const auto asset = [&](const std::string& name, const std::string& bytes) {
+    write("models/" + name, bytes);
+    return wrong("<mujoco><asset>\n<hfield name='a' file='" + name + "'/></asset></mujoco>");
+  };
+  const auto refused = [](const std::string& name) {
+    return "2 the file '" + name +
+           "' begins as a page for a browser does | name a mesh, a texture or a height field";
+  };
+  EXPECT_EQ(asset("a", "<script>alert(1)</script>"), refused("a"));
+  EXPECT_EQ(asset("b.bin", "\xEF\xBB\xBF \n<!-- --><script>alert(1)</script>"), refused("b.bin"));
+  EXPECT_EQ(asset("c.dat", "<?xml version='1.0'?><html/>"), refused("c.dat"));
+  EXPECT_EQ(asset("d.bin", std::string("<\0\0\0", 4)), "");
+  const auto text = [&](const std::string& begin) {
+    write("models/part.urdf", begin + "<mujocoinclude/>");
+    return wrong("<mujoco><include file='part.urdf'/></mujoco>");
+  };
+  EXPECT_EQ(text("<!-- --> "),
+            "1 a model's file that is not named .xml says first that it is XML | begin it with "
+            "`<?xml version=\"1.0\"?>`, or name it .xml");
+  EXPECT_EQ(text("<?xml version=\"1.0\"?>\n"), "");
 }
 
 }  // namespace

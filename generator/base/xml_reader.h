@@ -4,6 +4,7 @@
 // without declaring it. A subclass hears what is there, in the file's order. Nothing is loaded, no
 // entity has a meaning but XML's own five, and the depth of the elements costs no stack.
 // Tested by tests/generator/evaluate/scenes/svg_faults_test.cpp.
+// Tested by tests/generator/physics/model_files_test.cpp.
 #pragma once
 
 #include <cstddef>
@@ -50,7 +51,9 @@ struct XmlDeclaration {
 // Why something is not XML.
 struct XmlMistake {
   Span span;
-  std::string message, cure;
+  std::string message;
+  std::string cure;           // "" where only what made the file can save it better
+  bool is_of_prefix = false;  // one that stands for nothing
 };
 
 class XmlReader {

@@ -1,4 +1,4 @@
-#include "evaluate/scenes/xml_reader.h"
+#include "base/xml_reader.h"
 
 #include <expat.h>
 
@@ -16,7 +16,6 @@ namespace {
 // Between the parts of a name. No XML can have it, not even by its number.
 constexpr char kPart = '\1';
 constexpr std::string_view kXmlSpaces = " \t\r\n";
-constexpr const char* kSaveAgain = "save it again with a program that draws";
 
 // "space|local|prefix", "space|local" or "local".
 XmlName name_of(std::string_view parts) {
@@ -55,7 +54,7 @@ XmlMistake wrong_character(const std::string& bytes, std::size_t at) {
     return {{from, from + 1}, "an `&` begins no character", "write `&amp;`"};
   }
   if (bytes[at] == '<') return {span, "a `<` begins nothing", "write `&lt;`"};
-  return {span, "`" + character_at(bytes, at) + "` cannot stand here", kSaveAgain};
+  return {span, "`" + character_at(bytes, at) + "` cannot stand here", ""};
 }
 
 bool is_known_to_xml(std::string_view reference) {
@@ -103,9 +102,10 @@ XmlMistake mistake_of(XML_Error error, const std::string& bytes, std::size_t at)
       return {span, "`<?xml` is not its beginning", "remove what is before it"};
     case XML_ERROR_UNBOUND_PREFIX:
       return {span, "a prefix in this element stands for nothing",
-              "declare it, as by `xmlns:xlink=\"http://www.w3.org/1999/xlink\"`, or remove it"};
+              "declare it, as by `xmlns:xlink=\"http://www.w3.org/1999/xlink\"`, or remove it",
+              true};
     default:
-      return {span, XML_ErrorString(error), kSaveAgain};
+      return {span, XML_ErrorString(error), ""};
   }
 }
 
