@@ -4,6 +4,7 @@
 
 #include "lsp/editor_diagnostics.h"
 #include "lsp/lesson_fences.h"
+#include "lsp/markdown.h"
 #include "lsp/place_words.h"
 #include "lsp/plot_words.h"
 #include "lsp/script_cursor.h"
@@ -18,7 +19,7 @@ using nlohmann::json;
 
 // What is said, and of which bytes.
 struct Said {
-  std::string markdown;
+  std::string markdown;  // what a course says stands in it as lsp/markdown.h writes it
   Span span;
 };
 
@@ -38,16 +39,18 @@ std::optional<Said> of_mistake(const Asked& asked) {
 }
 
 std::string proof_text(const ProofResult& proof) {
-  std::string text = "- " + proof.built;
-  if (!proof.expression.empty()) text += ": `" + proof.expression + "`";
-  if (!proof.value.empty()) text += " gives " + proof.value;
+  std::string text = "- " + escaped_for_markdown(proof.built);
+  if (!proof.expression.empty()) text += ": " + code_for_markdown(proof.expression);
+  if (!proof.value.empty()) text += " gives " + code_for_markdown(proof.value);
   return text + "\n";
 }
 
 std::string question_text(const QuestionResult& question) {
   if (question.failed) return "The answer or a proof is wrong.";
   std::string text = question.proved ? "Proved:\n\n" : "Asserted";
-  if (!question.proved) text += question.because.empty() ? "." : ": " + question.because;
+  if (!question.proved) {
+    text += question.because.empty() ? "." : ": " + escaped_for_markdown(question.because);
+  }
   for (const ProofResult& proof : question.proofs) text += proof_text(proof);
   return text;
 }
@@ -68,7 +71,8 @@ std::optional<Said> of_result(const Asked& asked, const Lesson& lesson) {
       const auto result = results.find(lesson, i);
       if (!result) return of_nothing(asked, span);
       const auto& found = std::get<ValueResult>(*result);
-      return Said{"**" + found.text + "**: " + found.origin, span};
+      return Said{"**" + code_for_markdown(found.text) + "**: " + code_for_markdown(found.origin),
+                  span};
     }
     if (const auto* quiz = std::get_if<Quiz>(&lesson.blocks[i])) {
       for (std::size_t q = 0; q < quiz->questions.size(); ++q) {

@@ -3,6 +3,8 @@
 //   node tests/lsp/hostile.mjs MJCOURSE
 
 import assert from "node:assert/strict";
+import { cpSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { tmpdir } from "node:os";
 import { join } from "node:path";
 
 import { Editor } from "./editor.mjs";
@@ -121,5 +123,39 @@ async function badPlaces() {
   assert.equal(await editor.end(), 1);
 }
 
+// A hover is Markdown. What a course says in it loads no picture, leads nowhere and forges no verdict.
+async function badWords() {
+  const picture = "![x](https://evil.example/v.png)";
+  const because = `[run](command:x) <img src=x> **Proved** \\u001b${picture}`;
+  const value = '`{swing} (() => "' + picture + '")()`';
+  const question = `{"kind": "numeric", "q": "What?", "answer": 1, "verify": [{"because": "${because}"}]}`;
+  const text = `---\ntitle: Words\n---\n\n## A part\n\nIt is ${value}.\n\n\`\`\`quiz\n{"id": "w", "questions": [\n${question}\n]}\n\`\`\`\n`;
+  const folder = mkdtempSync(join(tmpdir(), "mjcourse-words-"));
+  cpSync(course, folder, { recursive: true });
+  writeFileSync(join(folder, "content/1-first/1.1-everything.md"), text);
+  const editor = new Editor(mjcourse, folder, true);
+  rmSync(folder, { recursive: true });
+  await editor.ask(1, "initialize", { rootUri: "file:///COURSE", capabilities: {} });
+  editor.send({ method: "textDocument/didOpen", params: { textDocument: { uri: lesson, text } } });
+  await editor.diagnostics(lesson, []);
+  const hover = async (line) => {
+    const { result } = await editor.ask(`words ${line}`, "textDocument/hover", {
+      textDocument: { uri: lesson },
+      position: { line, character: 20 },
+    });
+    return result.contents;
+  };
+  assert.deepEqual(await hover(6), {
+    kind: "markdown",
+    value: `**\`${picture}\`**: \`(() => "${picture}")() of swing.xml\``,
+  });
+  assert.deepEqual(await hover(10), {
+    kind: "markdown",
+    value: String.raw`Asserted: \[run\]\(command\:x\) &lt;img src\=x\> \*\*Proved\*\* \\x1b\!\[x\]\(https\:\/\/evil\.example\/v\.png\)`,
+  });
+  await editor.end();
+}
+
 await badMessages();
 await badPlaces();
+await badWords();
