@@ -112,7 +112,9 @@ class PreviewServer::Http {
     server_.new_task_queue = [] { return new ConnectionThreads; };
     server_.set_read_timeout(kPatience);
     server_.set_write_timeout(kPatience);
-    server_.set_keep_alive_timeout(kPatience);
+    // A connection is for one request: what follows that, such as the body of one that is refused,
+    // would be read into memory as the next one's first line, without a bound.
+    server_.set_keep_alive_max_count(1);
     server_.set_tcp_nodelay(true);
     // The library's own options would let two previews share a port.
     server_.set_socket_options([](int socket) {
@@ -121,9 +123,18 @@ class PreviewServer::Http {
     });
     bind(port);
     server_.set_pre_routing_handler([this](const auto& request, auto& response) {
-      if (is_ours(request)) return httplib::Server::HandlerResponse::Unhandled;
-      response.status = 403;
-      response.set_content("mjcourse preview answers this machine's browser alone\n", "text/plain");
+      if (!is_ours(request)) {
+        response.status = 403;
+        response.set_content("mjcourse preview answers this machine's browser alone\n",
+                             "text/plain");
+        return httplib::Server::HandlerResponse::Handled;
+      }
+      if (request.method == "GET" || request.method == "HEAD") {
+        return httplib::Server::HandlerResponse::Unhandled;
+      }
+      // Before its body is read.
+      response.status = 405;
+      response.set_content("mjcourse preview is only read\n", "text/plain");
       return httplib::Server::HandlerResponse::Handled;
     });
     server_.Get("/.preview/events", [this](const auto&, auto& response) { tell_news(response); });

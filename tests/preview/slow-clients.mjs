@@ -1,11 +1,12 @@
 // A client that opens connections to a preview and leaves them, sends a byte a second, or reads no
-// answer, holds up nobody else; and Ctrl-C ends the preview all the same.
+// answer, holds up nobody else; and Ctrl-C ends the preview all the same. One that sends without an
+// end takes none of its memory.
 //
 //   node tests/preview/slow-clients.mjs MJCOURSE
 
 import { spawn } from "node:child_process";
 import { once } from "node:events";
-import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { connect } from "node:net";
 import { tmpdir } from "node:os";
 import { join, resolve } from "node:path";
@@ -62,8 +63,50 @@ async function pageWith(word) {
   return false;
 }
 
+const megabyte = Buffer.alloc(1 << 20, "x");
+const megabytes = 300;
+const peak = () =>
+  Number(/VmHWM:\s+(\d+) kB/.exec(readFileSync(`/proc/${preview.pid}/status`, "utf8"))[1]) / 1024;
+
+// Sends `head` and a body for as long as it is taken; gives the status of the answer.
+async function flood(head, chunk = megabyte) {
+  const client = connect(Number(port), "127.0.0.1");
+  client.setMaxListeners(0);
+  let answer = "";
+  let over = false;
+  client.on("data", (bytes) => (answer += bytes));
+  for (const end of ["error", "close"]) client.on(end, () => (over = true));
+  client.write(head);
+  // What is not read by then comes to nobody.
+  for (let i = 0; i < 20 && answer === ""; ++i) await pause(50);
+  for (let i = 0; i < megabytes && !over; ++i) {
+    if (client.write(chunk)) continue;
+    await Promise.race([once(client, "drain"), once(client, "close"), pause(1000)]).catch(() => {});
+  }
+  client.destroy();
+  return Number(/^HTTP\/1\.1 (\d+)/.exec(answer)?.[1]);
+}
+
+async function floods() {
+  const before = peak();
+  const length = `Content-Length: ${megabytes << 20}\r\n\r\n`;
+  const head = (method) => get("").replace("GET", method);
+  const foreign = `Origin: http://evil.example\r\n`;
+  expect((await flood(head("POST") + foreign + length)) === 403, "a foreign body is not refused");
+  for (const method of ["POST", "PUT", "PATCH", "DELETE"]) {
+    expect((await flood(head(method) + length)) === 405, `${method} is not refused`);
+  }
+  const chunk = Buffer.concat([Buffer.from("100000\r\n"), megabyte, Buffer.from("\r\n")]);
+  const chunked = "Transfer-Encoding: chunked\r\n\r\n";
+  expect((await flood(head("POST") + chunked, chunk)) === 405, "chunks are not refused");
+  expect((await flood(get("") + length)) === 200, "a page does not come to who sends a body");
+  const grown = peak() - before;
+  expect(grown < 100, `bodies took ${Math.round(grown)} MB`);
+}
+
 try {
   expect(await pageWith("before"), "there is no page");
+  await floods();
   for (let i = 0; i < 100; ++i) {
     open(`${get(".preview/events")}\r\n`).pause(); // and nothing of it is read
     if (i < 30) open("");
