@@ -65,6 +65,13 @@ const int kDenied[] = {
     SCMP_SYS(msgget), SCMP_SYS(msgsnd), SCMP_SYS(msgrcv), SCMP_SYS(msgctl), SCMP_SYS(mq_open),
     SCMP_SYS(mq_unlink)};
 
+// As on a file system that has none of it. Landlock does not keep secret what else of a file is
+// kept with it; and room for a file that nobody writes costs no time, so a disk would be full
+// before anybody looks. The C library writes where there is no fallocate.
+const int kUnsupported[] = {SCMP_SYS(getxattr),  SCMP_SYS(lgetxattr),  SCMP_SYS(fgetxattr),
+                            SCMP_SYS(listxattr), SCMP_SYS(llistxattr), SCMP_SYS(flistxattr),
+                            SCMP_SYS(fallocate)};
+
 // The newest call that was there when the lists were written: set_mempolicy_home_node. From 424 on
 // a call has one number on all architectures.
 constexpr std::uint32_t kNewestCall = 450;
@@ -89,7 +96,10 @@ constexpr std::uint32_t kGuardedOptions[] = {PR_SET_PDEATHSIG, PR_SET_DUMPABLE, 
 // TIOCSTI and TIOCLINUX; and whom the kernel sends a signal when a descriptor is ready: FIOSETOWN
 // and SIOCSPGRP, as F_SETOWN does.
 constexpr std::uint32_t kGuardedRequests[] = {0x5412, 0x541C, 0x8901, 0x8902};
-constexpr std::uint32_t kOwners[] = {F_SETOWN, F_SETSIG, F_SETOWN_EX};
+// F_SETOWN and its like; and leases, for whose end everybody waits who opens the file, and what
+// tells of others' files.
+constexpr std::uint32_t kGuardedCommands[] = {F_SETOWN, F_SETSIG, F_SETOWN_EX, F_SETLEASE,
+                                              F_NOTIFY};
 
 // Of a program that asks others and is asked by nobody.
 const int kServing[] = {SCMP_SYS(bind), SCMP_SYS(listen), SCMP_SYS(accept), SCMP_SYS(accept4)};
@@ -145,6 +155,7 @@ class Builder {
   void confine() {
     const std::uint32_t no = SCMP_ACT_ERRNO(EPERM);
     for (const int call : kDenied) deny(call);
+    for (const int call : kUnsupported) add(SCMP_ACT_ERRNO(EOPNOTSUPP), call);
     // Their flags lie in memory, where no filter sees them; without clone3 the C library takes
     // clone.
     for (const int call : {SCMP_SYS(clone3), SCMP_SYS(openat2)}) add(SCMP_ACT_ERRNO(ENOSYS), call);
@@ -154,7 +165,9 @@ class Builder {
     for (const std::uint32_t request : kGuardedRequests) {
       add(no, SCMP_SYS(ioctl), argument_is(1, request));
     }
-    for (const std::uint32_t owner : kOwners) add(no, SCMP_SYS(fcntl), argument_is(1, owner));
+    for (const std::uint32_t command : kGuardedCommands) {
+      add(no, SCMP_SYS(fcntl), argument_is(1, command));
+    }
     for (const int call : kScheduling) add(asked(), call, argument(0, SCMP_CMP_NE, 0));
     add(no, SCMP_SYS(prlimit64), argument(0, SCMP_CMP_NE, 0));
     decide_on_filters();

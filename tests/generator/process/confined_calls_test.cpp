@@ -126,6 +126,51 @@ TEST_F(ConfinedCallsTest, LetsNobodySeeWhatOthersDoWithFiles) {
     EXPECT_EQ(error_of(SYS_inotify_init1, "0", who), EPERM);
     EXPECT_EQ(error_of(SYS_fanotify_init, "0, 0", who), EPERM);
     EXPECT_EQ(error_of(SYS_fanotify_mark, "0, 0, 0, 0, 0", who), EPERM);
+    EXPECT_EQ(error_of(SYS_fcntl, "0, " + std::to_string(F_NOTIFY) + ", 1", who), EPERM);
+  }
+}
+
+// Whoever opens such a file next waits for the program's end.
+TEST_F(ConfinedCallsTest, LetsNobodyLeaseFiles) {
+  const std::string open = "open($f, '<', $ENV{FOREIGN}) ? fileno($f) : -1, ";
+  const std::string request = std::to_string(F_SETLEASE);
+  for (const Who who : kAll) {
+    for (const int lease : {F_RDLCK, F_WRLCK}) {
+      EXPECT_EQ(error_of(SYS_fcntl, open + request + ", " + std::to_string(lease), who), EPERM);
+    }
+    EXPECT_EQ(error_of(SYS_fcntl, open + "(1 << 32) | " + request + ", 0", who), EPERM);
+  }
+}
+
+// Whatever is kept there, and whether there is such a file.
+TEST_F(ConfinedCallsTest, TellsNoAttributesOfFiles) {
+  for (const Who who : kAll) {
+    for (const long call : {SYS_getxattr, SYS_lgetxattr}) {
+      EXPECT_EQ(error_of(call, "$ENV{FOREIGN}, my $n = 'user.note', $b = 'x' x 99, 99", who),
+                EOPNOTSUPP);
+      EXPECT_EQ(
+          error_of(call, "my $p = '/etc/shadow', my $n = 'user.note', $b = 'x' x 99, 99", who),
+          EOPNOTSUPP);
+    }
+    for (const long call : {SYS_listxattr, SYS_llistxattr}) {
+      EXPECT_EQ(error_of(call, "$ENV{FOREIGN}, $b = 'x' x 99, 99", who), EOPNOTSUPP);
+    }
+    EXPECT_EQ(error_of(SYS_fgetxattr, "0, my $n = 'user.note', $b = 'x' x 99, 99", who),
+              EOPNOTSUPP);
+    EXPECT_EQ(error_of(SYS_flistxattr, "0, $b = 'x' x 99, 99", who), EOPNOTSUPP);
+  }
+}
+
+// A file's room costs as long as its bytes take, so that somebody looks meanwhile.
+TEST_F(ConfinedCallsTest, GivesNoRoomOnTheDiskForNothing) {
+  const std::string open = "(open($f, '>', \"file$$\") ? fileno($f) : -1), 0, 0, 1 << 20";
+  for (const Who who : kAll) EXPECT_EQ(error_of(SYS_fallocate, open, who), EOPNOTSUPP);
+  for (const Who who : kAll) {
+    const Outcome outcome = perl(
+        "open($f, '>', \"file$$\"); syswrite($f, 'x' x (1 << 20)); print +(stat(\"file$$\"))[12] * "
+        "512",
+        who);
+    EXPECT_EQ(outcome.out, std::to_string(1 << 20)) << outcome.err;
   }
 }
 
