@@ -1,8 +1,9 @@
 #include "lsp/json_place.h"
 
-#include <algorithm>
 #include <ranges>
 #include <utility>
+
+#include "lesson/json/json_depth.h"
 
 namespace mjcourse {
 namespace {
@@ -14,13 +15,14 @@ class Scanner {
   JsonPlace run() {
     while (at_ < text_.size()) {
       const char c = text_[at_++];
+      if ((c == '{' || c == '[') && lists_.size() == kDeepestJson) return {};
       if (c == '"') {
         string();
       } else if (c == '{') {
         place_.objects.emplace_back().lists = lists();
-        lists_.push_back(false);
+        lists_.push_back(0);
       } else if (c == '[') {
-        lists_.push_back(true);
+        lists_.push_back(lists() + 1);
       } else if (c == '}' || c == ']') {
         close(c == ']');
       } else if (c == ',' && !in_list() && !place_.objects.empty()) {
@@ -28,28 +30,25 @@ class Scanner {
       }
     }
     place_.lists = lists();
-    return place_;
+    return std::move(place_);
   }
 
  private:
-  bool in_list() const { return !lists_.empty() && lists_.back(); }
+  bool in_list() const { return lists() > 0; }
 
   // Within the innermost object.
-  int lists() const {
-    const auto object = std::find(lists_.rbegin(), lists_.rend(), false);
-    return static_cast<int>(object - lists_.rbegin());
-  }
+  int lists() const { return lists_.empty() ? 0 : lists_.back(); }
 
   // What does not fit is passed over.
   void close(bool list) {
-    if (lists_.empty() || lists_.back() != list) return;
+    if (lists_.empty() || in_list() != list) return;
     lists_.pop_back();
     if (list) return;
-    const JsonPlace::Object inner = std::move(place_.objects.back());
+    JsonPlace::Object inner = std::move(place_.objects.back());
     place_.objects.pop_back();
     if (place_.objects.empty() || in_list()) return;
     JsonPlace::Object& outer = place_.objects.back();
-    for (const auto& [key, text] : inner.texts) outer.texts[outer.key + "." + key] = text;
+    outer.within[outer.key] = std::move(inner.texts);
   }
 
   void string() {
@@ -80,7 +79,7 @@ class Scanner {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  std::vector<bool> lists_;  // of what is open: is it a list?
+  std::vector<int> lists_;  // of what is open: in how many lists its inside is, in a row
   JsonPlace place_;
 };
 
@@ -89,6 +88,17 @@ class Scanner {
 std::string JsonPlace::text(const std::string& key) const {
   for (const Object& object : objects | std::views::reverse) {
     if (const auto found = object.texts.find(key); found != object.texts.end()) {
+      return found->second;
+    }
+  }
+  return "";
+}
+
+std::string JsonPlace::text_within(const std::string& object, const std::string& key) const {
+  for (const Object& outer : objects | std::views::reverse) {
+    const auto inner = outer.within.find(object);
+    if (inner == outer.within.end()) continue;
+    if (const auto found = inner->second.find(key); found != inner->second.end()) {
       return found->second;
     }
   }

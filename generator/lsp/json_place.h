@@ -11,9 +11,10 @@ namespace mjcourse {
 
 struct JsonPlace {
   struct Object {
-    int lists = 0;  // that it stands in, within the object around it
-    // Its strings so far, by their keys; those of objects that it has, as "data.name".
-    std::map<std::string, std::string> texts;
+    int lists = 0;                             // that it stands in, within the object around it
+    std::map<std::string, std::string> texts;  // its strings so far, by their keys
+    // Those of the objects that it has, by their own keys; not of what these have in turn.
+    std::map<std::string, std::map<std::string, std::string>> within;
     std::vector<std::string> keys;  // all of its keys so far
     std::string key;                // behind which the place is; "" before it
   };
@@ -26,9 +27,11 @@ struct JsonPlace {
   bool at_key() const { return !objects.empty() && lists == 0 && objects.back().key.empty(); }
   // The string behind `key` in the innermost object that has one; "" where none has.
   std::string text(const std::string& key) const;
+  // The same of `key` in the object behind `object`.
+  std::string text_within(const std::string& object, const std::string& key) const;
 };
 
-// `before`: the text up to the place.
+// `before`: the text up to the place. Deeper than a lesson is read it is in no object.
 JsonPlace json_place(std::string_view before);
 
 }  // namespace mjcourse

@@ -74,7 +74,7 @@ void add_plot_words(JsonWriting& writing, const Asked& asked, const JsonPlace& p
       writing.add_key(name, "Vega-Lite", meaning);
     }
   } else if (key == "field") {
-    add_columns(writing, asked, place.text("data.name"));
+    add_columns(writing, asked, place.text_within("data", "name"));
   } else if (const PlotState* value = behind(asked.plots, object, key, place.lists)) {
     add_values(writing, *value);
   } else if (place.objects.size() == 2 && place.objects.front().key == "data") {

@@ -21,18 +21,20 @@ std::size_t arrow(std::string_view text, std::size_t end) {
 
 // "model.opt" of `model.opt` or `model->opt`, which ends at `end`; "" where it is no such path.
 std::string path_before(std::string_view text, std::size_t end) {
-  std::string path;
-  for (;;) {
-    const std::size_t begin = name_begin(text, end);
-    if (begin == end) return "";
-    path.insert(0, text.substr(begin, end - begin));
-    const std::size_t joined = arrow(text, begin);
+  std::size_t root = end;
+  for (std::size_t name_end = end;;) {
+    root = name_begin(text, name_end);
+    if (root == name_end) return "";
+    const std::size_t joined = arrow(text, root);
     if (joined == 0) break;
-    path.insert(0, ".");
-    end = begin - joined;
+    name_end = root - joined;
   }
-  const std::string_view root = std::string_view(path).substr(0, path.find('.'));
-  return root == "data" || root == "model" ? path : "";
+  std::string path;
+  for (const char c : text.substr(root, end - root)) {
+    if (c != '-') path += c == '>' ? '.' : c;
+  }
+  const std::string_view first = std::string_view(path).substr(0, path.find('.'));
+  return first == "data" || first == "model" ? path : "";
 }
 
 // `qpos('hin`: the quote that is open, behind a bracket and a function's name.

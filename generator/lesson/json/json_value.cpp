@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/utf8.h"
+#include "lesson/json/json_depth.h"
 
 namespace mjcourse {
 namespace {
@@ -52,9 +53,6 @@ std::size_t opening_quote(std::string_view text, std::size_t end) {
   }
   return end - 1;
 }
-
-// What reads it goes down into it; no lesson needs a tenth of this.
-constexpr std::size_t kDeepestJson = 200;
 
 class TreeBuilder {
  public:

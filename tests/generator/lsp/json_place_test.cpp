@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 namespace mjcourse {
 namespace {
 
@@ -27,8 +29,8 @@ TEST(JsonPlace, FindsTheNearestModel) {
 }
 
 TEST(JsonPlace, RemembersTheStringsOfObjectsThatAreClosed) {
-  EXPECT_EQ(json_place(R"({"data": {"name": "a/b"}, "mark": )").text("data.name"), "a/b");
-  EXPECT_EQ(json_place(R"({"layer": [{"name": "c"}], "mark": )").text("layer.name"), "");
+  EXPECT_EQ(json_place(R"({"data": {"name": "a/b"}, "mark": )").text_within("data", "name"), "a/b");
+  EXPECT_EQ(json_place(R"({"layer": [{"name": "c"}], "mark": )").text_within("layer", "name"), "");
 }
 
 TEST(JsonPlace, CountsListsWithinAnObject) {
@@ -37,6 +39,31 @@ TEST(JsonPlace, CountsListsWithinAnObject) {
   EXPECT_EQ(place.objects[1].lists, 2);
   EXPECT_EQ(place.lists, 1);
   EXPECT_EQ(json_place(R"({"a": [1, 2], "b": )").lists, 0);
+}
+
+TEST(JsonPlace, IsNowhereDeeperThanALessonIsRead) {
+  const auto nested = [](std::string_view open, int depth) {
+    std::string text;
+    for (int i = 0; i < depth; ++i) text += open;
+    return json_place(text).objects.size();
+  };
+  EXPECT_EQ(nested(R"({"a":)", 200), 200U);
+  EXPECT_EQ(nested(R"({"a":)", 201), 0U);
+  EXPECT_EQ(nested(R"([{"a":)", 100), 100U);
+  EXPECT_EQ(nested(R"([{"a":)", 101), 0U);
+  EXPECT_EQ(json_place(R"({"a": [[]], "b": )").objects.size(), 1U);
+}
+
+// Names that grow at each closed object would take gigabytes here, and minutes.
+TEST(JsonPlace, TakesManyStringsOfObjectsThatAreClosed) {
+  constexpr int depth = 199;
+  std::string text = "{";
+  for (int i = 1; i < depth; ++i) text += "\"" + std::string(1000, 'k') + "\":{";
+  for (int i = 0; i < 50'000; ++i) text += "\"a" + std::to_string(i) + "\":\"b\",";
+  for (int i = 1; i < depth; ++i) text += '}';
+  const auto began = std::chrono::steady_clock::now();
+  EXPECT_EQ(json_place(text + R"(,"name":"c","d":)").text("name"), "c");
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
 }
 
 TEST(JsonPlace, TakesWhatIsNotRight) {

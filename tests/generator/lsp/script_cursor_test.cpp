@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 namespace mjcourse {
 namespace {
 
@@ -31,6 +33,20 @@ TEST(ScriptCursor, NamesAnObject) {
   EXPECT_EQ(text_of("qpos('a')"), "");
   EXPECT_EQ(text_of("'text"), "");
   EXPECT_EQ(text_of("('text"), "");
+}
+
+// 4 MB; a path that is put together from its end on takes many minutes.
+TEST(ScriptCursor, TakesALongPath) {
+  std::string text = "model";
+  for (int i = 0; i < 1'000'000; ++i) text += i % 2 == 0 ? ".x" : "->xx";
+  const auto began = std::chrono::steady_clock::now();
+  const auto cursor = script_cursor(text);
+  ASSERT_TRUE(cursor);
+  EXPECT_TRUE(cursor->of.starts_with("model.x.xx.x.xx.") && cursor->of.ends_with(".xx.x"));
+  EXPECT_EQ(cursor->part, "xx");
+  EXPECT_FALSE(field_at(text, text.size()));
+  EXPECT_FALSE(script_cursor("other." + text));
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(60));
 }
 
 TEST(FieldAt, IsCalledAsInTheHeaders) {
