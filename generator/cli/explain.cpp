@@ -35,13 +35,14 @@ bool is_hash(std::string_view text) {
 
 // A hash by its first digits.
 std::string short_value(const std::string& value) {
-  return is_hash(value) ? value.substr(0, 8) : value;
+  return is_hash(value) ? value.substr(0, 8) : readable(value);
 }
 
 // Without the hash that a name may end with.
 std::string short_name(const std::string& name) {
   const std::size_t space = name.rfind(' ');
-  return space != name.npos && is_hash(name.substr(space + 1)) ? name.substr(0, space) : name;
+  const bool has_hash = space != name.npos && is_hash(name.substr(space + 1));
+  return readable(has_hash ? name.substr(0, space) : name);
 }
 
 void print_changes(const Explanation& task) {
@@ -160,7 +161,7 @@ int explain(const ExplainOptions& options) {
     if (!meant) continue;
     ++told;
     kept += task.kept ? 1 : 0;
-    std::cout << task.place.file << ":" << task.place.line << ": " << task.what << ": "
+    std::cout << readable(task.place.file) << ":" << task.place.line << ": " << task.what << ": "
               << state_of(task, verified.store) << '\n';
     if (!task.kept) print_changes(task);
     if (!wanted.empty()) print_dependencies(task.now);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/counted.h"
+#include "base/utf8.h"
 #include "process/loaded_libraries.h"
 
 namespace mjcourse {
@@ -45,8 +46,9 @@ std::string libraries_that_differ(const ExplanationFile& here, const Explanation
   for (const auto& [name, ids] : all) {
     if (ids.first == ids.second) continue;
     const auto shown = [](const std::string& id) { return id.empty() ? "none" : id.substr(0, 8); };
-    text +=
-        "    " + name + ": build " + shown(ids.first) + " here, " + shown(ids.second) + " there\n";
+    text += readable("    " + name + ": build " + shown(ids.first) + " here, " + shown(ids.second) +
+                     " there") +
+            "\n";
   }
   return text;
 }
@@ -104,8 +106,9 @@ std::string differences(const ExplanationFile& here, const ExplanationFile& ther
   }
   std::string text;
   for (const auto& [difference, tasks] : found) {
-    text += difference.name + ": " + difference.here + " here, " + difference.there + " there\n  " +
-            tasks.front() +
+    text += readable(difference.name + ": " + difference.here + " here, " + difference.there +
+                     " there") +
+            "\n  " + readable(tasks.front()) +
             (tasks.size() > 1 ? ", and " + counted(tasks.size() - 1, "other task") : "") + "\n";
     if (difference.name == "libraries") text += libraries_that_differ(here, there);
   }

@@ -8,9 +8,9 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "base/utf8.h"
 #include "cache/dependency.h"
 #include "evaluate/context/worker_context.h"
 #include "findings/finding.h"
@@ -21,8 +21,8 @@ namespace mjcourse {
 class Task {
  public:
   // `page` is the index of `lesson` in Course::pages, `block` its first block that this is about.
-  Task(const Lesson& lesson, std::size_t page, std::size_t block, std::string what)
-      : lesson_(lesson), page_(page), block_(block), what_(std::move(what)) {}
+  Task(const Lesson& lesson, std::size_t page, std::size_t block, const std::string& what)
+      : lesson_(lesson), page_(page), block_(block), what_(readable(what)) {}
   virtual ~Task() = default;
   Task(const Task&) = delete;
   Task& operator=(const Task&) = delete;
@@ -30,8 +30,9 @@ class Task {
   const Lesson& lesson() const { return lesson_; }
   std::size_t page() const { return page_; }
   std::size_t block() const { return block_; }
-  const std::string& what() const { return what_; }  // "rehearse the lab …"
-  Place place() const;                               // where the block begins
+  // "rehearse the lab …", on one line of what a terminal shows: it has words of the course.
+  const std::string& what() const { return what_; }
+  Place place() const;  // where the block begins
 
   // All blocks that it finds results of.
   virtual std::vector<std::size_t> blocks() const { return {block_}; }

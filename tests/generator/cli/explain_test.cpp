@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "cli/on_a_course.h"
 #include "cli/ran.h"
 
 namespace mjcourse {
@@ -47,6 +48,25 @@ TEST(Explain, KnowsWhichMessagesThereAre) {
             "all\n");
   EXPECT_EQ(refused({"explain", "E-output-differs", "1.2"}),
             "mjcourse: explain takes the names of messages or places in the course, not both\n");
+}
+
+class ExplainACourse : public OnACourse {};
+
+// What a course names may hold any character; a terminal obeys some, and a line feed forges a line.
+TEST_F(ExplainACourse, ShowsItsWordsAsTheyStand) {
+  write(
+      "content/1-a/1.1-x.md",
+      "---\ntitle: First\n---\n## A part\n\n```quiz\n"
+      R"({"id": "a\n0 errors\u001b]0;t\u0007\u202e", "questions": [{"kind": "numeric", "q": "x", )"
+      R"("answer": 1, "verify": [{"joints": {"hinge": 1}, "value": "model.nq"}]}]})"
+      "\n```\n");
+  const std::string words = R"(prove the answers of a\n0 errors\x1b]0;t\x07\u202e)";
+  const std::string store = (folder_.path() / "store").string();
+  const Ran explained = on_course({"explain", "--store", store});
+  EXPECT_EQ(explained.out, "content/1-a/1.1-x.md:7: " + words +
+                               ": to be done\n  was never evaluated here\n1 task, 0 kept\n");
+  const Ran checked = on_course({"check", "--timings", "--store", store});
+  EXPECT_NE(checked.out.find("  " + words + "\n"), std::string::npos) << checked.out << checked.err;
 }
 
 }  // namespace

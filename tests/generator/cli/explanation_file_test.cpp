@@ -47,6 +47,15 @@ TEST(ExplanationFile, NamesTheFirstDifferenceOfEachTaskAndNoneTwice) {
             "0 tasks with the same dependencies, 1 that the other does not have\n");
 }
 
+TEST(ExplanationFile, IsToldWithoutControlCharacters) {
+  const ExplanationFile here = explanation_file({task(3, "run\x1b[2J", {{"models/\a", "a\nb"}})});
+  const ExplanationFile there = explanation_file({task(3, "run\x1b[2J", {{"models/\a", "c"}})});
+  EXPECT_EQ(differences(here, there),
+            "models/\\x07: a\\nb here, c there\n"
+            "  content/a.md:3: run\\x1b[2J\n"
+            "0 tasks with the same dependencies\n");
+}
+
 TEST(ExplanationFile, IsNothingElse) {
   for (const std::string none :
        {"", "{}", "[]", "{\"form\": \"mjcourse explain 1\", \"libraries\": 1}"}) {
