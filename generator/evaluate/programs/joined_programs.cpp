@@ -73,16 +73,16 @@ std::optional<std::string> body_of(const std::vector<std::string_view>& lines, s
     const std::string_view words = trimmed(line);
     const bool is_mark = !marks.empty() && line.ends_with(" \"" + marks + "\"");
     if (is_mark) is_strangers = !is_strangers;
-    if (is_mark || is_strangers) {
-      text.append(line);
-    } else if (words.starts_with('#') && !words.starts_with("#line ")) {
-      return std::nullopt;
-    } else if (line.starts_with(kMain)) {
+    if (is_mark || is_strangers || words.starts_with("#line ")) {
+      text.append(line).append("\n");
+      continue;
+    }
+    if (words.starts_with('#')) return std::nullopt;
+    if (place == inside && words.starts_with("// #region ")) return std::nullopt;
+    if (line.starts_with(kMain)) {
       if (place != before || line.ends_with('}')) return std::nullopt;
       place = inside;
       text.append("int main_of_version(").append(line.substr(kMain.size()));
-    } else if (place == inside && words.starts_with("// #region ")) {
-      return std::nullopt;
     } else if (place == inside && line == "}") {
       place = behind;
       text += "return 0; }";

@@ -143,7 +143,7 @@ std::optional<std::string> expand(NativeProgram& program, const JudgeKey& key) {
 int line_of(std::string_view preprocessed, std::size_t at) {
   int line = 0;
   std::size_t begin = 0;
-  for (std::string_view text : lines_of(preprocessed)) {
+  for (const std::string_view text : lines_of(preprocessed)) {
     if (at < begin + text.size()) return line;
     begin += text.size() + 1;
     ++line;
