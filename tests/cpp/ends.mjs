@@ -23,6 +23,9 @@ const head = `
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <fcntl.h>
+#include <unistd.h>
+#include <wasi/api.h>
 using namespace mjcourse;
 `;
 
@@ -163,6 +166,57 @@ test("it may fill neither stack, memory nor page", async () => {
   };
   for (const [body, how] of Object.entries(endings))
     assert.equal((await endOf(body)).how, how, body);
+});
+
+test("a file is as large as natively, and no larger", async () => {
+  const full = { how: "trap", message: "it wrote a file of more than 32 MiB", line: 3 };
+  const open = `std::FILE* f = std::fopen("f", "w");\nstd::fseek(f, (32 << 20) - 1, SEEK_SET);\n`;
+  assert.deepEqual(await endOf(`${open}std::fputc(1, f); std::fclose(f);`), {
+    how: "exit",
+    code: 0,
+  });
+  assert.deepEqual(await endOf(`${open}std::fputs("12", f); std::fclose(f);`), full);
+  const cut = "\n\nftruncate(fileno(f), 4000000000ll);";
+  const { end } = await run(`std::FILE* f = std::fopen("f", "w");${cut}`);
+  assert.deepEqual([end.how, end.message], [full.how, full.message]);
+});
+
+test("a call with a place that nothing can have gives its error", async () => {
+  const { out, end } = await run(
+    `const int f = open("f", O_CREAT | O_RDWR, 0666);
+     char text[] = "1";
+     __wasi_ciovec_t from{reinterpret_cast<const uint8_t*>(text), 1};
+     __wasi_iovec_t into{reinterpret_cast<uint8_t*>(text), 1};
+     const auto place = static_cast<__wasi_filesize_t>(-5);
+     __wasi_size_t done = 0;
+     std::printf("%d ", __wasi_fd_pwrite(f, &from, 1, place, &done) == __WASI_ERRNO_INVAL);
+     std::printf("%d ", __wasi_fd_pread(f, &into, 1, place, &done) == __WASI_ERRNO_INVAL);
+     std::printf("%d", __wasi_fd_filestat_set_size(f, place) == __WASI_ERRNO_INVAL);`,
+  );
+  assert.deepEqual({ out, end }, { out: "1 1 1", end: { how: "exit", code: 0 } });
+});
+
+test("an import that the page does not have is told by its name", async () => {
+  const program = `__attribute__((import_module("env"), import_name("eval"))) extern "C" int foreign(int);
+int main() { return foreign(1); }
+`;
+  const { end } = await runner.ask("p.cpp", { "p.cpp": program });
+  const message = "it imports “eval” of “env”, which a page does not have";
+  assert.deepEqual(end, { how: "trap", message });
+  const module = program.replace('"env"', '"other"');
+  const other = await runner.ask("p.cpp", { "p.cpp": module });
+  assert.equal(other.end.message, "it imports “eval” of “other”, which a page does not have");
+});
+
+test("a template without end is told, and the compiler compiles the next program", async () => {
+  const program = "template <int N> struct X { X<N + 1> a; };\nX<0> x;\nint main() {}\n";
+  const { ok, diagnostics } = await runner.ask("p.cpp", { "p.cpp": program });
+  assert.equal(ok, false);
+  assert.equal(
+    diagnostics.at(-1).message,
+    "this program is nested too deeply for the compiler: does a template name itself without end?",
+  );
+  assert.deepEqual(await endOf("return 3;"), { how: "exit", code: 3 });
 });
 
 test("threads run one after the other, and none may wait", async () => {

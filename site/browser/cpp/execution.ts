@@ -5,6 +5,7 @@
  * it imports besides MuJoCo are the functions of runtime/*.c that end it.
  */
 import { startEngine, textAt, type Engine, type EngineBinary } from "./engine.js";
+import { isOutOfMemory, isStackOverflow } from "./exhausted.js";
 import type { Files } from "./files.js";
 import { stackSize, tableRoom } from "./link.js";
 import { loadedModel } from "./loaded-model.js";
@@ -15,6 +16,8 @@ import type { Stream } from "./wasi.js";
 
 /** As natively: of each stream. */
 const mostOutput = 1 << 20;
+/** As natively, too, in bytes. */
+const largestFile = 32 << 20;
 /** What engine and program may have together, in pages of 64 KiB. */
 const mostPages = (1 << 30) >> 16;
 /** How often a program may yield to other threads, of which a page has none. */
@@ -44,6 +47,8 @@ export async function execute(binary: EngineBinary, execution: Execution): Promi
     files: execution.files,
     write: (stream, bytes) => run.write(stream, bytes),
     exit: (code) => run.stop({ how: "exit", code }),
+    largestFile,
+    full: () => run.stop({ how: "trap", message: "it wrote a file of more than 32 MiB" }),
   });
   return run.on(engine);
 }
@@ -62,12 +67,20 @@ class RunningProgram {
 
   on(engine: Engine): Ending {
     capMemory(engine.memory, () => (this.#hasNoMemory = true));
+    const { module } = this.execution;
+    const imports = this.#imports(engine);
+    const foreign = WebAssembly.Module.imports(module).find(
+      ({ module, name }) => imports[module]?.[name] === undefined,
+    );
+    if (foreign) return { end: { how: "trap", message: hasNone(foreign) }, offsets: [] };
     let program: WebAssembly.Instance;
     try {
       engine.table.grow(tableRoom);
-      program = new WebAssembly.Instance(this.execution.module, this.#imports(engine));
+      program = new WebAssembly.Instance(module, imports);
     } catch (error) {
-      return { end: { how: "memory", message: messageOf(error) }, offsets: [] };
+      const isForeign = error instanceof WebAssembly.LinkError && !isOutOfMemory(error);
+      const how = isForeign ? "trap" : "memory";
+      return { end: { how, message: messageOf(error) }, offsets: [] };
     }
     const { value: dataEnd } = program.exports["__data_end"] as WebAssembly.Global<"i32">;
     if (dataEnd > engine.room) {
@@ -166,17 +179,22 @@ function endOf(error: unknown, program: WebAssembly.Instance, engine: Engine): E
   }
   // emscripten throws C++'s exceptions as numbers
   if (typeof error === "number") return { how: "uncaught", message: engine.exceptionText(error) };
-  if (error instanceof RangeError || hasOverflown(program)) {
+  if (isStackOverflow(error) || hasOverflown(program)) {
     return { how: "stack-overflow", message: "the stack is full" };
   }
   if (error instanceof WebAssembly.RuntimeError) {
     const { message } = error;
     return { how: "trap", message: /^unreachable/i.test(message) ? unreachable : message };
   }
+  // of a call with an address or a size that nothing can have
+  if (error instanceof RangeError) return { how: "trap", message: error.message };
   const { status } = error as { readonly status?: number }; // emscripten's ExitStatus
   if (typeof status === "number") return { how: "exit", code: status };
   throw error;
 }
+
+const hasNone = ({ module, name }: WebAssembly.ModuleImportDescriptor) =>
+  `it imports “${name}” of “${module}”, which a page does not have`;
 
 /** Where clang itself puts a trap. */
 const unreachable = "a null pointer was followed, or a function ended without its return";

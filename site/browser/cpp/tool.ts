@@ -6,6 +6,7 @@
  * system many times as long as zeroing does, and the smallest program touches 68 MB. `llvm` imports it
  * for that (bundle/imported-memory.mjs).
  */
+import { isStackOverflow } from "./exhausted.js";
 import { Exit, wasi } from "./wasi.js";
 import type { Files } from "./files.js";
 
@@ -17,6 +18,8 @@ export interface ToolResult {
 
 /** As it says other errors (diagnostics.ts). */
 const crashed = "\nerror: the compiler itself crashed on this program\n";
+const tooDeep =
+  "\nerror: this program is nested too deeply for the compiler: does a template name itself without end?\n";
 
 /** What a small program takes, in pages of 64 KiB. */
 const firstPages = (80 << 20) >> 16;
@@ -28,8 +31,8 @@ export class Tool {
 
   constructor(private readonly llvm: WebAssembly.Module) {}
 
-  /** With the command line `args`, over `files`. It fails by its exit code or, where it has a fault of its
-   * own, by a trap; another exception is of the machine's: there is no memory left. */
+  /** With the command line `args`, over `files`. It fails by its exit code, by a full stack or, where it has
+   * a fault of its own, by a trap; another exception is of the machine's: there is no memory left. */
   run(args: readonly string[], files: Files): ToolResult {
     const decoder = new TextDecoder();
     let text = "";
@@ -47,6 +50,7 @@ export class Tool {
       (exports["_start"] as () => void)();
       return { ok: true, text };
     } catch (error) {
+      if (isStackOverflow(error)) return { ok: false, text: text + tooDeep };
       if (error instanceof WebAssembly.RuntimeError) return { ok: false, text: text + crashed };
       if (!(error instanceof Exit)) throw error;
       return { ok: error.code === 0, text };

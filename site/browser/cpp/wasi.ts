@@ -5,6 +5,7 @@
  * Nothing of the browser's is behind it: no network, no storage. Where a call gives an error, it is
  * one of the numbers of WASI.
  */
+import { isOutOfMemory } from "./exhausted.js";
 import { folderOf, normalized, type File, type Files } from "./files.js";
 
 /** A program called exit(). */
@@ -26,6 +27,10 @@ export interface System {
   readonly write: (stream: Stream, bytes: Uint8Array) => void;
   /** What exit() does; by default it throws an Exit. */
   readonly exit?: (code: number) => never;
+  /** In bytes; by default a file is as large as it will. */
+  readonly largestFile?: number;
+  /** Hears of one that would be larger. Where this returns, the call fails. */
+  readonly full?: () => void;
 }
 
 type Imports = Readonly<Record<string, (...args: never[]) => number>>;
@@ -37,6 +42,7 @@ const Errno = {
   inval: 28,
   isdir: 31,
   noent: 44,
+  nospc: 51,
   nosys: 52,
   notdir: 54,
   notempty: 55,
@@ -227,7 +233,8 @@ class Process {
       fd_filestat_set_size: (fd: number, size: bigint) => {
         const found = file(fd);
         if (!found) return Errno.badf;
-        makeRoom(found, Number(size));
+        if (size < 0n) return Errno.inval;
+        if (!this.#makeRoom(found, Number(size))) return Errno.nospc;
         if (size < found.size) found.data.fill(0, Number(size), found.size);
         found.size = Number(size);
         return Errno.success;
@@ -248,6 +255,7 @@ class Process {
       fd_pread: (fd: number, vectors: number, count: number, place: bigint, out: number) => {
         const found = file(fd);
         if (!found) return Errno.badf;
+        if (place < 0n) return Errno.inval;
         this.#look().setUint32(out, this.#read(found, Number(place), vectors, count), true);
         return Errno.success;
       },
@@ -257,7 +265,8 @@ class Process {
         const bytes = joined(this.#vectors(vectors, count));
         if (found.file) {
           if (found.append) found.place = found.file.size;
-          found.place = writeAt(found.file, found.place, bytes);
+          if (!this.#writeAt(found.file, found.place, bytes)) return Errno.nospc;
+          found.place += bytes.length;
         } else if (found.stream !== "in") this.system.write(found.stream!, bytes);
         this.#look().setUint32(out, bytes.length, true);
         return Errno.success;
@@ -265,9 +274,10 @@ class Process {
       fd_pwrite: (fd: number, vectors: number, count: number, place: bigint, out: number) => {
         const found = file(fd);
         if (!found) return Errno.badf;
-        let at = Number(place);
-        for (const bytes of this.#vectors(vectors, count)) at = writeAt(found, at, bytes);
-        this.#look().setUint32(out, at - Number(place), true);
+        if (place < 0n) return Errno.inval;
+        const bytes = joined(this.#vectors(vectors, count));
+        if (!this.#writeAt(found, Number(place), bytes)) return Errno.nospc;
+        this.#look().setUint32(out, bytes.length, true);
         return Errno.success;
       },
       fd_seek: (fd: number, offset: bigint, whence: number, out: number) =>
@@ -447,6 +457,21 @@ class Process {
     return read;
   }
 
+  /** Says whether it could. */
+  #writeAt(file: File, place: number, bytes: Uint8Array): boolean {
+    if (!this.#makeRoom(file, place + bytes.length)) return false;
+    file.data.set(bytes, place);
+    file.size = Math.max(file.size, place + bytes.length);
+    return true;
+  }
+
+  #makeRoom(file: File, size: number): boolean {
+    const { largestFile = Infinity, full } = this.system;
+    if (size <= largestFile) return grow(file, size);
+    full?.();
+    return false;
+  }
+
   #seek(fd: number, offset: number, whence: number, out: number): number {
     const found = this.#open.get(fd);
     if (!found) return Errno.badf;
@@ -498,17 +523,16 @@ function joined(pieces: readonly Uint8Array[]): Uint8Array {
   return whole;
 }
 
-function makeRoom(file: File, size: number): void {
-  if (size <= file.data.length) return;
-  const data = new Uint8Array(Math.max(size, 2 * file.data.length, 4096));
-  data.set(file.data.subarray(0, file.size));
-  file.data = data;
-}
-
-/** The place after it. */
-function writeAt(file: File, place: number, bytes: Uint8Array): number {
-  makeRoom(file, place + bytes.length);
-  file.data.set(bytes, place);
-  file.size = Math.max(file.size, place + bytes.length);
-  return place + bytes.length;
+/** Says whether there is memory for it. */
+function grow(file: File, size: number): boolean {
+  if (size <= file.data.length) return true;
+  try {
+    const data = new Uint8Array(Math.max(size, 2 * file.data.length, 4096));
+    data.set(file.data.subarray(0, file.size));
+    file.data = data;
+    return true;
+  } catch (error) {
+    if (!isOutOfMemory(error)) throw error;
+    return false;
+  }
 }

@@ -5,6 +5,7 @@
 import { Compiler } from "./compiler.js";
 import { Downloads, NoNetwork } from "./download.js";
 import type { EngineFactory } from "./engine.js";
+import { isOutOfMemory } from "./exhausted.js";
 import { makeHeader } from "./header.js";
 import { keepHeader, keptHeader } from "./kept-header.js";
 import type { FromWorker, Stage, ToWorker } from "./messages.js";
@@ -69,8 +70,8 @@ async function run({ id, program, stated }: Run): Promise<void> {
 }
 
 function fail(error: unknown): void {
-  const isOutOfMemory = error instanceof RangeError || /memory/i.test(String(error));
-  const why = error instanceof NoNetwork ? "network" : isOutOfMemory ? "memory" : "unknown";
+  const isNetwork = error instanceof NoNetwork;
+  const why = isNetwork ? "network" : isOutOfMemory(error) ? "memory" : "unknown";
   say({ kind: "failed", why, message: String(error) });
 }
 

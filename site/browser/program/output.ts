@@ -1,5 +1,6 @@
 /** What the reader's run prints, as it comes, beside what the lesson's printed. */
 import { make } from "../client/element.js";
+import { markedParts } from "./marked-lines.js";
 
 export class Output {
   readonly element: HTMLElement;
@@ -52,13 +53,13 @@ export class Output {
     this.#complained.hidden = this.element.hidden = false;
   }
 
-  /** Marks lines, which count from 1. */
+  /** Marks lines, which count from 1: the first of them, where they are many. */
   mark(numbers: readonly number[]): void {
     this.#flush();
     if (numbers.length === 0) return;
-    const marked = new Set(numbers);
-    const lines = this.#text.match(/[^\n]*\n|[^\n]+$/g) ?? [];
-    const shown = lines.map((line, i) => (marked.has(i + 1) ? make("mark", {}, line) : line));
+    const shown = markedParts(this.#text, numbers).map(({ text, isMarked }) =>
+      isMarked ? make("mark", {}, text) : text,
+    );
     this.#printed.replaceChildren(...shown);
   }
 

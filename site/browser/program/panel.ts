@@ -27,9 +27,12 @@ const refusals: Readonly<Record<NoCompiler["why"], string>> = {
   memory:
     "There is no memory for the compiler: close other pages and press Run, or open this page on a " +
     "larger device.",
-  unknown: "The compiler could not be started, and the browser’s console tells why.",
+  unknown: "The compiler failed, and the browser’s console tells why.",
   stopped: "Stopped.",
 };
+
+/** It was none of the compiler's. */
+const failed = "This page failed, and the browser’s console tells why.";
 
 const borrowed =
   "What you change in it is not kept, as you have a text of your own: close this one to edit that.";
@@ -213,10 +216,10 @@ export class Panel {
   }
 
   #refuse(error: unknown): void {
-    const why = error instanceof NoCompiler ? error.why : "unknown";
-    if (why === "unknown") reportError(error);
+    const why = error instanceof NoCompiler ? error.why : undefined;
+    if (why === undefined || why === "unknown") reportError(error);
     quoteLesson(this.#name);
-    this.#say(refusals[why]);
+    this.#say(why === undefined ? failed : refusals[why]);
   }
 
   #listener(): Listener {

@@ -109,6 +109,22 @@ async function crashes(page, program, expect) {
   await program.button("Reset to the lesson’s").click();
 }
 
+// Two bytes at a time, up to the bound; its page marks some of the lines and says what came of it.
+async function floods(page, program, expect) {
+  const flood = 'setvbuf(stdout, nullptr, _IONBF, 0);\n  while (true) std::puts("x");';
+  await program.replace("int main() {", `int main() {\n  ${flood}`);
+  const said = await program.run();
+  expect(
+    /^It was ended, since it prints without end\. \d+ lines of its output are/.test(said),
+    said,
+  );
+  const { length } = await program.printed();
+  expect(length === 1 << 20, `it shows ${length} characters`);
+  const marked = await program.root.locator(".output.yours mark").count();
+  expect(marked === 1000, `${marked} lines are marked`);
+  await program.button("Reset to the lesson’s").click();
+}
+
 // Of a part of the program, all of it is edited; one editor at a time.
 async function edits(page, expect) {
   const part = new Program(page, "example-fall-falling");
@@ -158,6 +174,7 @@ await testPrograms(async (visitor) => {
     await warns(page, program, expect);
     await stops(page, program, expect);
     await crashes(page, program, expect);
+    await floods(page, program, expect);
     await edits(page, expect);
     await editsSnippet(page, expect);
   });

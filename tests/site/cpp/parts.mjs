@@ -13,7 +13,10 @@ import { test } from "node:test";
 
 const site = path.resolve(import.meta.dirname, "../../../site");
 const require = createRequire(path.join(site, "package.json"));
-const names = ["completion", "printf", "program-link", "records", "sentences", "unzip", "zip"];
+const names = [
+  ...["completion", "marked-lines", "printf", "program-link", "records", "sentences", "unzip"],
+  "zip",
+];
 const { outputFiles } = await require("esbuild").build({
   stdin: {
     contents: [
@@ -54,6 +57,25 @@ test("a number is printed as C prints it, and nothing has no sign", () => {
   for (const [value, format, text] of printed) {
     assert.equal(parts.inText(value, format), text, `${value} as ${format}`);
   }
+});
+
+test("lines are marked, and what stands between two is one part", () => {
+  const shown = (text, numbers) =>
+    parts.markedParts(text, numbers).map(({ text, isMarked }) => (isMarked ? `[${text}]` : text));
+  assert.deepEqual(shown("a\nb\nc\nd\ne", [2, 5]), ["a\n", "[b\n]", "c\nd\n", "[e]"]);
+  assert.deepEqual(shown("a\n\nb\n", [1, 2]), ["[a\n]", "[\n]", "b\n"]);
+  assert.deepEqual(shown("a\nb", [3]), ["a\nb"]);
+  assert.deepEqual(shown("", [1]), []);
+});
+
+test("of a million lines the first thousand are marked, and the others are one part", () => {
+  const lines = 1_000_000;
+  const numbers = Array.from({ length: lines }, (_, i) => i + 1);
+  const all = parts.markedParts("x\n".repeat(lines), numbers);
+  assert.deepEqual(
+    [all.length, all.filter(({ isMarked }) => isMarked).length, all.at(-1).text.length],
+    [1001, 1000, 2 * (lines - 1000)],
+  );
 });
 
 test("what was zipped is unzipped, here and by others", async () => {
