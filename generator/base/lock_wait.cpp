@@ -35,12 +35,14 @@ std::string name_of_process(const std::string& process) {
   return readable(name);
 }
 
+// Whose process the kernel does not say.
+constexpr const char* kSomebody = "another process";
+
 }  // namespace
 
 std::string lock_holder(int file) {
-  const std::string somebody = "another process";
   struct stat status {};
-  if (fstat(file, &status) != 0) return somebody;
+  if (fstat(file, &status) != 0) return kSomebody;
   const std::string wanted = number_of(status);
   std::ifstream locks("/proc/locks");
   for (std::string line; std::getline(locks, line);) {
@@ -52,7 +54,7 @@ std::string lock_holder(int file) {
     const std::string called = name_of_process(process);
     return "process " + process + (called.empty() ? "" : " (" + called + ")");
   }
-  return somebody;
+  return kSomebody;
 }
 
 bool take_lock(int file, int operation, const std::filesystem::path& path, const LockWait& wait) {

@@ -1,6 +1,5 @@
 #include "evaluate/scenes/lab_model.h"
 
-#include "base/utf8.h"
 #include "physics/model_files.h"
 
 namespace mjcourse {
@@ -26,9 +25,6 @@ std::optional<LabModel> find_lab_model(const LabContext& context) {
     auto text = read_beneath(root, text_path);
     if (!text) throw LostFile(text.error());
     model.texts[name] = *std::move(text);
-    if (find_invalid_utf8(model.texts[name])) {
-      return refuse(name + " is not UTF-8, as the page needs it", "save it as UTF-8");
-    }
   }
   return model;
 }

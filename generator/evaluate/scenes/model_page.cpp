@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <map>
 
-#include "base/utf8.h"
 #include "evaluate/context/block_context.h"
 #include "evaluate/scenes/model_lab.h"
 #include "evaluate/scenes/step_count.h"
@@ -156,12 +155,6 @@ std::optional<ModelPage> evaluate_model_page(const LocatedText& name, const Bloc
   page.sensors = sensors_of(model);
   page.keyframes = keyframes_of(model);
   page.files = files_of(worker_context.root(), "models/" + name.text + ".xml");
-  for (const ModelPage::File& file : page.files) {
-    if (!find_invalid_utf8(file.text)) continue;
-    context.error("E-model-utf8", name.span(), file.path + " is not UTF-8, as its page needs it",
-                  "save it as UTF-8");
-    return std::nullopt;
-  }
   const View view = portrait_of(*simulation);
   const auto picture = draw(*simulation, view, "the model's picture", name.span(), context);
   if (!picture) return std::nullopt;

@@ -45,11 +45,5 @@ TEST(LabModel, HasFilesThatThePageCanTellApart) {
       "name alone | rename a file, or leave one out\n");
 }
 
-TEST(LabModel, IsUtf8) {
-  EXPECT_EQ(rehearsed_mistakes("\"readouts\": []",
-                               {{"models/arm.xml", "<mujoco><!-- \xe9 --></mujoco>"}}, "arm"),
-            "E-lab-files <arm> arm.xml is not UTF-8, as the page needs it | save it as UTF-8\n");
-}
-
 }  // namespace
 }  // namespace mjcourse

@@ -81,15 +81,16 @@ TEST(ModelPage, NeedsAModelThatCompiles) {
 }
 
 TEST(ModelPage, NeedsMjcfThatItCanShow) {
-  EXPECT_EQ(
-      EvaluationOf("See [it](model:rig).\n",
-                   {{"models/rig.xml", "<!-- \xff --><mujoco><worldbody/></mujoco>"}})
-          .mistakes(),
-      R"(content/1-a/1.1-x.md:4:16: error: models/rig.xml is not UTF-8, as its page needs it [E-model-utf8]
-  4 | See [it](model:rig).
-    |                ^~~
-  cure: save it as UTF-8
-)");
+  EXPECT_EQ(EvaluationOf("See [it](model:rig).\n",
+                         {{"models/rig.xml", "<!-- \xff --><mujoco><worldbody/></mujoco>"}})
+                .mistakes(),
+            "models/rig.xml:1:1: error: a model's file is in UTF-8 [E-model-mjcf]\n"
+            "  1 | <!-- \xFF --><mujoco><worldbody/></mujoco>\n"
+            "    | ^~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~~\n"
+            "  note: content/1-a/1.1-x.md:4:16: lesson content/1-a/1.1-x.md uses this model\n"
+            "  4 | See [it](model:rig).\n"
+            "    |                ^~~\n"
+            "  cure: save it in UTF-8\n");
 }
 
 }  // namespace
