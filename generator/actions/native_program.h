@@ -87,7 +87,7 @@ class NativeProgram {
 
   // At its first call.
   const Compiled& compile();
-  // What the preprocessor makes of it. Nothing where that fails.
+  // The preprocessor's output. Nothing where it fails.
   std::optional<std::string> preprocessed();
   // After compile(), and what the compiler said.
   std::string refusal();

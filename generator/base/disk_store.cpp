@@ -49,7 +49,7 @@ bool is_of_disk(int reason) {
   return reason == ENOSPC || reason == EDQUOT || reason == EROFS || reason == EIO;
 }
 
-// What lies in an entry's place cannot be replaced.
+// An entry's place holds something that cannot be replaced.
 struct Blocked {
   fs::path path;
   int reason;
@@ -66,7 +66,7 @@ bool is_link(const fs::path& path) {
   return fs::is_symlink(fs::symlink_status(path, unknown));
 }
 
-// What else has the name goes: it is a store's.
+// Anything else of this name is removed, since the name is the store's.
 void make_folder(const fs::path& path) {
   if (mkdir(path.c_str(), 0777) == 0) return;
   struct stat status {};
@@ -99,8 +99,8 @@ DiskStore::DiskStore(fs::path folder, Trust trust, const LockWait& wait)
   }
 }
 
-// Who reads without the lock finds no half entries. What is forgotten meanwhile may be missed
-// later, which Blob::bytes() tells.
+// A reader without the lock finds no half entries. It may miss an entry that is forgotten
+// meanwhile, which Blob::bytes() tells.
 void DiskStore::lock(const LockWait& wait) {
   const fs::path path = folder_ / "lock";
   if (take_lock(lock_.get(), LOCK_SH, path, wait)) return;

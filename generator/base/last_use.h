@@ -1,6 +1,6 @@
 // When something was last used, as the time of its file says.
 //
-// Who may write a file may give it any time; one that is to come would keep it for ever.
+// A file's owner may give it any time, and one in the future would keep it for ever.
 #pragma once
 
 #include <sys/stat.h>
@@ -16,8 +16,8 @@ struct LastUse {
   long nanoseconds = 0;
   auto operator<=>(const LastUse&) const = default;
 
-  // Of what lies there itself, as lstat(2) gives it. Clocks of machines that share a disk differ,
-  // but not by an hour: what is further ahead than that counts as never used.
+  // `file` is as lstat(2) gives it, without following a link. Clocks of machines that share a disk
+  // differ, but not by an hour: what is further ahead than that counts as never used.
   static LastUse of(const struct stat& file);
 };
 

@@ -35,7 +35,7 @@ std::string name_of_process(const std::string& process) {
   return readable(name);
 }
 
-// Whose process the kernel does not say.
+// A holder that the kernel does not name.
 constexpr const char* kSomebody = "another process";
 
 }  // namespace

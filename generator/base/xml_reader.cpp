@@ -27,13 +27,6 @@ XmlName name_of(std::string_view parts) {
           parts.substr(second + 1)};
 }
 
-// The character at `at`, as a message can show it.
-std::string character_at(const std::string& bytes, std::size_t at) {
-  std::size_t end = at + 1;
-  while (end < bytes.size() && (bytes[end] & 0xC0) == 0x80) ++end;
-  return readable(bytes.substr(at, end - at));
-}
-
 bool is_in_reference(std::string_view before) {
   const std::size_t from = before.find_last_of("&;<>\"' \t\r\n");
   return from != before.npos && before[from] == '&';
@@ -54,7 +47,8 @@ XmlMistake wrong_character(const std::string& bytes, std::size_t at) {
     return {{from, from + 1}, "an `&` begins no character", "write `&amp;`"};
   }
   if (bytes[at] == '<') return {span, "a `<` begins nothing", "write `&lt;`"};
-  return {span, "`" + character_at(bytes, at) + "` cannot stand here", ""};
+  const std::string character = bytes.substr(at, character_end(bytes, at) - at);
+  return {span, "`" + readable(character) + "` cannot stand here", ""};
 }
 
 bool is_known_to_xml(std::string_view reference) {
@@ -76,7 +70,7 @@ XmlMistake unknown_reference(const std::string& bytes, std::size_t at) {
   return {{at, at + 1}, "it has no such character", "write the character itself"};
 }
 
-// What expat says, in our words.
+// A mistake that expat found, in our words.
 XmlMistake mistake_of(XML_Error error, const std::string& bytes, std::size_t at) {
   const Span span{at, at + 1};
   switch (error) {
@@ -113,6 +107,10 @@ XmlMistake mistake_of(XML_Error error, const std::string& bytes, std::size_t at)
 
 std::string XmlName::text() const {
   return prefix.empty() ? std::string(local) : std::string(prefix) + ":" + std::string(local);
+}
+
+bool XmlDeclaration::is_plain() const {
+  return version == "1.0" && (encoding.empty() || lower_case_utf8(encoding) == "utf-8");
 }
 
 struct XmlReader::Calls {

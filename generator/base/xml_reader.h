@@ -46,6 +46,9 @@ struct XmlElement {
 struct XmlDeclaration {
   std::string version;
   std::string encoding;  // "" where it names none
+
+  // XML 1.0 in UTF-8, as all readers have it without a declaration.
+  bool is_plain() const;
 };
 
 // Why something is not XML.

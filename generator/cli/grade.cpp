@@ -1,7 +1,7 @@
 // `mjcourse grade DIR...`: hand-ins, judged side by side.
 //
 // Steps: find the hand-ins, and the exercises that were handed in; run their solutions; judge each
-// text once, whoever handed it in, and keep what came of it; tell it.
+// text once, however many handed it in, and keep its verdict; write the tables.
 // Tested by tests/system/grade_class.mjs.
 #include <unistd.h>
 

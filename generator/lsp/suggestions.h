@@ -14,7 +14,7 @@ struct Suggestion {
   std::string name;
   Kind kind = Kind::value;
   std::string detail = {};   // one line
-  std::string meaning = {};  // Markdown, of ours: nothing of the course
+  std::string meaning = {};  // our own Markdown, without a word of the course
   std::string text = {};     // what is written; empty for the name
 };
 

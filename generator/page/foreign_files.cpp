@@ -25,7 +25,7 @@ constexpr std::size_t kMostDepth = 200;
 bool is_own_folder(const fs::path& path) {
   return fs::is_directory(fs::symlink_status(path));  // and no link to one
 }
-// Of what a folder lists, which mostly says so by itself.
+// The same of an entry, whose kind a listing mostly has with it.
 bool is_own_folder(const fs::directory_entry& entry) {
   return !entry.is_symlink() && entry.is_directory();
 }

@@ -17,7 +17,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kOfASite{60'000};
 constexpr milliseconds kOfALesson{100};
 
-// What all that render a site have taken of its time.
+// The time that all renderers of a site have taken together.
 class TimeTaken {
  public:
   explicit TimeTaken(milliseconds allowed) : allowed_(allowed) {}

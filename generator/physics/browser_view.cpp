@@ -9,13 +9,6 @@
 namespace mjcourse {
 namespace {
 
-bool is_utf8(std::string encoding) {
-  std::ranges::transform(encoding, encoding.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-  });
-  return encoding.empty() || encoding == "utf-8";
-}
-
 class ModelReader : public XmlReader {
  public:
   ModelReader(std::string path, const std::string& bytes)
@@ -51,7 +44,7 @@ class ModelReader : public XmlReader {
   }
 
   void declare(const XmlDeclaration& declaration) override {
-    if (declaration.version == "1.0" && is_utf8(declaration.encoding)) return;
+    if (declaration.is_plain()) return;
     refuse(here().begin, "a model's file is XML 1.0 in UTF-8, and says nothing else",
            "save it in UTF-8; its first line may be `<?xml version=\"1.0\"?>`");
   }
@@ -61,8 +54,9 @@ class ModelReader : public XmlReader {
   }
 
   void begin(const XmlElement& element) override {
-    for (const XmlNamespace& one : element.namespaces) {
-      const std::string name = one.prefix.empty() ? "xmlns" : "xmlns:" + one.prefix;
+    if (!element.namespaces.empty()) {
+      const std::string& prefix = element.namespaces.front().prefix;
+      const std::string name = prefix.empty() ? "xmlns" : "xmlns:" + prefix;
       return refuse(place_of_attribute(name).begin,
                     "a model has no namespaces, as by the attribute '" + readable(name) + "'",
                     "remove the attribute: MuJoCo does not look at it");

@@ -73,7 +73,7 @@ class Compiler {
                    const std::filesystem::path& folder, bool optimize = false,
                    const std::filesystem::path& beside = {}, bool ours = true) const;
 
-  // What the preprocessor makes of it; of a warm header, it has nothing. Nothing where that fails.
+  // The preprocessor's output; it takes nothing from a warm header. Nothing where it fails.
   std::optional<std::string> preprocess(const std::filesystem::path& source,
                                         const std::filesystem::path& folder, bool optimize = false,
                                         const std::filesystem::path& beside = {},

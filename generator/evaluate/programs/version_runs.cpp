@@ -154,7 +154,7 @@ int line_of(std::string_view preprocessed, std::size_t at) {
   return line;
 }
 
-// What no hand-in may have, in what the preprocessor has made of it.
+// A fault in the preprocessor's output for the code: something that no hand-in may have.
 std::optional<Diagnostic> expanded_fault(NativeProgram& program, const HandedInProgram& handed_in,
                                          Place place, const Toolchain& toolchain) {
   const auto code = expand(program, handed_in.key);

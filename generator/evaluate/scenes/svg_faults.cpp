@@ -73,7 +73,7 @@ constexpr std::string_view kSvg = "http://www.w3.org/2000/svg";
 constexpr std::string_view kXlink = "http://www.w3.org/1999/xlink";
 constexpr std::string_view kXml = "http://www.w3.org/XML/1998/namespace";
 
-// What an attribute is called where its namespaces have their usual prefixes; "" of others.
+// The name of an attribute where its namespaces have their usual prefixes; "" of others.
 std::string usual_name(const XmlName& name) {
   if (name.space.empty()) return std::string(name.local);
   if (name.space == kXlink) return "xlink:" + std::string(name.local);
@@ -122,11 +122,7 @@ class SvgReader : public XmlReader {
   }
 
   void declare(const XmlDeclaration& declaration) override {
-    std::string encoding = declaration.encoding;
-    std::ranges::transform(encoding, encoding.begin(), [](char c) {
-      return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    });
-    if (declaration.version == "1.0" && (encoding.empty() || encoding == "utf-8")) return;
+    if (declaration.is_plain()) return;
     refuse(head("<?"), "a drawing is XML 1.0 in UTF-8, and says nothing else",
            R"(save it in UTF-8; its first line may be `<?xml version="1.0" encoding="UTF-8"?>`)");
   }

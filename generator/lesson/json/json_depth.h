@@ -5,7 +5,7 @@
 
 namespace mjcourse {
 
-// What reads them goes down into them; no lesson needs a tenth of this.
+// Its readers recurse; no lesson needs a tenth of this.
 inline constexpr std::size_t kDeepestJson = 200;
 
 }  // namespace mjcourse

@@ -73,7 +73,7 @@ std::optional<ExerciseText> read_exercise(const SourceText& file, const std::str
 // Is this line `// #starter` or `// #wrong NAME: CHECK`, which end the solution?
 bool begins_variant(std::string_view line);
 
-// What stands between the marks of a region, in a text that a reader wrote. In words, what the text
+// The code between the marks of a region, in a text that a reader wrote. In words, what the text
 // has in place of that: no mark, or two of them, of which one may be in a comment.
 tl::expected<std::string, std::string> code_in_region(std::string_view program,
                                                       std::string_view region);

@@ -130,7 +130,7 @@ TEST_F(ConfinedCallsTest, LetsNobodySeeWhatOthersDoWithFiles) {
   }
 }
 
-// Whoever opens such a file next waits for the program's end.
+// The next process that opens such a file waits for the program to end.
 TEST_F(ConfinedCallsTest, LetsNobodyLeaseFiles) {
   const std::string open = "open($f, '<', $ENV{FOREIGN}) ? fileno($f) : -1, ";
   const std::string request = std::to_string(F_SETLEASE);
