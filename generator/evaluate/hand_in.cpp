@@ -96,8 +96,8 @@ std::optional<JudgedExercise> ExerciseJudge::prepare(const Lesson& lesson, const
     if (!into.hold()) return false;
     const auto handed_in = runs.run(0, into, diagnostics);
     if (!handed_in) return false;
-    const std::vector<std::string>& files = handed_in->result.files;
-    judged.sources.insert(judged.sources.end(), files.begin(), files.end());
+    const std::vector<std::string>& opened = handed_in->result.files;
+    judged.sources.insert(judged.sources.end(), opened.begin(), opened.end());
     const auto fails = std::ranges::find(handed_in->verdict, false, &JudgedCheck::holds);
     if (fails == handed_in->verdict.end()) return true;
     diagnostics.push_back(error_at(place, "E-exercise-hand-in",
